@@ -39,6 +39,7 @@ constexpr std::pair<const char*, const char*> files[] = {
     {"setup.json", R"({"offsets": {"1": {"radius": 5, "length": 50}}, "work_offsets": {"G54": {"X": 10, "Y": 20, "Z": 30}}})"},
     {"tools.toml", "[[tool]]\nnumber = 1\nkind = \"end\"\ndiameter = 10\nlength = 40\n"},
     {"own.toml", "id = \"own\"\nextends = \"nct\"\nname = {en = \"Own\", ru = \"Своя\"}\n"},
+    {"zone.txt", "from 0 0\nline 30 0\nline 30 20\nline 0 20 open\nclose\n"},
     {"sub/other.nc", "G1 X1 F100\nM30\n"}};
 
 void lay_out(const fs::path& folder) {

@@ -20,6 +20,7 @@ VALUES = [None, True, 0, -1, 1, 2, 7, 1.5, 1e308, -1e308, 4294967296, 2**63, '',
 FILES = {'part.nc': PROGRAM, 'call.nc': 'M98 P30\nG65 P30 A5\nG83 X5 Y5 Z-5 R2 Q1 F100\nM30\n', 'O0030.nc': '#1=#1+1\nG1 X#1 F100\nM99\n',
          'endless.nc': 'G90 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n', 'turn.nc': 'G18 G95 G96 S120 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX42\nM30\n',
          'faulty.nc': 'G1 X10\nG2 X5 R1\nG99 Y\n(\nG41 X\nM98 P7\nM30\n', 'setup.json': '{"offsets": {"1": {"radius": 5, "length": 50}}}',
+         'zone.txt': 'from 0 0\nline 30 0\nline 30 20\nline 0 20 open\nclose\n',
          'tools.toml': '[[tool]]\nnumber = 1\nkind = "end"\ndiameter = 10\nlength = 40\n', 'own.toml': 'id = "own"\nextends = "nct"\nname = {en = "O", ru = "О"}\n'}
 
 

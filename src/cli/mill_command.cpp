@@ -5,7 +5,6 @@
 
 #include "cli/command_parts.h"
 #include "cli/help_text.h"
-#include "cli/mill_options.h"
 #include "cli/option_values.h"
 #include "config/told.h"
 

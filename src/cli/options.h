@@ -7,6 +7,7 @@
 #include "config/alarm_texts.h"
 #include "control/control.h"
 #include "out/trace/sample_options.h"
+#include "session/milling/mill_wish.h"
 
 namespace kadr::cli {
 
@@ -144,15 +145,9 @@ struct StateOptions {
 int state(const StateOptions& options);
 
 /// Lengths in mm; what is negative here was not given.
-struct MillOptions {
-  std::string task;  // pocket, face, slot
+struct MillOptions : MillWish {
   std::string contour, control, output, plot, lang;
-  std::string scheme, direction, plunge = "ramp", stepover, mark;
-  double tool_diameter = 0, depth = 0, pass = -1, allowance = 0, top = 0, clearance = 5, overrun = 2, angle = 0, ramp_angle = 3, width = -1;
-  double feed = 300, plunge_feed = -1, speed = 0;
-  std::vector<double> hole;  // X, Y
-  std::uint32_t tool = 0;
-  bool coolant = false, quiet = false;
+  bool quiet = false;
 };
 int mill(const MillOptions& options);
 

@@ -6,43 +6,24 @@
 #include "cli/job.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
-#include "lang/text/eia.h"
 #include "lang/text/encoding.h"
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_reading.h"
 #include "lang/text/utf16.h"
+#include "out/text/tape_text.h"
 
 namespace kadr::cli {
 namespace {
 
 constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
-/// How the tape lies, in words.
-const char* lie_in_words(TapeLie lie, bool ru) {
-  switch (lie) {
-    case TapeLie::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
-    case TapeLie::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
-    default: return ru ? "считана с конца и не той стороной: образ перевёрнут" : "read from its wrong end and side: turned";
-  }
-}
-
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, bool ru) {
-  TapeLook look = look_at_tape(rows).value_or(TapeLook());
-  if (!options.code.empty()) look.code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
-  const bool lies = look.lie != TapeLie::right;
-  if (lies) complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, lie_in_words(look.lie, ru)));
-  const TapeText text = decode_tape(lies ? turned(rows, look.lie) : rows, look.code);
-  const bool odd = look.code == TapeCode::eia;
-  for (const TapeFault& fault : text.faults) {
-    const bool parity = odd != has_odd_parity(fault.byte);
-    const char* const what = !parity ? (ru ? "нет такого кода EIA" : "no code of EIA")
-                             : !ru   ? "parity error"
-                             : odd   ? "чётное число отверстий"
-                                     : "нечётное число отверстий";
-    complain(fmt::format(fmt::runtime(ru ? "{}: строка {}: {} (байт {:03o})" : "{}: row {}: {} (byte {:03o})"), options.input, fault.row,
-                         what, fault.byte));
-  }
-  output = text.text;
-  return text.faults.empty() && !lies ? ok : alarms;
+  const TapeReading read = read_tape(rows, tape_code_named(options.code));
+  const bool lies = read.lie != TapeLie::right;
+  const Lang lang = ru ? Lang::ru : Lang::en;
+  if (lies) complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, lie_in_words(read.lie, lang)));
+  for (const TapeFault& fault : read.faults) complain(fmt::format("{}: {}", options.input, fault_in_words(fault, read.code, lang)));
+  output = read.text;
+  return read.faults.empty() && !lies ? ok : alarms;
 }
 
 int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
@@ -56,8 +37,8 @@ int encode(const TapeOptions& options, const std::string& bytes, std::string& ou
                                   options.input, decoded.error().where.begin + 1, name_of(encoding))),
              alarms;
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark is no character of the tape
-  const TapeCode code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
-  const char* const name = code == TapeCode::eia ? "EIA" : "ISO-7";
+  const TapeCode code = tape_code_named(options.code).value_or(TapeCode::iso);
+  const std::string_view name = name_for_people(code);
   const auto rows = encode_tape(text, options.leader, code);
   if (!rows) {
     const Span at = rows.error().where;

@@ -1,12 +1,23 @@
 // Questions about the folder: hello, files, save. For view/page_session; tested by tests/serve.py.
 
+#include <fmt/core.h>
+
 #include "config/control_file.h"
+#include "out/text/base64.h"
 #include "view/page_inside.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t most_read = std::size_t{8} << 20;  // bytes
+
+/// Nothing: neither a text nor bytes, or both.
+std::optional<std::string> text_to_save(const PageJson& question) {
+  const auto text = question.find("text"), bytes = question.find("bytes");
+  if ((text == question.end()) == (bytes == question.end())) return std::nullopt;
+  if (text != question.end()) return text->is_string() ? std::optional(text->get<std::string>()) : std::nullopt;
+  return bytes->is_string() ? bytes_of_base64(bytes->get_ref<const std::string&>()) : std::nullopt;
+}
 
 }  // namespace
 
@@ -25,7 +36,7 @@ PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question)
     if (const auto def = load_control(control))
       controls.push_back({{"id", control}, {"name", lang == Lang::ru ? def->name.ru : def->name.en}});
   return PageJson{{"version", server.version},       {"folder", server.folder.name()},
-                  {"may_change", may_change.load()},        {"last", last.empty() ? PageJson() : PageJson(last)},
+                  {"may_change", may_change.load()}, {"last", last.empty() ? PageJson() : PageJson(last)},
                   {"controls", std::move(controls)}, {"machines", built_in_machines()}};
 }
 
@@ -46,19 +57,28 @@ PageSession::Inside::Answer PageSession::Inside::read(const PageJson& question) 
   return PageJson{{"text", std::move(text)}, {"digest", found->digest}, {"encoding", name_of(source_text.encoding())}};
 }
 
-/// A program or set-up that was opened here, or a new file.
+std::string PageSession::Inside::free_name(const std::string& like, const std::string& ending) const {
+  const std::size_t last = like.find_last_of('/') == std::string::npos ? 0 : like.find_last_of('/') + 1;
+  const std::size_t dot = like.find_last_of('.');
+  const std::string front = dot == std::string::npos || dot <= last ? like : like.substr(0, dot);
+  constexpr int most_tries = 1000;
+  std::string name = front + ending;
+  for (int i = 2; i < most_tries && server.folder.path_of(name); ++i) name = fmt::format("{}_{}{}", front, i, ending);
+  return name;
+}
+
+/// A program or set-up that was opened here, or a new file; its text, or the rows of a tape as base64.
 PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
   if (!may_change)
     return tl::unexpected(
         Refusal{told("open the page by its printed address to save", "чтобы сохранять, откройте страницу по напечатанному адресу")});
   const std::string file = value_in<std::string>(question, "file", "");
-  if (!question.contains("text") || !question["text"].is_string())
-    return tl::unexpected(Refusal{told("save: no text", "save: нет текста")});
+  const auto text = text_to_save(question);
+  if (!text) return tl::unexpected(Refusal{told("save: no text", "save: нет текста")});
   const bool replaces = question.contains("digest") && question["digest"].is_string();
   if (replaces && !opened_names.contains(file))
     return tl::unexpected(Refusal{file + ": " + told("was not opened here", "здесь не открывался")});
-  const auto saved = server.folder.save(file, question["text"].get_ref<const std::string&>(),
-                                        replaces ? std::optional(question["digest"].get<std::string>()) : std::nullopt);
+  const auto saved = server.folder.save(file, *text, replaces ? std::optional(question["digest"].get<std::string>()) : std::nullopt);
   if (!saved) return tl::unexpected(Refusal{saved.error().text, saved.error().changed});
   opened_names.insert(file);
   return PageJson{{"digest", *saved}};

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "config/told.h"
+#include "lang/text/tape.h"
 #include "panel/panel_hub.h"
 #include "view/page_json.h"
 #include "view/page_session.h"
@@ -76,6 +77,11 @@ struct PageSession::Inside {
   Answer sheet(const PageJson& question);
   // page_compare.cpp
   Answer compare(const PageJson& question);
+  // page_making.cpp, page_tape.cpp
+  Answer mill(const PageJson& question);
+  Answer tape(const PageJson& question);
+  Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
+  Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
   // page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);
@@ -106,6 +112,11 @@ struct PageSession::Inside {
   tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
+  /// A file beneath the folder, or the name of a built-in control or machine where that may be.
+  ///   returns  an error sentence; empty: `to` has it
+  std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
+  /// Like that name with that ending, and of no file that is there.
+  std::string free_name(const std::string& like, const std::string& ending) const;
   void carry_out();
   /// Its frames; `which` of the protocol. The work ends where nobody takes them.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);

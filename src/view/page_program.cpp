@@ -13,21 +13,22 @@ constexpr std::size_t most_passes = 1000;
 
 }  // namespace
 
+std::string PageSession::Inside::place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const {
+  const std::string name = value_in<std::string>(question, key, "");
+  if (name.empty() || (may_be_a_name && !name.ends_with(".toml") && name.find('/') == std::string::npos)) return to = name, std::string();
+  const auto path = server.folder.path_of(name);
+  if (!path) return path.error();
+  return to = *path, std::string();
+}
+
 /// Files beneath the folder; a control or a machine is one of the built-in ones, or such a file.
 tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
   OpeningWish wish;
   wish.lang = lang;
   wish.door = &server.folder;
   wish.encoding = value_in<std::string>(question, "encoding", "");
-  const auto place = [&](const char* key, std::string& to, bool may_be_a_name) -> std::string {
-    const std::string name = value_in<std::string>(question, key, "");
-    if (name.empty() || (may_be_a_name && !name.ends_with(".toml") && name.find('/') == std::string::npos)) return to = name, std::string();
-    const auto path = server.folder.path_of(name);
-    if (!path) return path.error();
-    return to = *path, std::string();
-  };
-  for (const std::string& fault : {place("file", wish.path, false), place("control", wish.control, true),
-                                   place("machine", wish.machine, true), place("setup", wish.setup, false)})
+  for (const std::string& fault : {place_of(question, "file", wish.path, false), place_of(question, "control", wish.control, true),
+                                   place_of(question, "machine", wish.machine, true), place_of(question, "setup", wish.setup, false)})
     if (!fault.empty()) return tl::unexpected(Refusal{fault});
   if (wish.path.empty()) return tl::unexpected(Refusal{told("open: no file is named", "open: файл не назван")});
   if (question.contains("text") && question["text"].is_string()) wish.text = question["text"].get<std::string>();

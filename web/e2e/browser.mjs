@@ -35,5 +35,7 @@ export function looks_at(of) {
   const count = (what) => of().locator(what).count();
   const text = (what) => of().locator(what).first().textContent();
   const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"), 60000);
-  return { count, text, ended };
+  const toasts = async () => (await of().locator(".toast").allTextContents()).join(" | ");
+  const line_shown = () => of().evaluate(() => { const e = document.querySelector(".cm-running"), box = document.querySelector(".source-host").getBoundingClientRect(), b = e?.getBoundingClientRect(); return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : ""; });
+  return { count, text, ended, toasts, line_shown };
 }

@@ -4,6 +4,7 @@ import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
+import { making_steps } from "./making_steps.mjs";
 import { panel_steps } from "./panel_steps.mjs";
 import { server } from "./server.mjs";
 
@@ -13,12 +14,10 @@ mkdirSync(pictures, { recursive: true });
 const kadr = await server(examples);
 const { page, errors, close } = await browser();
 await kadr.prepare(page);
-const { count, text, ended } = looks_at(() => page);
+const { count, text, ended, toasts, line_shown } = looks_at(() => page);
 const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
 const line = () => text(".state .block-told .dim");
-const toasts = async () => (await page.locator(".toast").allTextContents()).join(" | ");
 const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
-const line_shown = () => page.evaluate(() => { const e = document.querySelector(".cm-running"), box = document.querySelector(".source-host").getBoundingClientRect(), b = e?.getBoundingClientRect(); return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : ""; });
 /// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way: then once more.
 async function click_line(begins) {
   await page.locator(".slider").focus();
@@ -382,6 +381,7 @@ const steps = {
     await page.screenshot({ path: join(pictures, "turned_cut.png") });
   },
   ...panel_steps({ kadr, page, pictures, only }),
+  ...making_steps({ kadr, page, pictures }),
 };
 
 let passed = 0, failed = 0, skipped = 0;

@@ -4,7 +4,7 @@ import { looks_at, must, until } from "./browser.mjs";
 
 /// `only`: some of the steps run alone, without those before them.
 export function panel_steps({ kadr, page, pictures, only }) {
-  const { count, text, ended } = looks_at(() => page);
+  const { count, text, ended, toasts, line_shown } = looks_at(() => page);
   const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
   return {
     async "a machine at its panel: runs, holds, a line by hand, the emergency stop"() {

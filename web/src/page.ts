@@ -4,6 +4,7 @@ import "./style/base.css";
 import "./style/panes.css";
 import "./style/view.css";
 import "./style/code.css";
+import "./style/making.css";
 import "./style/print.css";
 import { App } from "./model/app";
 import { shape_of, type Shape } from "./model/tool_shape";
@@ -22,6 +23,7 @@ import { CutPanel } from "./ui/cut_panel";
 import { FilesDrawer } from "./ui/files";
 import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
+import { MakingDialog } from "./ui/making";
 import { layout, next_pane, Tabs } from "./ui/layout";
 import { Operator } from "./model/operator";
 import { OperatorPanel } from "./ui/operator_panel";
@@ -32,6 +34,7 @@ import { save } from "./ui/save";
 import { show_sheet } from "./ui/sheet";
 import { StatePane } from "./ui/state_pane";
 import { SummaryPanel } from "./ui/summary";
+import { show_from_tape, show_to_tape } from "./ui/tape";
 import { timeline } from "./ui/timeline";
 import { toast } from "./ui/toast";
 import { Topbar } from "./ui/topbar";
@@ -65,7 +68,11 @@ const tabs = new Tabs([
   { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
   { name: "panel", element: operator_panel.element, badge: () => (operator.panel ? "●" : ""), whole: () => Boolean(operator.panel) },
 ]);
-const files = new FilesDrawer(app);
+const files = new FilesDrawer(app, {
+  from_drawing: (folder, drawing) => { new MakingDialog(app, () => new WebSocket(address) as unknown as Socket, folder, drawing); },
+  to_tape: () => show_to_tape(app),
+  from_tape: (folder) => show_from_tape(app, folder),
+});
 const top = new Topbar(app, {
   files: () => { files.element.hidden = !files.element.hidden; remember("files_hidden", files.element.hidden); },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),

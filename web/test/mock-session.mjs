@@ -2,6 +2,8 @@
 import { part_frame, path_frame, program } from "./mock-server.mjs";
 
 const long_lines = 3_000_000;
+const saved = new Map(); // new files of the folder: bytes of tapes
+const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300" height="200"><rect x="20" y="20" width="260" height="160" fill="none" stroke="#20262e" stroke-width="3"/><circle cx="150" cy="100" r="60" fill="none" stroke="#1f6feb"/></svg>';
 const problem = (line, more) => ({ id: "feed_missing", severity: "alarm", number: 1070, text: "No feed for motion at feed", hint: "Give F in this block or before", file: "", line, column: 1, end_column: 8, block: "", calls: [], ...more });
 
 export function session(send) {
@@ -40,7 +42,7 @@ export function session(send) {
   const answers = {
     hello: (q) => { lang = q.lang; return { version: "0.9", folder: "examples", may_change: true, last: null, controls: [{ id: "mach3", name: "Mach3" }, { id: "fanuc", name: "Fanuc 0i" }, { id: "linuxcnc", name: "LinuxCNC" }], machines: ["mill3"] }; },
     language: (q) => { lang = q.lang; return {}; },
-    files: (q) => ({ entries: q.folder ? [{ name: "inner.nc", kind: "program", size: 512, modified: 0 }] : [{ name: "fixtures", kind: "folder", size: 0, modified: 0 }, { name: "long.nc", kind: "program", size: 104857600, modified: 0 }, { name: "plate.nc", kind: "program", size: 733, modified: 0 }, { name: "plate_2.nc", kind: "program", size: 735, modified: 0 }, { name: "plate.json", kind: "setup", size: 96, modified: 0 }, { name: "notes.txt", kind: "other", size: 20, modified: 0 }] }),
+    files: (q) => ({ entries: q.folder ? [{ name: "inner.nc", kind: "program", size: 512, modified: 0 }] : [{ name: "fixtures", kind: "folder", size: 0, modified: 0 }, { name: "long.nc", kind: "program", size: 104857600, modified: 0 }, { name: "plate.nc", kind: "program", size: 733, modified: 0 }, { name: "plate_2.nc", kind: "program", size: 735, modified: 0 }, { name: "plate.json", kind: "setup", size: 96, modified: 0 }, { name: "notes.txt", kind: "other", size: 20, modified: 0 }, { name: "cover.txt", kind: "program", size: 200, modified: 0 }, { name: "lever.dxf", kind: "other", size: 900, modified: 0 }, ...[...saved.keys()].map((name) => ({ name, kind: "program", size: 99, modified: 0 }))] }),
     open: (q) => { open = q.file; text = q.text ?? program; path = path_frame(); setTimeout(run, 10); const long = open === "long.nc"; return { file: q.file, size: text.length, digest: "d1", encoding: "utf-8", control: { id: q.control ?? "mach3", name: "Mach3", guessed: !q.control, why: "%" }, machine: q.machine ?? null, setup: q.setup ?? null, editable: !long, lines: long ? long_lines : text.split("\n").length, ...(long ? {} : { text }) }; },
     source: (q) => ({ lines: Array.from({ length: Math.min(q.count, long_lines - q.from + 1) }, (_, i) => `N${q.from + i} G1 X${((q.from + i) % 80) - 40}.5 Y${(q.from + i) % 60} F800`) }),
     state: (q) => state_at(q),
@@ -58,7 +60,18 @@ export function session(send) {
       setTimeout(() => send(path_frame(2, 1).frame), 10);
       return { same: false, text: "1 differences, up to 2 mm apart", tolerance: 0.001, deviation: 2, moves: [9, 9], first: d, differences: [d], more: 0, lost: false };
     },
-    save: (q) => { if (q.digest === "old" || /CONFLICT/.test(q.text)) throw { text: "changed since", changed: true }; text = q.text; return { digest: "d2" }; },
+    save: (q) => {
+      if (q.digest === "old" || /CONFLICT/.test(q.text) || (q.digest === null && saved.has(q.file))) throw { text: "changed since", changed: true };
+      saved.set(q.file, q.bytes ?? "");
+      if (q.text !== undefined) text = q.text;
+      return { digest: "d2" };
+    },
+    mill: (q) => {
+      if (!(q.depth > 0)) return { problem: problem(0, { text: "--depth 0 is out of range" }), word: "depth", line_text: "" };
+      const layers = Math.ceil(q.depth / (q.pass ?? q.depth));
+      return { text: program, picture: svg, summary: [{ name: "zone", value: "closed; islands: 2" }, { name: "path", value: `2779.3 mm, ${layers} × Z, lifts: 0` }], warning: "", name: saved.has("cover.nc") ? "cover_2.nc" : "cover.nc" };
+    },
+    tape: (q) => (q.way === "out" ? { bytes: btoa(q.text ?? text), rows: text.length, name: "cover.tape" } : saved.get(q.file) ? { text: atob(saved.get(q.file)), code: "iso", lies: "", faults: [], more: 0, name: "cover_2.nc" } : (() => { throw { text: `${q.file}: is no image of a punched tape` }; })()),
     stop: () => { stopped = true; return {}; },
   };
   const state_of_line = (line) => { let number = 5, last = 0; for (const m of path.all) { if (m[0] !== last || m[2] !== 4) number++; last = m[0]; if (m[0] === line) return number; } return 0; };

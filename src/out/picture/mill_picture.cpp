@@ -1,4 +1,4 @@
-// Picture of a milled area: the contours and the path of the tool's centre in plan, SVG or PNG. For cli/mill.
+// Picture of a milled area: the contours and the path of the tool's centre in plan, SVG or PNG. For cli/mill, view/page_making.
 
 #include "out/picture/mill_picture.h"
 
@@ -156,6 +156,12 @@ tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillP
   const Drawing drawing(picture);
   return write_page(file, page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
                     [&](Canvas& canvas) { drawing.draw(canvas); });
+}
+
+std::string milling_svg(const MillPicture& picture) {
+  const Drawing drawing(picture);
+  return svg_page(page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
+                  [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 
 }  // namespace kadr

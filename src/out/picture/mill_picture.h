@@ -25,4 +25,7 @@ struct MillPicture {
 ///   returns  an error sentence
 tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture);
 
+/// The same as SVG in memory; empty: there was no room for it.
+std::string milling_svg(const MillPicture& picture);
+
 }  // namespace kadr

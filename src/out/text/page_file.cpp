@@ -3,6 +3,7 @@
 #include "out/text/page_file.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "config/read_file.h"
@@ -48,6 +49,22 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
 }
 
 }  // namespace
+
+std::string svg_page(double width, double height, const PageText& says, const std::function<void(Canvas&)>& draw) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* const file = ::open_memstream(&text, &size);
+  if (file == nullptr) return {};
+  int error = 0;
+  {
+    SvgCanvas canvas(file, width, height, says);
+    draw(canvas);
+    error = canvas.finish();
+  }
+  const bool closed = std::fclose(file) == 0;
+  const std::unique_ptr<char, decltype(&std::free)> its(text, std::free);
+  return error == 0 && closed ? std::string(text, size) : std::string();
+}
 
 bool is_page_name(const std::string& file) { return is_svg(file) || is_png(file); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A page into a file: SVG or PNG.
+// A page into a file, SVG or PNG, or into memory.
 
 #include <functional>
 #include <string>
@@ -14,6 +14,9 @@ namespace kadr {
 ///   returns  an error sentence
 tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
                                            const std::function<void(Canvas&)>& draw);
+
+/// The same as SVG in memory; empty: there was no room for it.
+std::string svg_page(double width, double height, const PageText& says, const std::function<void(Canvas&)>& draw);
 
 /// The name ends in one of those.
 bool is_page_name(const std::string& file);

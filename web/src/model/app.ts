@@ -52,6 +52,7 @@ export class App {
   readonly on_text = new Signal<void>();
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
+  readonly on_files = new Signal<string>();   // a new one has been saved
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;

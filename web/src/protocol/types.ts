@@ -115,6 +115,22 @@ export interface Tables { sections: string[]; setup: string; file: JsonTable; ed
 export interface LogEntry { at: string; kind: string; text: string; line: number }
 export interface Stood { mode: PanelMode; number: number; line: number; file: string; text: string; machine: number[] }
 
+export type MillTask = "pocket" | "face" | "slot";
+/// What `kadr mill` is asked for, by the names of its options; what is left out is as usual there.
+export interface MillQuestion {
+  drawing: string; control: string; task: MillTask; tool_diameter: number; depth: number; pass?: number; allowance?: number; top?: number; scheme?: string; direction?: string;
+  stepover?: string; plunge?: string; hole?: [number, number]; ramp_angle?: number; clearance?: number; overrun?: number; angle?: number; width?: number; feed?: number;
+  plunge_feed?: number; speed?: number; tool?: number; coolant?: boolean; mark?: string;
+}
+/// `picture` SVG, "": too large to be shown; `warning` "": none; `name` of no file that is there.
+export interface Milled { text: string; picture: string; summary: { name: string; value: string }[]; warning: string; name: string }
+/// `word` of the question that is wrong, "": it is the drawing.
+export interface NotMilled { problem: Problem; word: string; line_text: string }
+/// `bytes` base64: a byte a row.
+export interface Punched { bytes: string; rows: number; name: string }
+export type TapeCode = "iso" | "eia";
+export interface TapeRead { text: string; code: TapeCode; lies: string; faults: string[]; more: number; name: string }
+
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
   language: [{ lang: Language }, object];
@@ -131,7 +147,9 @@ export interface Questions {
   sheet: [object, Sheet];
   read: [{ file: string }, { text: string; digest: string; encoding: string }];
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
-  save: [{ file: string; text: string; digest: string | null }, { digest: string }];
+  save: [{ file: string; digest: string | null } & ({ text: string } | { bytes: string }), { digest: string }];
+  mill: [MillQuestion, Milled | NotMilled];
+  tape: [{ way: "out"; file: string; text?: string; code?: TapeCode; leader?: number } | { way: "in"; file: string; code?: TapeCode }, Punched | TapeRead];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
   machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean; stood: Stood | null; lasts: boolean }];

@@ -1,11 +1,17 @@
-// The drawer of files: folders beneath the served one, programs to open, set-ups to run with.
+// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs from; tape.
 import type { App } from "../model/app";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { bytes } from "./figures";
 import { icon } from "./icons";
-import { ask } from "./dialog";
+import { may_leave } from "./save";
+
+const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastIndexOf("/")));
+const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
+
+/// `folder`: the one that is shown.
+export interface FilesVerbs { from_drawing(folder: string, drawing?: string): void; to_tape(): void; from_tape(folder: string): void }
 
 export class FilesDrawer {
   readonly element = h("nav", { class: "pane files", "aria-label": "" });
@@ -13,13 +19,17 @@ export class FilesDrawer {
   private fresh = true;
   private list = h("ul", { class: "file-list" });
   private crumbs = h("span", { class: "pane-title crumbs" });
+  private verbs_row = h("div", { class: "files-verbs" });
+  private names = new Set<string>();
 
-  constructor(private app: App) {
-    this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list);
+  constructor(private app: App, private verbs: FilesVerbs) {
+    this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list, this.verbs_row);
+    app.on_files.on((file) => void this.go(folder_of(file)));
     app.on_line.on((l) => { if (l === "open") void this.go(this.folder); });
     app.on_opened.on((o) => {
-      const folder = o.file.includes("/") ? o.file.slice(0, o.file.lastIndexOf("/")) : "";
+      const folder = folder_of(o.file);
       if (this.fresh && folder !== this.folder) void this.go(folder); // what was open before a reload is shown where it lies
+      else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has been saved just now
       this.fresh = false;
       this.mark();
     });
@@ -40,13 +50,16 @@ export class FilesDrawer {
     fill(this.crumbs, button(this.app.hello?.folder || "/", () => void this.go("")),
       ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]));
     fill(this.list, ...entries.map((e) => this.row(e)), more && h("li", { class: "note" }, t("more_files")), !entries.length && h("li", { class: "note" }, t("empty_folder")));
+    this.names = new Set(entries.map((e) => (this.folder ? `${this.folder}/${e.name}` : e.name)));
+    fill(this.verbs_row, button(t("new_from_drawing"), () => this.verbs.from_drawing(this.folder)), button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }), button(t("from_tape"), () => this.verbs.from_tape(this.folder)));
     this.mark();
   }
 
   private row(e: FileEntry): HTMLElement {
     const path = this.folder ? `${this.folder}/${e.name}` : e.name;
-    const can = e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
-    return h("li", null, h("button", { type: "button", class: `file-row ${e.kind}`, disabled: !can, "data-path": path, title: e.kind === "setup" ? t("use_setup") : path, onclick: () => void this.choose(e, path) },
+    const draws = e.kind === "other" && is_drawing(e.name);
+    const can = draws || e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
+    return h("li", null, h("button", { type: "button", class: `file-row ${e.kind}`, disabled: !can, "data-path": path, title: e.kind === "setup" ? t("use_setup") : draws ? `${path}: ${t("new_from_drawing")}` : path, onclick: () => void this.choose(e, path) },
       icon(e.kind), h("span", { class: "file-name" }, e.name),
       e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size))));
   }
@@ -54,7 +67,8 @@ export class FilesDrawer {
   private async choose(e: FileEntry, path: string): Promise<void> {
     if (e.kind === "folder") return this.go(path);
     if (e.kind === "setup") return this.app.run_again({ ...this.app.choice, setup: path });
-    if (this.app.dirty && (await ask(t("unsaved"), t("unsaved_long", { file: this.app.opened?.file ?? "" }), [["leave", t("discard")], ["cancel", t("cancel")]])) === "cancel") return;
+    if (e.kind === "other") return this.verbs.from_drawing(this.folder, path);
+    if (!(await may_leave(this.app))) return;
     await this.app.open({ file: path });
   }
 
@@ -63,5 +77,7 @@ export class FilesDrawer {
       if (b.dataset.path === this.app.opened?.file) b.setAttribute("aria-current", "true"); else b.removeAttribute("aria-current");
       if (b.classList.contains("setup")) (b as HTMLButtonElement).disabled = this.app.opened === null;
     }
+    const to_tape = this.verbs_row.querySelector<HTMLButtonElement>("[data-needs=program]");
+    if (to_tape) to_tape.disabled = this.app.opened === null;
   }
 }

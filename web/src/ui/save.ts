@@ -33,3 +33,12 @@ async function conflict(app: App, file: string, text: string): Promise<void> {
     await app.open({ file: name, ...app.choice }, app.instant);
   } catch (e) { app.tell(e); }
 }
+
+/// What is not saved here is asked about before another program is opened.
+export async function may_leave(app: App): Promise<boolean> {
+  return !app.dirty || (await ask(t("unsaved"), t("unsaved_long", { file: app.opened?.file ?? "" }), [["leave", t("discard")], ["cancel", t("cancel")]])) !== "cancel";
+}
+
+export async function may_replace(file: string): Promise<boolean> {
+  return (await ask(t("file_there"), t("file_there_long", { file }), [["replace", t("replace")], ["cancel", t("cancel")]])) === "replace";
+}

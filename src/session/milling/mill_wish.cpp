@@ -1,6 +1,7 @@
-// kadr mill: words of the command line → what is wanted of path/area. For cli/mill, cli/mill_command.
+// Words of a wish → what is wanted of path/area. For session/milling, cli/mill_command, view/page_making; tested by tests/mill.py,
+// tests/serve_making.py.
 
-#include "cli/mill_options.h"
+#include "session/milling/mill_wish.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +10,7 @@
 #include "config/contour.h"
 #include "config/nearest.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
 using area::Direction;
@@ -18,7 +19,7 @@ using area::Scheme;
 
 constexpr double most_stepover = 100;  // % of the diameter: beyond it ridges stay
 
-/// A name of the command line, of the source as printed there, and the latter in small letters. Blanks within count for nothing.
+/// A name as it is asked for, of the source as printed there, and the latter in small letters. Blanks within count for nothing.
 template <class T>
 struct Name {
   std::string_view name, source, small;
@@ -77,7 +78,7 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
 Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
 
 /// Stepover in mm.
-Result<double> step_of(const MillOptions& o) {
+Result<double> step_of(const MillWish& o) {
   const std::string text = !o.stepover.empty() ? o.stepover : o.task == "face" ? "70%" : "50%";
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -93,7 +94,7 @@ struct Range {
   double value, least, most;
 };
 
-Status check_ranges(const MillOptions& o) {
+Status check_ranges(const MillWish& o) {
   constexpr double tiny = 0.01, far = limits::contour_reach, fast = 1e6;
   const Range ranges[] = {
       {"tool-diameter", o.tool_diameter, 0.05, 1000},
@@ -121,7 +122,7 @@ Status check_ranges(const MillOptions& o) {
 
 }  // namespace
 
-Result<area::Job> mill_job(const MillOptions& o) {
+Result<area::Job> mill_job(const MillWish& o) {
   KADR_TRY(check_ranges(o));
   area::Job job;
   std::optional<Direction> named;
@@ -179,4 +180,4 @@ std::string_view russian_name(area::Plunge plunge) {
   return {};
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

@@ -1,0 +1,32 @@
+// For cli/tape_command, view/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
+
+#include "out/text/tape_text.h"
+
+#include <fmt/core.h>
+
+#include "lang/text/eia.h"
+
+namespace kadr {
+
+std::string lie_in_words(TapeLie lie, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  switch (lie) {
+    case TapeLie::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
+    case TapeLie::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
+    default: return ru ? "считана с конца и не той стороной: образ перевёрнут" : "read from its wrong end and side: turned";
+  }
+}
+
+std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang) {
+  const bool ru = lang == Lang::ru, odd = code == TapeCode::eia;
+  const bool parity = odd != has_odd_parity(fault.byte);
+  const char* const what = !parity ? (ru ? "нет такого кода EIA" : "no code of EIA")
+                           : !ru   ? "parity error"
+                           : odd   ? "чётное число отверстий"
+                                   : "нечётное число отверстий";
+  return fmt::format(fmt::runtime(ru ? "строка {}: {} (байт {:03o})" : "row {}: {} (byte {:03o})"), fault.row, what, fault.byte);
+}
+
+std::string_view name_for_people(TapeCode code) { return code == TapeCode::eia ? "EIA" : "ISO-7"; }
+
+}  // namespace kadr

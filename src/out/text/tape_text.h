@@ -1,0 +1,21 @@
+#pragma once
+// What is to be told of punched tape, in words: for kadr tape and the page.
+
+#include <string>
+#include <string_view>
+
+#include "config/alarm_texts.h"
+#include "lang/text/tape_side.h"
+
+namespace kadr {
+
+/// How the tape lies: "read from its wrong end: turned".
+std::string lie_in_words(TapeLie lie, Lang lang);
+
+/// "row 241: parity error (byte 100)", the byte in octal.
+std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);
+
+/// "ISO-7", "EIA".
+std::string_view name_for_people(TapeCode code);
+
+}  // namespace kadr

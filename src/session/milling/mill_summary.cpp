@@ -1,0 +1,137 @@
+// What is to be told of a milled area. For cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
+
+#include "session/milling/mill_summary.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lang/text/encoding.h"
+
+namespace kadr {
+namespace {
+
+std::string text_of_line(std::string_view text, std::uint32_t number) {
+  for (; number > 1; --number) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  constexpr std::size_t longest = 200;  // bytes shown
+  std::string_view line = text.substr(0, std::min(text.find_first_of("\r\n"), longest));
+  std::string utf8;
+  return append_utf8(line, Encoding::utf8, utf8) ? utf8 : std::string();
+}
+
+std::string scheme_with_direction(const area::Job& job) {
+  return fmt::format("{} {}", russian_name(job.scheme), job.direction == area::Direction::ccw ? "ПЧС" : "ЧС");
+}
+
+std::string hole_place(Vec2 p) { return fmt::format("X{} Y{}", number_text(p.x, 3), number_text(p.y, 3)); }
+
+class MillSummary {
+ public:
+  MillSummary(const Milled& milled, Lang lang) : milled_(milled), job_(milled.job), lang_(lang) {}
+
+  std::vector<MillLine> lines() {
+    const area::AreaPath& path = milled_.path.path;
+    const area::Outcome& o = milled_.path.outcome;
+    line("zone", "зона", zone_text());
+    line("scheme", "схема",
+         fmt::format("{}, {} {} {} ({} %)", scheme_with_direction(job_), word("step", "шаг"), number_text(path.step, 3), mm(),
+                     number_text(50 * path.step / job_.radius, 1)));
+    line("path", "траектория",
+         fmt::format("{} {}, {} × Z, {}: {}", number_text(o.length, 1), mm(), path.layers, word("lifts", "подъёмов"), path.lifts));
+    if (std::isfinite(o.nearest_wall))
+      line("wall", "стенка",
+           fmt::format("{} {} ({} {})", number_text(o.nearest_wall, 3), mm(), word("wanted", "нужно"), number_text(o.wanted, 3)));
+    line("uncut", "не обработано",
+         fmt::format("{0} {3}²; {1} {2} {3}²", number_text(o.uncut, 2), word("out of the tool's reach", "недоступно фрезе"),
+                     number_text(o.out_of_reach, 2), mm()));
+    line("plunge", "врезание", plunge_text(path.plunges));
+    for (const Vec2 hole : path.holes) line("drill before", "засверлить", hole_place(hole));
+    if (path.step < job_.step) line("note", "примечание", word("the step was reduced: sharp corners", "шаг уменьшен: острые углы"));
+    if (path.fields > milled_.shape.zones.size())
+      line("note", "примечание", word("the zone falls apart: places narrower than the tool", "зона распалась: есть места уже фрезы"));
+    line("program", "УП",
+         fmt::format("{} {}, {}", std::count(milled_.program.text.begin(), milled_.program.text.end(), '\n'), word("blocks", "кадров"),
+                     word("read back: the same path", "прочитана обратно: путь тот же")));
+    return std::move(lines_);
+  }
+
+ private:
+  bool ru() const { return lang_ == Lang::ru; }
+  const char* word(const char* en, const char* russian) const { return ru() ? russian : en; }
+  const char* mm() const { return word("mm", "мм"); }
+  void line(const char* en, const char* russian, std::string value) { lines_.push_back({word(en, russian), std::move(value)}); }
+
+  std::string zone_text() const {
+    std::size_t islands = 0, open = 0, edges = 0;
+    for (const area::Zone& zone : milled_.shape.zones) {
+      islands += zone.loops.size() - 1;
+      for (const Edges& loop : zone.loops)
+        for (const Edge& e : loop) ++edges, open += e.open ? 1 : 0;
+    }
+    const char* const kind = open == 0       ? word("closed", "закрытая")
+                             : open == edges ? word("open", "открытая")
+                                             : word("half-open", "полуоткрытая");
+    return fmt::format("{}; {}: {}", kind, word("islands", "островков"), islands);
+  }
+
+  /// How the tool goes down into material not yet cut. Straight down is told, for not every tool cuts over its centre.
+  std::string plunge_text(const area::Plunges& p) const {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* en, const char* russian) {
+      if (count > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", word(en, russian), count);
+    };
+    add(p.ramps, "ramps to and fro", "спуски вперёд и назад");
+    add(p.helices, "ramps round and round", "спуски по замкнутой линии");
+    add(p.straight, "straight down into the material (the tool must cut over its centre)",
+        "отвесно в материал (фреза должна резать центром)");
+    add(p.drilled, "straight down into holes drilled before", "отвесно в засверленные отверстия");
+    if (text.empty()) return word("beside the material", "вне материала");
+    if (p.ramps + p.helices > 0) text += fmt::format("; {}°", number_text(job_.ramp_deg, 3));
+    return fmt::format("{}: {}", russian_name(job_.plunge), text);
+  }
+
+  const Milled& milled_;
+  const area::Job& job_;
+  Lang lang_;
+  std::vector<MillLine> lines_;
+};
+
+}  // namespace
+
+std::vector<MillLine> mill_summary(const Milled& milled, Lang lang) { return MillSummary(milled, lang).lines(); }
+
+std::string warning_of_holes(const Milled& milled, Lang lang) {
+  const area::AreaPath& path = milled.path.path;
+  if (path.plunges.no_room == 0) return {};
+  std::string holes;
+  for (const Vec2 hole : path.holes) holes += (holes.empty() ? "" : "; ") + hole_place(hole);
+  return (lang == Lang::ru ? "спуску нет места, фреза идёт вниз отвесно: засверлить заранее "
+                           : "no room for a ramp, the tool goes straight down: drill before ") +
+         holes;
+}
+
+AlarmReport report_of(const ContourFault& fault, std::string_view drawing, const std::string& file) {
+  AlarmReport report;
+  report.alarm = fault.alarm;
+  report.file = file;
+  if (fault.line == 0) return report;
+  report.origin.line = fault.line;
+  report.origin.column = fault.alarm.where.begin + 1;
+  report.line_text = text_of_line(drawing, fault.line);
+  if (fault.alarm.where.end > report.line_text.size()) report.alarm.where = {};
+  return report;
+}
+
+MillPicture mill_picture(const Milled& milled, const ControlDef& def, const std::string& title, Lang lang) {
+  const std::string subtitle = fmt::format("{}   Ø{}   {}", scheme_with_direction(milled.job), number_text(2 * milled.job.radius),
+                                           lang == Lang::ru ? def.name.ru : def.name.en);
+  const area::AreaPath& path = milled.path.path;
+  return {milled.shape.zones, path.moves, path.holes, milled.job.radius, milled.job.top, title, subtitle, lang};
+}
+
+}  // namespace kadr

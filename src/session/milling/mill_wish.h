@@ -1,0 +1,40 @@
+#pragma once
+// What is to be milled, in the words of whoever asks for it (kadr mill, a page) → what is wanted of path/area.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "path/area/mill.h"
+
+namespace kadr {
+
+/// Lengths in mm, angles in degrees, feeds in mm/min; below zero, empty: as is usual (docs/commands/mill.md).
+struct MillWish {
+  std::string task;  // pocket, face, slot
+  std::string scheme, direction, plunge = "ramp", stepover, mark;
+  double tool_diameter = 0, depth = 0, pass = -1, allowance = 0, top = 0, clearance = 5, overrun = 2, angle = 0, ramp_angle = 3, width = -1;
+  double feed = 300, plunge_feed = -1, speed = 0;
+  std::vector<double> hole;  // X, Y
+  std::uint32_t tool = 0;
+  bool coolant = false;
+};
+
+/// The job, complete.
+///   alarms  mill_value, mill_stepover
+Result<area::Job> mill_job(const MillWish& wish);
+
+/// Whether that is a name of one, and the names that there are.
+bool is_scheme(std::string_view name);
+bool is_direction(std::string_view name);
+bool is_plunge(std::string_view name);
+std::vector<std::string> scheme_names();
+std::vector<std::string> direction_names();
+std::vector<std::string> plunge_names();
+
+/// Names as printed in the source: СПИР, 1 ЗИГЗАГ; СПУСК.
+std::string_view russian_name(area::Scheme scheme);
+std::string_view russian_name(area::Plunge plunge);
+
+}  // namespace kadr

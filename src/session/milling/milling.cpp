@@ -1,0 +1,79 @@
+// A drawing becomes a program. For cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
+
+#include "session/milling/milling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/program_moves.h"
+
+namespace kadr {
+namespace {
+
+tl::expected<MillShape, ContourFault> shape_to_mill(const MillWish& wish, std::string_view drawing) {
+  const auto edges = read_contour(drawing);
+  if (!edges) return tl::unexpected(edges.error());
+  auto chains = area::chained(*edges);
+  if (!chains) return tl::unexpected(chains.error());
+  if (wish.task == "slot" && !chains->open.empty()) {
+    const double width = wish.width < 0 ? wish.tool_diameter : wish.width;
+    const bool wider = width > wish.tool_diameter;
+    return MillShape{area::slot_zones(chains->open, width / 2), wider ? std::vector<Edges>() : chains->open};
+  }
+  auto zones = area::zones_of(*chains);
+  if (!zones) return tl::unexpected(zones.error());
+  if (wish.task == "face")
+    for (area::Zone& zone : *zones)
+      for (Edge& e : zone.loops[0]) e.open = true;
+  return MillShape{std::move(*zones), {}};
+}
+
+Result<area::Verified> path_over(const MillShape& shape, const area::Job& job) {
+  if (shape.lines.empty()) return area::verified_path(shape.zones, job);
+  auto path = area::slot_path(shape.lines, job);
+  if (!path) return fail(path.error());
+  const area::Outcome outcome = area::verified(shape.zones, job, path->moves);
+  if (outcome.fault) return fail(*outcome.fault);
+  return area::Verified{std::move(*path), outcome};
+}
+
+Technology technology_of(const MillWish& wish) {
+  Technology technology;
+  technology.feed = wish.feed;
+  technology.plunge_feed = wish.plunge_feed < 0 ? std::max(1.0, std::round(wish.feed / 3)) : wish.plunge_feed;
+  technology.speed = wish.speed;
+  technology.tool = wish.tool;
+  technology.coolant = wish.coolant;
+  technology.mark = wish.mark;
+  return technology;
+}
+
+/// The program, its path read back by the control's interpreter and verified like the first.
+Result<PartProgram> written_program(const MillWish& wish, const ControlDef& def, const area::Verified& path, const MillShape& shape,
+                                    const area::Job& job) {
+  auto program = part_program(def, path.path.moves, technology_of(wish));
+  if (!program) return program;
+  const auto read = program_moves(def, program->text);
+  if (!read) return fail(read.error());
+  KADR_TRY(same_moves(program->moves, *read));
+  if (const auto outcome = area::verified(shape.zones, job, *read); outcome.fault) return fail(*outcome.fault);
+  return program;
+}
+
+}  // namespace
+
+tl::expected<Milled, ContourFault> milled(const MillWish& wish, std::string_view drawing, const ControlDef& def, const area::Watch& watch) {
+  auto job = mill_job(wish);
+  if (!job) return contour_fault(0, job.error());
+  job->watch = watch;
+  auto shape = shape_to_mill(wish, drawing);
+  if (!shape) return tl::unexpected(shape.error());
+  auto path = path_over(*shape, *job);
+  if (!path) return contour_fault(0, path.error());
+  auto program = written_program(wish, def, *path, *shape, *job);
+  if (!program) return contour_fault(0, program.error());
+  if (watch.stop.asked()) return contour_fault(0, alarm(AlarmId::interrupted, {}));
+  return Milled{std::move(*job), std::move(*shape), std::move(*path), std::move(*program)};
+}
+
+}  // namespace kadr

@@ -1,0 +1,140 @@
+// A drawing of the folder becomes a program: mill. Nothing is written; the page saves what is wanted. For view/page_session; tested by
+// tests/serve_making.py.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/control_file.h"
+#include "out/picture/plot_page.h"
+#include "session/milling/mill_summary.h"
+#include "view/page_inside.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_made = std::size_t{8} << 20;  // bytes of a program or of its picture
+
+/// What a question may say of the wish, by the names of the options of kadr mill.
+struct MillNumber {
+  std::string_view key;
+  double MillWish::*value;
+};
+struct MillText {
+  std::string_view key;
+  std::string MillWish::*value;
+};
+constexpr MillNumber mill_numbers[] = {
+    {"tool_diameter", &MillWish::tool_diameter},
+    {"depth", &MillWish::depth},
+    {"pass", &MillWish::pass},
+    {"allowance", &MillWish::allowance},
+    {"top", &MillWish::top},
+    {"clearance", &MillWish::clearance},
+    {"overrun", &MillWish::overrun},
+    {"angle", &MillWish::angle},
+    {"ramp_angle", &MillWish::ramp_angle},
+    {"width", &MillWish::width},
+    {"feed", &MillWish::feed},
+    {"plunge_feed", &MillWish::plunge_feed},
+    {"speed", &MillWish::speed},
+};
+constexpr MillText mill_texts[] = {
+    {"task", &MillWish::task},         {"scheme", &MillWish::scheme}, {"direction", &MillWish::direction},
+    {"stepover", &MillWish::stepover}, {"plunge", &MillWish::plunge}, {"mark", &MillWish::mark},
+};
+constexpr std::string_view of_the_question[] = {"id", "do", "drawing", "control"};
+constexpr std::string_view tasks[] = {"pocket", "face", "slot"}, marks[] = {"", "ПС", "LF"};
+
+template <class Rows>
+auto row_of(const Rows& rows, std::string_view key) {
+  return std::find_if(std::begin(rows), std::end(rows), [&](const auto& row) { return row.key == key; });
+}
+
+template <class Names>
+bool is_one_of(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// One word of the question into the wish; false: it is of another kind, or there is none of that name.
+bool take_word(MillWish& wish, const std::string& key, const PageJson& value) {
+  if (const auto row = row_of(mill_numbers, key); row != std::end(mill_numbers)) {
+    if (!value.is_number()) return false;
+    return wish.*row->value = value.get<double>(), true;
+  }
+  if (const auto row = row_of(mill_texts, key); row != std::end(mill_texts)) {
+    if (!value.is_string()) return false;
+    return wish.*row->value = value.get<std::string>(), true;
+  }
+  if (key == "coolant") return value.is_boolean() && (wish.coolant = value.get<bool>(), true);
+  if (key == "tool") {
+    const double number = value.is_number() ? value.get<double>() : -1;
+    return number >= 0 && number <= 4294967295.0 && number == std::floor(number) && (wish.tool = std::uint32_t(number), true);
+  }
+  if (key != "hole" || !value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) return false;
+  return wish.hole = {value[0].get<double>(), value[1].get<double>()}, true;
+}
+
+/// What is not understood is refused, not passed over: the program goes to a machine.
+tl::expected<MillWish, Refusal> wish_to_mill(const PageJson& question) {
+  MillWish wish;
+  for (const auto& [key, value] : question.items())
+    if (!is_one_of(of_the_question, key) && !take_word(wish, key, value))
+      return tl::unexpected(Refusal{fmt::format("mill: {}: {}", key, told("not understood", "не понято"))});
+  if (!is_one_of(tasks, wish.task))
+    return tl::unexpected(Refusal{told("mill: task: pocket, face or slot", "mill: task: pocket, face или slot")});
+  if (!is_one_of(marks, wish.mark)) return tl::unexpected(Refusal{told("mill: mark: ПС or LF", "mill: mark: ПС или LF")});
+  return wish;
+}
+
+/// The word of the question that an alarm is about: "plunge_feed"; nothing: it is about the drawing.
+std::string word_of(const Alarm& alarm) {
+  if (alarm.id == AlarmId::mill_stepover) return "stepover";
+  if (alarm.id != AlarmId::mill_value) return {};
+  std::string word(alarm.args[0].text());
+  std::replace(word.begin(), word.end(), '-', '_');
+  return word;
+}
+
+PageJson summary_json(const Milled& made, Lang lang) {
+  PageJson lines = PageJson::array();
+  for (const MillLine& line : mill_summary(made, lang)) lines.push_back({{"name", line.name}, {"value", line.value}});
+  return lines;
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::mill(const PageJson& question) {
+  const auto wish = wish_to_mill(question);
+  if (!wish) return tl::unexpected(wish.error());
+  const std::string file = value_in<std::string>(question, "drawing", "");
+  const auto drawing = server.folder.read(file, limits::contour_bytes);
+  if (!drawing) return tl::unexpected(Refusal{drawing.error()});
+  std::string control;
+  if (const std::string fault = place_of(question, "control", control, true); !fault.empty()) return tl::unexpected(Refusal{fault});
+  if (control.empty()) return tl::unexpected(Refusal{told("mill: no control is named", "mill: УЧПУ не названо")});
+  const auto def = load_control(control, &server.folder);
+  if (!def) return tl::unexpected(Refusal{def.error()});
+  const auto texts = AlarmTexts::load(&*def);
+  if (!texts) return tl::unexpected(Refusal{texts.error()});
+  const auto made = milled(*wish, drawing->bytes, *def, {token(), {}});
+  if (!made) {
+    const ContourFault& fault = made.error();
+    if (fault.alarm.id == AlarmId::interrupted) return tl::unexpected(Refusal{told("interrupted", "прервано")});
+    const Finding finding = finding_of(report_of(fault, drawing->bytes, file), *texts, lang);
+    return PageJson{{"problem", problem_json(finding, 0, std::nullopt)}, {"word", word_of(fault.alarm)}, {"line_text", finding.line_text}};
+  }
+  if (made->program.text.size() > most_made)
+    return tl::unexpected(Refusal{told("the program is too long for the page: kadr mill makes it",
+                                       "УП слишком длинна для страницы: составьте её командой kadr mill")});
+  std::string picture = milling_svg(mill_picture(*made, *def, name_of_file(file), lang));
+  if (picture.size() > most_made) picture.clear();
+  return PageJson{{"text", made->program.text},
+                  {"picture", std::move(picture)},
+                  {"summary", summary_json(*made, lang)},
+                  {"warning", warning_of_holes(*made, lang)},
+                  {"name", free_name(file, ".nc")}};
+}
+
+}  // namespace kadr

@@ -1,0 +1,74 @@
+// Punched tape: a program of the folder as the rows of a tape, a tape of the folder as text. Nothing is written; the page saves what is
+// wanted. For view/page_session; tested by tests/serve_making.py.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "lang/text/tape_reading.h"
+#include "out/text/base64.h"
+#include "out/text/tape_text.h"
+#include "view/page_inside.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_rows = std::size_t{8} << 20;  // of a tape: 21 km
+constexpr std::size_t most_leader = 100'000;
+constexpr std::size_t most_faults_told = 100;  // faults
+
+tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+/// Of a character that the code does not have: its line and itself.
+std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
+  const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
+  return fmt::format(fmt::runtime(lang == Lang::ru ? "{}:{}: символ '{}' не пробить в коде {}" : "{}:{}: '{}' has no {} code"), file, line,
+                     text.substr(at.begin, at.end - at.begin), name_for_people(code));
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) {
+  const std::string way = value_in<std::string>(question, "way", ""), said = value_in<std::string>(question, "code", "");
+  const auto code = tape_code_named(said);
+  if (question.contains("code") && !code) return no_tape(told("tape: code: iso or eia", "tape: code: iso или eia"));
+  if (way == "out") return punch(question, code);
+  if (way == "in") return read_punched(value_in<std::string>(question, "file", ""), code);
+  return no_tape(told("tape: way: in or out", "tape: way: in или out"));
+}
+
+/// The text as it stands in the editor, or in the file.
+PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
+  const std::string file = value_in<std::string>(question, "file", "");
+  const auto found = server.folder.read(file, most_rows);
+  if (!found) return no_tape(found.error());
+  const bool is_edited = question.contains("text") && question["text"].is_string();
+  const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(file + ": " + told("is empty", "пуст"));
+  const TapeCode code = said.value_or(TapeCode::iso);
+  constexpr std::uint32_t usual_leader = 100;  // rows
+  const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), most_leader);
+  const auto rows = encode_tape(text, leader, code);
+  if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));
+  if (rows->size() > most_rows) return no_tape(file + ": " + told("too long for a tape here", "слишком длинен для ленты здесь"));
+  return PageJson{{"bytes", base64_of(*rows)}, {"rows", rows->size()}, {"name", free_name(file, ".tape")}};
+}
+
+PageSession::Inside::Answer PageSession::Inside::read_punched(const std::string& file, std::optional<TapeCode> said) const {
+  const auto found = server.folder.read(file, most_rows);
+  if (!found) return no_tape(found.error());
+  const TapeReading read = read_tape(found->bytes, said);
+  if (!read.looks_like_tape && !said) return no_tape(file + ": " + told("is no image of a punched tape", "не образ перфоленты"));
+  PageJson faults = PageJson::array();
+  for (std::size_t i = 0; i < std::min(read.faults.size(), most_faults_told); ++i)
+    faults.push_back(fault_in_words(read.faults[i], read.code, lang));
+  const bool lies = read.lie != TapeLie::right;
+  return PageJson{{"text", read.text},
+                  {"code", read.code == TapeCode::eia ? "eia" : "iso"},
+                  {"lies", lies ? told("the tape was ", "лента ") + lie_in_words(read.lie, lang) : std::string()},
+                  {"faults", std::move(faults)},
+                  {"more", read.faults.size() - std::min(read.faults.size(), most_faults_told)},
+                  {"name", free_name(file, ".nc")}};
+}
+
+}  // namespace kadr

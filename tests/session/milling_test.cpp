@@ -1,0 +1,95 @@
+// A drawing becomes a program: what each step refuses, with its line, and what comes out holds.
+
+#include "session/milling/milling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "config/control_file.h"
+#include "session/milling/mill_summary.h"
+
+namespace kadr {
+namespace {
+
+const char* const zone = "from 0 0\nline 60 0\nline 60 40\nline 0 40\nclose\n";
+
+MillWish pocket() {
+  MillWish wish;
+  wish.task = "pocket";
+  wish.tool_diameter = 8;
+  wish.depth = 4;
+  return wish;
+}
+
+tl::expected<Milled, ContourFault> made(const MillWish& wish, const char* drawing, const area::Watch& watch = {}) {
+  return milled(wish, drawing, *load_control("mach3"), watch);
+}
+
+TEST(Milling, APocketIsCutToItsDepthAndNoFurther) {
+  const auto program = made(pocket(), zone);
+  ASSERT_TRUE(program);
+  EXPECT_NEAR(program->path.outcome.nearest_wall, 4, 0.002);
+  EXPECT_FALSE(program->program.text.empty());
+  double deepest = 0;
+  for (const area::Move& move : program->program.moves) deepest = std::min(deepest, move.to.z);
+  EXPECT_EQ(deepest, -4);
+}
+
+TEST(Milling, ValuesThatAreNoneAreTold) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : {0.0, nothing, 1e300, std::numeric_limits<double>::infinity()}) {
+    MillWish wish = pocket();
+    wish.depth = value;
+    const auto program = made(wish, zone);
+    ASSERT_FALSE(program) << value;
+    EXPECT_EQ(program.error().alarm.id, AlarmId::mill_value);
+    EXPECT_EQ(program.error().line, 0U);
+  }
+  MillWish wish = pocket();
+  wish.scheme = "round";
+  EXPECT_EQ(made(wish, zone).error().alarm.args[0].text(), "scheme");
+}
+
+TEST(Milling, AFaultOfTheDrawingHasItsLine) {
+  const char* const torn = "from 0 0\nline 60 0\nline 60 40\n";
+  const auto program = made(pocket(), torn);
+  ASSERT_FALSE(program);
+  const AlarmReport report = report_of(program.error(), torn, "torn.txt");
+  EXPECT_EQ(report.alarm.id, AlarmId::contour_open_end);
+  EXPECT_EQ(report.origin.line, 3U);
+  EXPECT_EQ(report.line_text, "line 60 40");
+}
+
+TEST(Milling, WhoeverWaitsMayEndIt) {
+  const std::atomic<bool> stops = true;
+  const auto program = made(pocket(), zone, {StopToken(stops), {}});
+  ASSERT_FALSE(program);
+  EXPECT_EQ(program.error().alarm.id, AlarmId::interrupted);
+}
+
+TEST(Milling, ALineIsASlotAsWideAsTheTool) {
+  MillWish wish = pocket();
+  wish.task = "slot";
+  const auto narrow = made(wish, "from 0 0\nline 50 0\n");
+  ASSERT_TRUE(narrow);
+  EXPECT_EQ(narrow->shape.lines.size(), 1U);
+  wish.width = 12;
+  const auto wide = made(wish, "from 0 0\nline 50 0\n");
+  ASSERT_TRUE(wide);
+  EXPECT_TRUE(wide->shape.lines.empty());
+}
+
+TEST(Milling, ThePictureInMemoryIsAWholePage) {
+  const auto program = made(pocket(), zone);
+  ASSERT_TRUE(program);
+  const std::string svg = milling_svg(mill_picture(*program, *load_control("mach3"), "</title><script>", Lang::en));
+  EXPECT_TRUE(svg.starts_with("<"));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_EQ(svg.find("<script"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kadr
