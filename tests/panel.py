@@ -4,6 +4,7 @@
     tests/panel.py --kadr build/release/kadr
 """
 import argparse
+import json
 import tempfile
 import time
 from pathlib import Path
@@ -126,6 +127,33 @@ def endless(server):
     expect('error' in page.ask('machine', file='../outside.nc', **WITH), 'a program beyond the folder')
 
 
+TWO = {'parameters': {'N2201': 501, 'N2202': 510}, 'channels': {'2': {'axes': ['X', 'Z'], 'program': 'G90 G94\nG1 Z50 F3000\nM501 P12\nG0 X5\nM30'}}}
+
+
+def channels(server):
+    """Two channels that wait for each other; a way by hand."""
+    page = looker(server)
+    expect('error' not in page.ask('machine', file='two.nct', control='nct', machine='fast.toml', setup='two.json'), 'two channels are on')
+    both = page.ask('panel')['channels']
+    expect([c['number'] for c in both] == [1, 2] and both[1]['axes'] == ['X', 'Z'] and both[0]['waits'] is None, f'side by side {both}')
+    page.ask('press', key='run')
+    waits = until(page, lambda p: p['channels'][0]['waits'])
+    expect(waits['channels'][0]['waits'] == {'code': 501, 'channels': [1, 2], 'here': [1]} and waits['channels'][1]['moves'], f'who waits for whom {waits["channels"]}')
+    expect(waits['channels'][1]['machine']['Z'] < 50 and waits['mode'] == 'running', 'the other is on its way')
+    end = until(page, lambda p: p['mode'] == 'ended')
+    expect(end['channels'][0]['machine']['X'] == 20 and end['channels'][1]['machine'] == {'X': 5, 'Z': 50}, f'both have come {end["channels"]}')
+    page.ask('jog', axis='Z', way=-2.0, channel=2)
+    until(page, lambda p: p['mode'] in ('ended', 'standing') and p['channels'][1]['machine']['Z'] == 48)
+    expect('error' in page.ask('jog', axis='Y', way=1.0, channel=2) and 'error' in page.ask('jog', axis='X', way=1.0, channel=7), 'axes and channels that there are not')
+    expect('error' in page.ask('restart', line=3), 'no going on in mid program')
+    way = [{'rapid': True, 'to': {'Z': 10.0}, 'feed': 0}, {'rapid': False, 'to': {'X': 30.0, 'Y': 5.0}, 'feed': 6000.0}]
+    expect('error' not in page.ask('lead', way=way), 'a way by hand')
+    until(page, lambda p: p['mode'] in ('ended', 'standing') and p['machine'] == {'X': 30, 'Y': 5, 'Z': 10})
+    bad = [[], [{'rapid': True, 'to': {'X': 1e6}, 'feed': 0}], [{'rapid': False, 'to': {'X': 1.0}, 'feed': 0}], [{'rapid': True, 'to': {'Q': 1.0}, 'feed': 0}]]
+    expect(all('error' in page.ask('lead', way=one) for one in bad), 'ways that are none')
+    page.ask('press', key='off')
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True)
@@ -136,14 +164,17 @@ def main():
         (folder / 'part.nc').write_text(PROGRAM)
         (folder / 'other.nc').write_text(PROGRAM)
         (folder / 'fast.toml').write_text(FAST)
+        (folder / 'two.nct').write_text('G90 G94\nG0 X10\nM501 P12\nG0 X20\nM30\n')
+        (folder / 'two.json').write_text(json.dumps(TWO))
         (folder / 'endless.nc').write_text('G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n')
         (Path(above) / 'outside.nc').write_text(PROGRAM)
         server = Server(kadr, folder)
         many(server, operator(server))
         endless(server)
+        channels(server)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands, and ends with machines that are on')
     said = {name for name in seen if '.' in name}
-    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'stops') and '.' in n}
+    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'stops') and '.' in n}
     expect(not named - said, f'of the schema never said: {sorted(named - said)}')
     return result()
 

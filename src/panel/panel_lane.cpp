@@ -43,12 +43,13 @@ void PanelLane::plan(Planned& planned, double dry_feed) {
   planned.run_dry(dry_feed);
 }
 
-void PanelLane::end_leg(std::shared_ptr<PanelMeeting> meeting) {
+void PanelLane::end_leg(std::shared_ptr<PanelMeeting> meeting, const Origin& at) {
   if (planned_ == nullptr) return;
   (void)planned_->finish();
   planned_ = nullptr;
   legs_.back().planned_all = true;
   legs_.back().meeting = std::move(meeting);
+  legs_.back().waits_in = at;
 }
 
 bool PanelLane::is_held() {

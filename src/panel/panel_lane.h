@@ -68,8 +68,8 @@ class PanelLane {
   void start_over();
   /// One more leg, from where the last one ends: `planned` is not planned with yet. Numbers of motions go on with it.
   void plan(Planned& planned, double dry_feed);
-  /// What is being planned comes to rest; then it waits for others. `meeting` nullptr: nothing follows.
-  void end_leg(std::shared_ptr<PanelMeeting> meeting = {});
+  /// What is being planned comes to rest; then it waits for others, in the block `at`. `meeting` nullptr: nothing follows.
+  void end_leg(std::shared_ptr<PanelMeeting> meeting = {}, const Origin& at = {});
   /// The leg that is planned last waits for this from now on.
   void meet(const std::shared_ptr<PanelMeeting>& meeting) {
     if (!legs_.empty()) legs_.back().meeting = meeting;
@@ -100,6 +100,8 @@ class PanelLane {
   bool stands() const;
   /// What it waits for with its axes there; nullptr: nothing.
   const PanelMeeting* waits_for() const;
+  /// The block that it waits in, or is on.
+  const Origin& block() const { return waits_for() != nullptr ? legs_.front().waits_in : on.origin; }
   /// All of it is over: forgotten, but for what it waits for.
   void settle();
   /// The axes stay where they are.
@@ -116,7 +118,8 @@ class PanelLane {
     std::size_t offered = 0;         // so many of the first
     double seconds = 0;              // planned
     bool planned_all = false;
-    std::shared_ptr<PanelMeeting> meeting;  // at its end
+    std::shared_ptr<PanelMeeting> meeting;  // at its end, in
+    Origin waits_in;
   };
   static constexpr double enough = 3 * Playback::reserve;  // s ahead of the clock
   static constexpr std::size_t most_cells = 100'000;       // kept because another channel needs more: some 40 MB

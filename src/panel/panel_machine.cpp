@@ -113,8 +113,8 @@ void PanelMachine::look_after_stretch() {
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
-  Origin origin = lane_->on.entered ? Origin() : lane_->on.origin;
-  if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0) origin.line = at.line, origin.file = at.file;
+  Origin origin = lane_->on.entered ? Origin() : lane_->block();
+  if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0 && lane_->waits_for() == nullptr) origin.line = at.line, origin.file = at.file;
   return origin.line == 0 ? AlarmReport::Line() : session_->control().line_at(origin);
 }
 
@@ -146,7 +146,7 @@ void PanelMachine::show_channels(PanelState& now) const {
     PanelChannel& shown = now.channels.emplace_back();
     shown.number = lane.number, shown.axes = lane.axes;
     shown.sample = lane.clock.sample(), shown.block = lane.on;
-    if (lane.on.origin.line != 0 && !lane.on.entered) shown.line = session_->channels()[i].control->line_at(lane.on.origin);
+    if (lane.block().line != 0 && !lane.on.entered) shown.line = session_->channels()[i].control->line_at(lane.block());
     if (const PanelMeeting* const meeting = lane.waits_for()) shown.waits = *meeting;
   }
 }

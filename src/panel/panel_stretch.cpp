@@ -67,7 +67,7 @@ void PanelMachine::watch_channels() {
     waits->code = meeting.code;
     for (const auto& lane : lanes_)
       if ((meeting.channels >> lane->number & 1U) != 0) waits->channels.insert(lane->number);
-    lanes_[channel]->end_leg(waits);
+    lanes_[channel]->end_leg(waits, meeting.origin);
   };
   together.over = [this](std::size_t channel) { lanes_[channel]->end_leg(); };
   together.met = [this](const std::vector<std::size_t>& channels) {
@@ -201,11 +201,14 @@ void PanelMachine::end_stretch() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     ServoClock& clock = lanes_[i]->clock;
     const Axes at = clock.sample().machine;
-    if (of == Stretch::Of::hand && !session_->channels()[i].control->meeting()) session_->stand_at(i, at);
-    const Axes stand = session_->stand(i).machine;
-    bool is_there = true;
-    for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is_there = is_there && std::fabs(stand[a] - at[a]) < nearly_there;
-    if (is_there) clock.stand_at(stand);  // what the planner's sums have left
+    const auto is_at = [&](const Axes& there) {
+      bool is = true;
+      for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
+      return is;
+    };
+    const Axes& aim = lanes_[i]->pending.machine;  // of the motion by hand, in one of them
+    if (of == Stretch::Of::hand && !session_->channels()[i].control->meeting()) session_->stand_at(i, is_at(aim) ? aim : at);
+    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // what the planner's sums have left
   }
   if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
   if (going_ && came_to != Session::State::stopped) {

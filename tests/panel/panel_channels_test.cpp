@@ -39,6 +39,8 @@ TEST(PanelChannels, WaitForEachOther) {
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.channels[0].waits.has_value(); }));
   const PanelState waits = panel->state();
   EXPECT_EQ(waits.mode, PanelMode::running);
+  EXPECT_EQ(waits.line.number, 3u);
+  EXPECT_EQ(waits.channels[0].line.number, 3u);
   EXPECT_EQ(waits.channels[0].waits->code, 501u);
   EXPECT_EQ(waits.channels[0].waits->channels, (std::set<int>{1, 2}));
   EXPECT_FALSE(waits.channels[0].waits->here.contains(2));

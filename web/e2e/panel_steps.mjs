@@ -162,7 +162,12 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.click(".crumbs button >> nth=0");
       for (const name of ["two-channels", "milling.nct"]) await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
       await ended();
-      await page.fill(".choices input", "milling.json");
+      await page.fill(".choices input", "milling.json"); // of another folder
+      await page.press(".choices input", "Enter");
+      await until("that it is not there", async () => (await toasts()) !== "");
+      await until("what could be opened stays", async () => (await count(".choices input")) && (await page.locator(".choices input").inputValue()) === "");
+      await ended();
+      await page.fill(".choices input", "two-channels/milling.json");
       await page.press(".choices input", "Enter");
       await ended();
       await page.click("[data-tab=panel]");

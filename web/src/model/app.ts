@@ -89,6 +89,7 @@ export class App {
   get dirty(): boolean { return this.text !== null && this.text !== this.saved_text; }
 
   async open(question: OpenQuestion, at = 0): Promise<void> {
+    const before = this.opened;
     this.forget_run();
     this.opened = null;
     this.on_opening.emit(question.file);
@@ -111,6 +112,8 @@ export class App {
       this.running = false;
       this.on_run.emit();
       this.tell(e);
+      const { control, machine, setup } = this.choice; // with which it could be opened
+      if (before?.file === question.file && (question.control !== control || question.machine !== machine || question.setup !== setup)) await this.open({ ...question, control, machine, setup }, at);
     }
   }
 
