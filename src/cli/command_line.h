@@ -22,6 +22,7 @@ struct Commands {
   MillOptions mill;
   CutOptions cut;
   DiffOptions diff;
+  ConvertOptions convert;
   ServeOptions serve;
   ReportOptions report;
   std::string machine;  // of machines; empty: all

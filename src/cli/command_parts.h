@@ -20,6 +20,8 @@ void add_cut(CLI::App& app, Commands& commands);
 
 /// diff (diff.cpp).
 void add_diff(CLI::App& app, Commands& commands);
+/// convert (convert.cpp).
+void add_convert(CLI::App& app, Commands& commands);
 
 /// report (report_command.cpp).
 void add_report(CLI::App& app, Commands& commands);

@@ -30,6 +30,7 @@ std::string state_examples();
 std::string mill_examples();
 std::string cut_examples();
 std::string diff_examples();
+std::string convert_examples();
 std::string report_examples();
 std::string serve_examples();
 std::string man_examples();

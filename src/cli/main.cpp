@@ -50,6 +50,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   }
   if (app.got_subcommand("cut")) return cut(commands.cut);
   if (app.got_subcommand("diff")) return diff(commands.diff);
+  if (app.got_subcommand("convert")) return convert(commands.convert);
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("man")) return fmt::print("{}", manual_page(app)), ok;
@@ -67,7 +68,7 @@ int main(int argc, char** argv) {
   survive_closed_pipes();
   catch_interrupts();
   Commands commands;
-  commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.report.cut.run.limits.stop = stop_token();
+  commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop = commands.report.cut.run.limits.stop = stop_token();
   commands.options.lang = language_on(argc, argv);
   const kadr::Lang lang = language(commands.options);
   kadr::tell_in(lang);

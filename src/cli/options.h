@@ -89,6 +89,15 @@ struct DiffOptions {
 };
 int diff(const DiffOptions& options);
 
+struct ConvertOptions {
+  std::string program;
+  Options run;  // of the program under its own control
+  std::string from, to, out, setup_out;
+  bool flat = false, force = false;
+  double tolerance = 0;  // mm; 0: half of the coarser word format
+};
+int convert(const ConvertOptions& options);
+
 struct ReportOptions {
   CutOptions cut;  // with the options of the run; no blank: nothing is cut
   std::string out;

@@ -106,6 +106,10 @@ void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std:
   item.to = in_frame(step.from.machine);
   item.state = state_;
   item.act = {kind, value, std::move(text)};
+  if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for the change is the machine's own affair
+    item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
+    item.state.coolant = Coolant::off;
+  }
   item.origin = step.action.origin;
   item.begins = step.begins;
   item.ends = step.begins + step.pause;

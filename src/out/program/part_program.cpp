@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/tolerance.h"
+#include "out/program/codes.h"
 #include "out/program/words.h"
 #include "path/area/edge.h"
 
@@ -23,33 +24,7 @@ constexpr double chord = 0.005;      // mm between an arc and the lines written 
 constexpr double shortest_arc = 10;  // increments: a shorter one is a line
 constexpr int block_steps[] = {10, 5, 1};
 
-/// Of a coded feed or speed the highest that is not above the one wanted (spec/gost 3); nothing: none is as low.
-std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted) {
-  std::optional<double> best;
-  double most = 0;
-  for (const auto& [code, value] : codes)
-    if (value > most && value <= wanted * (1 + tol::whole_number)) most = value, best = code;
-  return best;
-}
-
-/// As many digits as the format prints (spec/gost 3: 3G2): G01.
-std::string with_digits(const ControlDef& def, const CodeRow& row) {
-  const std::size_t point = std::min(row.code.find('.'), row.code.size());
-  const std::size_t least = def.grammar.word(row.letter).code_digits;
-  std::string code = row.code;
-  if (point - 1 < least) code.insert(1, least - (point - 1), '0');
-  return code;
-}
-
-/// A code that calls a function; of several the first.
-std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<std::pair<Function, int>> functions) {
-  for (const auto& [function, arg] : functions)
-    for (const CodeRow& row : def.codes)
-      if (row.function == function && (arg < 0 || row.arg == arg) && row.works && row.cycle == 0) return with_digits(def, row);
-  return std::nullopt;
-}
-
-constexpr int any = -1;
+constexpr int any = any_argument;
 
 class Writer {
  public:
@@ -64,12 +39,12 @@ class Writer {
   }
 
  private:
-  Status need(std::initializer_list<std::pair<Function, int>> functions, std::string& block) {
+  Status need(std::initializer_list<Wanted> functions, std::string& block) {
     const auto code = code_of(def_, functions);
     if (!code) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(functions.begin()->first).name));
     return add(block, *code), Status();
   }
-  void want(std::initializer_list<std::pair<Function, int>> functions, std::string& block) {
+  void want(std::initializer_list<Wanted> functions, std::string& block) {
     if (const auto code = code_of(def_, functions)) add(block, *code);
   }
   static void add(std::string& block, std::string_view word) {

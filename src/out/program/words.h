@@ -14,7 +14,8 @@ namespace kadr {
 /// How the words of one address are written.
 class Words {
  public:
-  Words(const ControlDef& def, char letter) : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter) {}
+  Words(const ControlDef& def, char letter)
+      : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter), counts_(letter == 'F' && def.behaviour.feed_counts_increments) {}
 
   bool known() const { return format_.known; }
   int decimals() const {
@@ -46,13 +47,14 @@ class Words {
     if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
     std::string text = digits.substr(0, digits.size() - fraction) + "." + digits.substr(digits.size() - fraction);
     while (text.back() == '0') text.pop_back();
-    if (text.back() == '.' && row_.unit != WordUnit::length) text.pop_back();
+    if (text.back() == '.' && row_.unit != WordUnit::length && !counts_) text.pop_back();
     return text;
   }
 
   const AddressRow& row_;
   const WordFormat& format_;
   char letter_;
+  bool counts_;  // increments, where it has no point (spec/haas 1.2)
 };
 
 }  // namespace kadr

@@ -1,0 +1,149 @@
+// kadr convert: a program of one control as a program of another, proven equal. Tested by tests/convert.py.
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/command_parts.h"
+#include "cli/help_text.h"
+#include "cli/job.h"
+#include "cli/option_values.h"
+#include "cli/outputs.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
+#include "compare/comparison_text.h"
+#include "config/control_file.h"
+#include "config/told.h"
+#include "convert/conversion.h"
+#include "out/text/alarm_print.h"
+#include "view/source_text.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr double least_apart = 1e-5, most_apart = 10;  // mm
+
+std::string name_of(ConvertedAs as) {
+  switch (as) {
+    case ConvertedAs::as_it_stands: return told("as it stands", "как есть");
+    case ConvertedAs::contours: return told("with offsets and radius compensation as codes", "с коррекциями и эквидистантой кодами");
+    case ConvertedAs::lengths: return told("with the path of the tool's centre", "с рассчитанной эквидистантой");
+    case ConvertedAs::plain: return told("with all offsets calculated in", "со всеми коррекциями в координатах");
+  }
+  return {};
+}
+
+class ConvertCommand {
+ public:
+  explicit ConvertCommand(const ConvertOptions& options) : o_(options), outputs_(language(options.run)) {}
+
+  int run() {
+    Options of_source = o_.run;
+    of_source.programs = {o_.program};
+    if (!o_.from.empty()) of_source.control = o_.from;
+    job_ = make_job(of_source, o_.program);
+    if (!job_) return wrong_usage;
+    auto to = load_control(o_.to);
+    if (!to) return complain(to.error()), wrong_usage;
+    to_ = std::make_shared<const ControlDef>(std::move(*to));
+    outputs_.reads(job_->file);
+    outputs_.reads(job_->setup_file);
+    outputs_.writes("--out", o_.out.empty() ? "-" : o_.out);
+    outputs_.writes("--setup-out", o_.setup_out);
+    if (!outputs_.check()) return wrong_usage;
+    const auto spec = spec_of();
+    if (!spec) return wrong_usage;
+    const auto made = converted(*spec);
+    if (!made) return complain(made.error()), wrong_usage;
+    if (interrupted()) return interrupted_status();
+    return tell(*made);
+  }
+
+ private:
+  std::optional<ConversionSpec> spec_of() {
+    const auto check = open_program(*job_);
+    if (!check) return std::nullopt;
+    ConversionSpec spec;
+    spec.to = to_.get();
+    spec.flat = o_.flat;
+    spec.stop = o_.run.limits.stop;
+    spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
+    spec.source_text = SourceText(open_text(job_->file, job_->encoding)).whole();
+    spec.source = [this]() -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto program = open_program(*job_);
+      auto session = program ? make_session(*job_, std::move(*program), o_.run.limits) : nullptr;
+      if (!session) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
+      if (session->channels().size() > 1) return tl::unexpected(told("programs of several channels are not converted", "программы нескольких каналов не переводятся"));
+      return session;
+    };
+    spec.target = [this](const std::string& text, bool plain) -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto session = Session::open({to_, job_->profile, corresponding_setup(job_->setup, *job_->def, *to_, plain), {job_->file, text_source(text), Encoding::utf8}, o_.run.limits});
+      if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
+      (*session)->control().set_waiting(Control::Waiting::pass);
+      return std::move(*session);
+    };
+    return spec;
+  }
+
+  int tell(const Converted& made) {
+    const Lang lang = language(o_.run);
+    const auto could_be_said = std::find_if(made.tries.begin(), made.tries.end(), [](const ConversionTry& one) { return !one.cannot_say && one.as != ConvertedAs::as_it_stands; });
+    const bool forced = !made.taken && o_.force && could_be_said != made.tries.end();
+    if (!made.taken) tell_why(made, lang);
+    if (!made.taken && !forced) return alarms;
+    const ConversionTry& one = made.taken ? made.tries[*made.taken] : *could_be_said;
+    if (!outputs_.open()) return wrong_usage;
+    if (forced) fmt::print(outputs_.stream("--out"), "({})\n", told("NOT PROVEN EQUAL: SEE kadr convert", "НЕ ДОКАЗАНО: СМ. kadr convert"));
+    std::fwrite(one.text.data(), 1, one.text.size(), outputs_.stream("--out"));
+    if (!o_.setup_out.empty()) {
+      const std::string setup = setup_text(corresponding_setup(job_->setup, *job_->def, *to_, one.as == ConvertedAs::plain));
+      std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
+    }
+    if (!outputs_.keep()) return wrong_usage;
+    if (!forced) say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+    return forced ? alarms : ok;
+  }
+
+  void tell_why(const Converted& made, Lang lang) const {
+    complain(told("not converted: no way of writing it for that control could be proven equal", "не переведено: ни одна запись для этой системы не доказана"));
+    for (const ConversionTry& one : made.tries) {
+      say(fmt::format("  {}: ", name_of(one.as)));
+      if (one.cannot_say) say(fmt::format("{}:{}: {}\n", job_->file, one.at.line, job_->texts().sentence(*one.cannot_say, lang)));
+      else if (one.proof.stopped_a) say(fmt::format("{}\n", told("the program is stopped by an alarm under its own control", "программа останавливается ошибкой у своей системы")));
+      else if (one.proof.stopped_b) say(fmt::format("{}\n", job_->texts().sentence(one.proof.stopped_b->alarm, lang)));
+      else if (!one.proof.differences.empty()) {
+        const CourseDifference& d = one.proof.differences.front();
+        say(fmt::format("{}:{} | {}: {}\n", job_->file, d.a.origin.line, d.b.origin.line, sentence_of(d, lang)));
+      }
+    }
+  }
+
+  const ConvertOptions& o_;
+  Outputs outputs_;
+  std::optional<Job> job_;
+  std::shared_ptr<const ControlDef> to_;
+};
+
+}  // namespace
+
+void add_convert(CLI::App& app, Commands& c) {
+  CLI::App* const convert = app.add_subcommand(
+      "convert", told("a program of one control as a program of another, proven equal", "перевести УП для другого УЧПУ и доказать, что она делает то же"));
+  ConvertOptions& o = c.convert;
+  convert->add_option(told("PROGRAM", "УП"), o.program, told("a part program", "управляющая программа"))->required();
+  control_id(convert->add_option("--from", o.from, told("control of the program (default: guessed)", "УЧПУ программы (по умолчанию по тексту)")));
+  control_id(convert->add_option("--to", o.to, told("control that it is to be for", "УЧПУ, для которого перевести")))->required();
+  takes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
+  takes_file(convert->add_option("--setup-out", o.setup_out, told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
+  convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
+  convert->add_flag("--force", o.force, told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
+  number(convert->add_option("--tolerance", o.tolerance, told("how far ways may be apart (default: half of the coarser word format)", "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
+         "MM", "ММ", least_apart, most_apart);
+  program_options(*convert, o.run);
+  convert->footer(convert_examples());
+}
+
+int convert(const ConvertOptions& options) { return ConvertCommand(options).run(); }
+
+}  // namespace kadr::cli

@@ -1,0 +1,82 @@
+// Blocks of one control. For convert/flat_program; tested by tests/convert.
+
+#include "convert/block_maker.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "out/program/words.h"
+
+namespace kadr {
+
+void BlockMaker::begin() {
+  if (def_.grammar.program_start_required || def_.grammar.percent_number) put_("%\n");
+}
+
+Status BlockMaker::code(std::initializer_list<Wanted> wanted) {
+  if (!code_if_there(wanted)) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(wanted.begin()->first).name));
+  return {};
+}
+
+bool BlockMaker::code_if_there(std::initializer_list<Wanted> wanted) {
+  const auto code = code_of(def_, wanted);
+  if (code) text(*code);
+  return code.has_value();
+}
+
+Status BlockMaker::word(char letter, double value) {
+  const auto& codes = letter == 'F' ? def_.feed_codes : def_.speed_codes;
+  if ((letter == 'F' || letter == 'S') && !codes.empty()) {
+    const auto coded = code_below(codes, value);
+    if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
+    value = *coded;
+  }
+  const auto written = Words(def_, letter).word(value);
+  if (!written) return fail(written.error());
+  text(*written);
+  return {};
+}
+
+void BlockMaker::text(std::string_view word) {
+  if (!words_.empty()) words_ += ' ';
+  words_ += word;
+}
+
+void BlockMaker::comment(std::string_view what) {
+  std::string clean;
+  for (const char c : what)
+    if (c != '(' && c != ')' && c != '\n' && c != '\r' && def_.grammar.comment_forbidden.find(c) == std::string::npos) clean += c;
+  if (clean.find_first_not_of(' ') == std::string::npos) return;
+  if (!comment_.empty()) comment_ += ' ';
+  comment_ += '(' + clean + ')';
+}
+
+Status BlockMaker::number(std::string& line) {
+  const WordFormat& n = def_.grammar.word('N');
+  const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
+  std::uint32_t number = wanted_number_;
+  if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;
+  if (number == 0 || !n.known) return {};
+  if (number > most) return def_.grammar.block_number_required ? fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number))) : Status();
+  last_number_ = number;
+  line = fmt::format("N{:0{}} ", number, n.drop_zeros ? 1 : n.whole_digits);
+  return {};
+}
+
+Status BlockMaker::end() {
+  if (empty()) return {};
+  std::string line, numbered;
+  if (!words_.empty()) KADR_TRY(number(numbered));
+  if (skip_ != 0) line = skip_ == 1 || !def_.grammar.skip_levels ? "/" : fmt::format("/{}", skip_);
+  line += numbered + words_;
+  if (!comment_.empty()) line += (words_.empty() ? "" : " ") + comment_;
+  line += '\n';
+  put_(line);
+  words_.clear(), comment_.clear();
+  wanted_number_ = 0, skip_ = 0;
+  ++blocks_;
+  return {};
+}
+
+}  // namespace kadr

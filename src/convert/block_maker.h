@@ -1,0 +1,57 @@
+#pragma once
+// BlockMaker: blocks of one control, word by word, as its file says they are written: numbers, end, comments, signs at the beginning.
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "config/control_def.h"
+#include "out/program/codes.h"
+
+namespace kadr {
+
+class BlockMaker {
+ public:
+  /// `put` gets the text, line by line, UTF-8.
+  BlockMaker(const ControlDef& def, std::function<void(std::string_view)> put) : def_(def), put_(std::move(put)) {}
+
+  const ControlDef& def() const { return def_; }
+  /// The signs before the first block.
+  void begin();
+
+  /// One more code in the block.
+  ///   alarms  function_has_no_code
+  Status code(std::initializer_list<Wanted> wanted);
+  /// … if the control has it. False: it has not.
+  bool code_if_there(std::initializer_list<Wanted> wanted);
+  /// A word, its value in mm, degrees, s, … as the address counts it; a feed or speed, where the control codes them, as the code that
+  /// stands for it.
+  ///   alarms  word_has_no_room
+  Status word(char letter, double value);
+  bool has_word(char letter) const { return def_.grammar.word(letter).known; }
+  /// As it stands, already written.
+  void text(std::string_view word);
+  /// In the block's brackets; what must not stand there is left out.
+  void comment(std::string_view what);
+  /// `number`: N of the block, where the program had one; 0: none.
+  void set_number(std::uint32_t number) { wanted_number_ = number; }
+  void set_skip(std::uint8_t skip) { skip_ = skip; }
+  bool empty() const { return words_.empty() && comment_.empty(); }
+  /// The block is over.
+  ///   alarms  word_has_no_room  of N, where every block needs one
+  Status end();
+  std::size_t blocks() const { return blocks_; }
+
+ private:
+  Status number(std::string& line);
+
+  const ControlDef& def_;
+  std::function<void(std::string_view)> put_;
+  std::string words_, comment_;
+  std::uint32_t wanted_number_ = 0, last_number_ = 0;
+  std::uint8_t skip_ = 0;
+  std::size_t blocks_ = 0;
+};
+
+}  // namespace kadr

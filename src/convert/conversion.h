@@ -1,0 +1,60 @@
+#pragma once
+// A program of one control as a program of another, proven equal: the text is made in several ways, the one that keeps most first, each is
+// run by its control, and the first that does the same is taken (compare/comparison).
+//
+//   as it stands ─▶ contours and offsets as codes ─▶ offsets as codes ─▶ all of it calculated in
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.h"
+
+namespace kadr {
+
+/// What is converted: how sessions of it are made.
+struct ConversionSpec {
+  using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
+  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::string& text, bool plain)>;
+  Opens source;               // of the program under its own control
+  OpensText target;           // of a text under the other control, from corresponding_setup(…, plain)
+  std::string source_text;    // UTF-8
+  const ControlDef* to = nullptr;
+  bool flat = false;          // calls, loops and cycles are written out even where the other control has them
+  double tolerance = 0.001;   // mm
+  StopToken stop{};
+};
+
+enum class ConvertedAs : std::uint8_t { as_it_stands, contours, lengths, plain };
+
+/// One of the ways, and why it was not taken.
+struct ConversionTry {
+  ConvertedAs as = ConvertedAs::as_it_stands;
+  std::optional<Alarm> cannot_say;  // the other control has nothing for …
+  Origin at;                        // … this block
+  Comparison proof;                 // where it could be said
+  std::string text;
+};
+
+struct Converted {
+  std::optional<std::size_t> taken;  // of `tries`; nothing: refused
+  std::vector<ConversionTry> tries;
+  double tolerance = 0;
+};
+
+/// The set-up from which a program of `to` begins as one of `from` does from `setup`: tables under the numbers that the other control has
+/// for them.
+///   plain  no tables: all of them are calculated in
+Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, bool plain);
+
+/// … as a set-up file: start, tables, switches. Limits and rates of the machine are its own.
+std::string setup_text(const Setup& setup);
+
+/// Half an increment of the coarser word format in each of three axes: mm between two places.
+double usual_tolerance(const ControlDef& from, const ControlDef& to);
+
+///   returns  an error sentence: a session could not be opened
+tl::expected<Converted, std::string> converted(const ConversionSpec& spec);
+
+}  // namespace kadr

@@ -1,0 +1,368 @@
+// A program of another control, action by action. For convert/conversion; tested by tests/convert.
+
+#include "convert/flat_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/tolerance.h"
+#include "out/program/words.h"
+#include "path/curve/machine_path.h"
+
+namespace kadr {
+namespace {
+
+constexpr double same_value = 1e-9;
+constexpr int most_turns = 1000;
+
+Status no_code(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
+
+/// 17, 18, 19 by the axes of an arc.
+int plane_of(const Motion& motion, const std::vector<std::string>& axes) {
+  const auto is = [&](const char* a, const char* b) {
+    const std::string &first = axes[motion.first], &second = axes[motion.second];
+    return (first == a && second == b) || (first == b && second == a);
+  };
+  return is("X", "Y") ? 17 : is("X", "Z") ? 18 : is("Y", "Z") ? 19 : 0;
+}
+
+char centre_letter(const std::string& axis) { return axis == "X" ? 'I' : axis == "Y" ? 'J' : 'K'; }
+
+}  // namespace
+
+Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement) {
+  placement_ = placement;
+  at_ = stand.machine;
+  blocks_.begin();
+  blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
+  KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  KADR_TRY(blocks_.end());
+  blocks_.code_if_there({{Function::millimetre, any_argument}});
+  if (blocks_.def().behaviour.arc_centers == ArcCenters::by_code) KADR_TRY(blocks_.code({{Function::centers_incremental, any_argument}}));
+  return blocks_.end();
+}
+
+std::optional<char> FlatProgram::letter_of(std::size_t axis) const {
+  if (axis >= axes_.size() || axes_[axis].size() != 1) return std::nullopt;
+  const char letter = axes_[axis].front();
+  if (letter < 'A' || letter > 'Z') return std::nullopt;
+  const AddressRow& row = blocks_.def().address(letter);
+  const bool moves = row.function == Function::axis || row.function == Function::machine_axis;
+  return moves && blocks_.has_word(letter) ? std::optional(letter) : std::nullopt;
+}
+
+Axes FlatProgram::base() const {
+  if (way_ == FlatWay::plain) return {};
+  Axes base = placement_.length;
+  if (const auto found = source_.zeros.find(system_); found != source_.zeros.end())
+    for (std::size_t a = 0; a < max_axes; ++a) base[a] += found->second[a];
+  return base;
+}
+
+Status FlatProgram::take(const Action& action, const Step* step, const OffsetsInForce& now) {
+  const auto& what = action.what;
+  if (const auto* const m = std::get_if<Motion>(&what)) return motion(*m, step, now);
+  if (const auto* const frame = std::get_if<FrameChange>(&what)) {
+    placement_ = frame->placement;
+    return {};
+  }
+  has_acts_ = true;
+  if (const auto* const turned = std::get_if<Spindle>(&what)) return spindle(*turned);
+  if (const auto* const of = std::get_if<Speed>(&what)) return speed(*of);
+  if (const auto* const selected = std::get_if<ToolSelect>(&what)) return tool(selected->tool, selected->corrector, false);
+  if (const auto* const change = std::get_if<ToolChange>(&what)) return tool(change->tool, 0, true);
+  if (const auto* const pause = std::get_if<Dwell>(&what)) return dwell(pause->seconds);
+  if (const auto* const function = std::get_if<MachineFunction>(&what)) return machine_code(function->code);
+  if (const auto* const coolant = std::get_if<CoolantSwitch>(&what)) {
+    constexpr Function by[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
+    return blocks_.code({{by[std::size_t(coolant->what)], any_argument}});
+  }
+  if (const auto* const stop = std::get_if<Stop>(&what)) {
+    if (stop->reason == StopReason::single_block || stop->reason == StopReason::message) return {};
+    KADR_TRY(end_block());
+    KADR_TRY(blocks_.code({{stop->optional ? Function::optional_stop : Function::program_stop, any_argument}}));
+    return blocks_.end();
+  }
+  if (std::holds_alternative<Message>(what)) return no_code("message");
+  if (std::holds_alternative<Couple>(what) || std::holds_alternative<Uncouple>(what)) return no_code("gear_on");
+  if (std::holds_alternative<ZoneChange>(what)) return no_code("work_area_on");
+  if (std::holds_alternative<AuxiliaryFunction>(what)) return no_code("auxiliary_word");
+  return {};
+}
+
+Status FlatProgram::end_block() {
+  has_acts_ = false;
+  if (std::exchange(wants_direction_, false)) KADR_TRY(spindle_on());
+  return blocks_.end();
+}
+
+Status FlatProgram::finish() {
+  KADR_TRY(end_block());
+  KADR_TRY(blocks_.code({{Function::program_end, any_argument}, {Function::tape_end, any_argument}}));
+  return blocks_.end();
+}
+
+/// In blocks of their own: plane and work zero.
+Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
+  if (is_arc(motion.kind) || motion.side != 0) {
+    const int plane = plane_of(motion, axes_);
+    if (plane == 0) return no_code("select_plane");
+    if (plane != plane_) {
+      constexpr Function by[] = {Function::plane_xy, Function::plane_zx, Function::plane_yz};
+      KADR_TRY(blocks_.code({{by[plane - 17], any_argument}, {Function::select_plane, plane}}));
+      plane_ = plane;
+      KADR_TRY(blocks_.end());
+    }
+  }
+  if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
+  const int system = motion.system;
+  if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
+  KADR_TRY(blocks_.code({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}));
+  system_ = motion.system;
+  return blocks_.end();
+}
+
+/// In the block of the motion: lengths and sides.
+Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
+  if (way_ == FlatWay::contours && motion.side != side_) {
+    if (motion.side == 0) KADR_TRY(blocks_.code({{Function::radius_comp_off, any_argument}, {Function::radius_side, 0}, {Function::compensation_off, any_argument}}));
+    else if (motion.side > 0) KADR_TRY(blocks_.code({{Function::radius_comp_left, any_argument}, {Function::radius_side, 1}, {Function::tool_side, 41}}));
+    else KADR_TRY(blocks_.code({{Function::radius_comp_right, any_argument}, {Function::radius_side, 2}, {Function::tool_side, 42}}));
+    if (motion.side != 0 && now.radius_number != 0) KADR_TRY(blocks_.word('D', now.radius_number));
+    side_ = motion.side;
+  }
+  const bool same = now.length_sign == said_.length_sign && (now.length_sign == 0 || now.length_number == said_.length_number);
+  if (way_ == FlatWay::plain || same) return {};
+  if (now.length_sign == 0) KADR_TRY(blocks_.code({{Function::length_off, any_argument}, {Function::length_comp, 0}, {Function::tool_length_off, any_argument}, {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
+  else if (now.length_sign > 0) KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
+  else KADR_TRY(blocks_.code({{Function::length_minus, any_argument}, {Function::length_comp, 2}}));
+  if (now.length_sign != 0) KADR_TRY(blocks_.word(blocks_.has_word('H') && blocks_.def().address('H').function != Function::repeat_word ? 'H' : 'D', now.length_number));
+  said_ = now;
+  return {};
+}
+
+Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInForce& now) {
+  if (has_acts_) KADR_TRY(end_block());
+  KADR_TRY(said_before(motion, now));
+  KADR_TRY(said_with(motion, now));
+  const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
+  if (is_in_machine(motion) && !is_rapid) return no_code("machine_coordinates");
+  switch (motion.kind) {
+    case MotionKind::rapid:
+    case MotionKind::home: KADR_TRY(is_in_machine(motion) ? machine_motion(motion) : straight(Function::rapid, motion)); break;
+    case MotionKind::feed:
+      KADR_TRY(feed(motion));
+      KADR_TRY(straight(Function::linear, motion));
+      break;
+    case MotionKind::arc_cw:
+    case MotionKind::arc_ccw:
+      KADR_TRY(feed(motion));
+      KADR_TRY(arc(motion));
+      break;
+    case MotionKind::probe:
+      KADR_TRY(feed(motion));
+      code_ = Function::count;  // another of its group may have taken the motion's place
+      KADR_TRY(blocks_.code({{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}));
+      KADR_TRY(axis_words(motion));
+      break;
+    case MotionKind::thread: return no_code("thread");
+    case MotionKind::spline: return no_code("spline");
+  }
+  at_ = motion.machine;
+  return blocks_.end();
+}
+
+Status FlatProgram::motion_code(Function function) {
+  if (function == code_) return {};
+  code_ = function;
+  return blocks_.code({{function, any_argument}});
+}
+
+/// No code takes the work zeros away: G53 of a block does.
+bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
+
+bool FlatProgram::is_in_machine(const Motion& motion) const {
+  return way_ != FlatWay::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
+}
+
+Status FlatProgram::machine_motion(const Motion& motion) {
+  const bool by_move = row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) == nullptr;
+  KADR_TRY(blocks_.code({{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}}));
+  if (!by_move) KADR_TRY(motion_code(Function::rapid));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, motion.machine[a]));
+  }
+  return {};
+}
+
+/// Axes that stand already where they are to go are left out, but for those that nothing is known of.
+Status FlatProgram::straight(Function function, const Motion& motion) {
+  KADR_TRY(motion_code(function));
+  return axis_words(motion);
+}
+
+Status FlatProgram::axis_words(const Motion& motion) {
+  const Axes zero = base();
+  bool any = false;
+  for (const bool all_named : {false, true}) {
+    for (std::size_t a = 0; a < axes_.size() && a < max_axes && !(all_named && any); ++a) {
+      const bool is_named = (motion.named >> a & 1U) != 0, is_new = is_named && (known_ >> a & 1U) == 0;
+      if (!is_new && !(all_named && is_named) && std::fabs(motion.machine[a] - at_[a]) <= same_value) continue;
+      const auto letter = letter_of(a);
+      if (!letter) return no_code(axes_[a].c_str());
+      KADR_TRY(blocks_.word(*letter, motion.machine[a] - zero[a]));
+      known_ |= AxisMask{1} << a;
+      any = any || !all_named;
+    }
+  }
+  return {};
+}
+
+Status FlatProgram::feed(const Motion& motion) {
+  if (unit_ != motion.unit) {
+    switch (motion.unit) {
+      case FeedUnit::mm_per_min:
+        if (!blocks_.code_if_there({{Function::feed_per_minute, any_argument}}) && unit_) return no_code("feed_per_minute");
+        break;
+      case FeedUnit::mm_per_rev: KADR_TRY(blocks_.code({{Function::feed_per_revolution, any_argument}})); break;
+      case FeedUnit::per_min: KADR_TRY(blocks_.code({{Function::feed_inverse_time, any_argument}})); break;
+    }
+    unit_ = motion.unit;
+    feed_ = -1;
+  }
+  if (motion.feed == feed_ && motion.unit != FeedUnit::per_min) return {};
+  feed_ = motion.feed;
+  return blocks_.word('F', motion.feed);
+}
+
+Status FlatProgram::arc(const Motion& motion) {
+  if (motion.detail && motion.detail->surface != PathSurface::plane) return no_code("polar_surface_on");
+  const std::size_t first = motion.first, second = motion.second;
+  Axes middle = motion.to;
+  middle[first] = motion.center.x, middle[second] = motion.center.y;
+  const Axes on_machine = placement_.machine_of(middle);
+  const Vec2 centre{on_machine[first], on_machine[second]};
+  const Function function = motion.kind == MotionKind::arc_cw ? Function::arc_cw : Function::arc_ccw;
+  const int pieces = std::max(1, int(std::ceil(motion.turns - tol::whole_number)));
+  if (pieces > most_turns) return no_code("arc_cw");
+  const Axes from = at_;
+  const double radius = std::hypot(from[first] - centre.x, from[second] - centre.y), begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
+  const double sense = function == Function::arc_ccw ? 1 : -1;
+  for (int i = 1; i <= pieces; ++i) {  // each turn by itself, all of the same angle
+    Axes end = motion.machine;
+    if (i < pieces) {
+      const double part = double(i) / pieces, angle = begin + sense * 2 * pi * motion.turns * part;
+      for (std::size_t a = 0; a < max_axes; ++a) end[a] = from[a] + (motion.machine[a] - from[a]) * part;
+      end[first] = centre.x + radius * std::cos(angle), end[second] = centre.y + radius * std::sin(angle);
+    }
+    KADR_TRY(one_arc(function, motion, centre, end));
+    if (i < pieces) KADR_TRY(blocks_.end());
+    at_ = end;
+  }
+  return {};
+}
+
+/// `centre`, `to`: machine coordinates.
+Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to) {
+  KADR_TRY(motion_code(function));
+  const Axes zero = base();
+  const std::size_t plane[] = {motion.first, motion.second};
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    const bool in_plane = a == plane[0] || a == plane[1];
+    if (!in_plane && std::fabs(to[a] - at_[a]) <= same_value) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, to[a] - zero[a]));
+    known_ |= AxisMask{1} << a;
+  }
+  const bool absolute = blocks_.def().behaviour.arc_centers == ArcCenters::as_distance;
+  const double of[] = {centre.x, centre.y};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t axis = plane[i];
+    KADR_TRY(blocks_.word(centre_letter(axes_[axis]), of[i] - (absolute ? zero[axis] : at_[axis])));
+  }
+  return {};
+}
+
+Status FlatProgram::spindle(const Spindle& spindle) {
+  if (spindle.number != 1) return no_code("spindle_axis_word");
+  const bool turns = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;
+  if (turns && !surface_ && spindle.rpm > 0 && spindle.rpm != rpm_) KADR_TRY(blocks_.word('S', rpm_ = spindle.rpm));
+  turns_ = spindle.dir;
+  wants_direction_ = false;
+  switch (spindle.dir) {
+    case SpindleDir::cw:
+    case SpindleDir::ccw: KADR_TRY(spindle_on()); break;
+    case SpindleDir::stop: KADR_TRY(blocks_.code({{Function::spindle_stop, any_argument}, {Function::spindle_code, 5}})); break;
+    case SpindleDir::orient: KADR_TRY(blocks_.code({{Function::spindle_orient, any_argument}, {Function::spindle_code, 19}})); break;
+    case SpindleDir::position: return no_code("spindle_orient");
+  }
+  return end_block();
+}
+
+Status FlatProgram::spindle_on() {
+  if (turns_ == SpindleDir::cw) return blocks_.code({{Function::spindle_cw, any_argument}, {Function::spindle_code, 3}});
+  if (turns_ == SpindleDir::ccw) return blocks_.code({{Function::spindle_ccw, any_argument}, {Function::spindle_code, 4}});
+  return {};
+}
+
+Status FlatProgram::speed(const Speed& speed) {
+  if (speed.number != 1) return no_code("spindle_word");
+  if (speed.surface != surface_) {
+    if (speed.surface) KADR_TRY(blocks_.code({{Function::surface_speed, any_argument}, {Function::css_on, any_argument}}));
+    else KADR_TRY(blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}}));
+    surface_ = speed.surface;
+  }
+  rpm_ = speed.value;
+  KADR_TRY(blocks_.word('S', speed.value));
+  wants_direction_ = blocks_.def().behaviour.speed_needs_direction;
+  return {};
+}
+
+Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool change) {
+  constexpr std::uint32_t corrector_digits = 100;
+  const bool together = blocks_.def().behaviour.tool_and_corrector;
+  if (!change || number != selected_) {
+    if (!blocks_.has_word('T')) return no_code("tool_word");
+    KADR_TRY(blocks_.word('T', together ? number * corrector_digits + (corrector != 0 ? corrector : number) : number));
+    selected_ = number;
+  }
+  if (change) KADR_TRY(blocks_.code({{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
+  if (!change) return {};
+  KADR_TRY(end_block());
+  KADR_TRY(spindle_on());  // some controls stop it with the change
+  return end_block();
+}
+
+Status FlatProgram::dwell(double seconds) {
+  const CodeRow* const row = row_that_does(blocks_.def(), {{Function::dwell, any_argument}, {Function::dwell_or_turns, any_argument}});
+  if (row == nullptr) return no_code("dwell");
+  KADR_TRY(end_block());
+  blocks_.text(with_digits(blocks_.def(), *row));
+  for (const char letter : {'P', 'E', 'X'})
+    if ((row->takes >> (letter - 'A') & 1U) != 0) {
+      const bool in_ms = letter == 'P' && blocks_.def().behaviour.dwell_in_milliseconds;  // spec/fanuc 3, spec/haas: without a point
+      if (in_ms) blocks_.text(fmt::format("P{:.0f}", 1000 * seconds));
+      else KADR_TRY(blocks_.word(letter, seconds));
+      return end_block();
+    }
+  return no_code("dwell");
+}
+
+/// M codes go through under their number where the other control hands that number to its machine too.
+Status FlatProgram::machine_code(std::uint32_t code) {
+  const ControlDef& def = blocks_.def();
+  const std::int32_t row = def.row_of('M', std::int32_t(10 * code));
+  if (row < 0 || def.codes[std::size_t(row)].function != Function::machine_function) return no_code(("M" + std::to_string(code)).c_str());
+  KADR_TRY(end_block());
+  blocks_.text(with_digits(def, def.codes[std::size_t(row)]));
+  return end_block();
+}
+
+}  // namespace kadr

@@ -1,0 +1,97 @@
+#pragma once
+// FlatProgram: what a control does, action by action, as blocks of another one: without calls, loops, cycles and variables. It says what it
+// can and nothing else; whether that is the same, the proof says (convert/conversion).
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "action/step.h"
+#include "convert/block_maker.h"
+
+namespace kadr {
+
+/// How the path is said.
+enum class FlatWay : std::uint8_t {
+  contours,  // as programmed: radius compensation, tool lengths and work zeros as codes of their own
+  lengths,   // radius compensation is calculated in; tool lengths and work zeros are codes
+  plain,     // all of it is calculated in: machine coordinates
+};
+
+/// What of the tables is in force.
+struct OffsetsInForce {
+  std::int8_t length_sign = 0;      // +1, -1; 0: none
+  std::uint32_t length_number = 0;  // H, or what stands for it
+  std::uint32_t radius_number = 0;  // D
+  friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
+};
+
+/// What is known of the program that is converted.
+struct FlatSource {
+  std::vector<std::string> axes;  // names
+  std::map<int, Axes> zeros;      // of its set-up, by number of the work system
+  bool has_systems = true;        // its control has work systems at all
+};
+
+class FlatProgram {
+ public:
+  FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way) : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way) {}
+
+  /// Where the axes stand at the beginning, and the zero in force.
+  Status begin(const ToolPosition& stand, const Placement& placement);
+  /// `step`: the action carried out, where the path is said as it is then; nullptr: as programmed.
+  ///   alarms  function_has_no_code  the control has nothing that does it
+  ///           word_has_no_room
+  Status take(const Action& action, const Step* step, const OffsetsInForce& now);
+  /// What was said in a block is over: the next one begins.
+  Status end_block();
+  Status finish();
+
+ private:
+  Status motion(const Motion& motion, const Step* step, const OffsetsInForce& now);
+  Status said_before(const Motion& motion, const OffsetsInForce& now);
+  Status said_with(const Motion& motion, const OffsetsInForce& now);
+  Status straight(Function function, const Motion& motion);
+  Status axis_words(const Motion& motion);
+  Status arc(const Motion& motion);
+  Status one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to);
+  bool has_no_zeroless_system() const;
+  bool is_in_machine(const Motion& motion) const;
+  Status machine_motion(const Motion& motion);
+  Status motion_code(Function function);
+  Status feed(const Motion& motion);
+  Status spindle(const Spindle& spindle);
+  Status spindle_on();
+  Status speed(const Speed& speed);
+  Status tool(std::uint32_t number, std::uint32_t corrector, bool change);
+  Status dwell(double seconds);
+  Status machine_code(std::uint32_t code);
+  std::optional<char> letter_of(std::size_t axis) const;
+
+  /// Machine coordinates of the zero that the target counts from.
+  Axes base() const;
+
+  BlockMaker& blocks_;
+  const FlatSource source_;
+  const std::vector<std::string>& axes_;
+  const FlatWay way_;
+
+  Axes at_{};       // machine coordinates
+  Placement placement_;
+  AxisMask known_ = 0;
+  Function code_ = Function::count;
+  std::optional<FeedUnit> unit_;
+  double feed_ = -1;
+  int plane_ = 17;
+  std::uint16_t system_ = 0;
+  std::int8_t side_ = 0;
+  OffsetsInForce said_;
+  std::uint32_t selected_ = 0;
+  double rpm_ = -1;
+  SpindleDir turns_ = SpindleDir::stop;
+  bool surface_ = false, has_acts_ = false;
+  bool wants_direction_ = false;  // S stands in the block, and M3 or M4 must beside it
+};
+
+}  // namespace kadr

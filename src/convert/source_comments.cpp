@@ -1,0 +1,30 @@
+// Comments of a program. For convert/conversion.
+
+#include "convert/source_comments.h"
+
+#include <algorithm>
+
+namespace kadr {
+
+std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
+  std::vector<std::string> found;
+  for (; next_ <= line && at_ < text_.size(); ++next_) {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view rest = text_.substr(at_, end - at_);
+    at_ = end + 1;
+    while (!rest.empty()) {
+      const std::size_t open = rest.find_first_of("(;");
+      if (open == std::string_view::npos) break;
+      const bool to_end = rest[open] == ';';
+      rest.remove_prefix(open + 1);
+      const std::size_t close = to_end ? rest.size() : std::min(rest.find(')'), rest.size());
+      std::string_view text = rest.substr(0, close);
+      while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
+      if (!text.empty()) found.emplace_back(text);
+      rest.remove_prefix(std::min(close + 1, rest.size()));
+    }
+  }
+  return found;
+}
+
+}  // namespace kadr

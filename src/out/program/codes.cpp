@@ -1,0 +1,39 @@
+// Codes by what they do. For out/program/part_program, convert/block_maker.
+
+#include "out/program/codes.h"
+
+#include <algorithm>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+
+std::string with_digits(const ControlDef& def, const CodeRow& row) {
+  const std::size_t point = std::min(row.code.find('.'), row.code.size());
+  const std::size_t least = def.grammar.word(row.letter).code_digits;
+  std::string code = row.code;
+  if (point - 1 < least) code.insert(1, least - (point - 1), '0');
+  return code;
+}
+
+const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted) {
+  for (const auto& [function, arg] : wanted)
+    for (const CodeRow& row : def.codes)
+      if (row.function == function && (arg == any_argument || row.arg == arg) && row.works && row.cycle == 0) return &row;
+  return nullptr;
+}
+
+std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted) {
+  const CodeRow* const row = row_that_does(def, wanted);
+  return row == nullptr ? std::nullopt : std::optional(with_digits(def, *row));
+}
+
+std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted) {
+  std::optional<double> best;
+  double most = 0;
+  for (const auto& [code, value] : codes)
+    if (value > most && value <= wanted * (1 + tol::whole_number)) most = value, best = code;
+  return best;
+}
+
+}  // namespace kadr
