@@ -19,7 +19,7 @@ PanelMachine::Answer PanelMachine::make_lanes() {
     lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate, session_->stand(i).machine));
   }
   if (lanes_.size() != channels.size()) return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
-  lane_ = lanes_[session_->own()].get();
+  if (lane_ == nullptr) lane_ = lanes_[session_->own()].get();  // others read it from now on
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -17,7 +18,7 @@ namespace kadr::test {
 class APanel {
  public:
   explicit APanel(const std::string& program, const std::string& control = "mach3", const Setup& its_setup = {}, PanelKeeper keeper = {}) {
-    *setup = its_setup;
+    setup->now = its_setup;
     MachineProfile machine = generic_machine();
     for (const char* const axis : {"X", "Y", "Z"}) {
       machine.axes[axis].rapid = 60'000, machine.axes[axis].acceleration = 5'000, machine.axes[axis].jerk = 1e6;
@@ -27,7 +28,7 @@ class APanel {
     machine.planner = PlannerMode::optimal;
     auto made = PanelMachine::make([=, setup = setup](const std::optional<Axes>& start, const StopToken& stop)
                                        -> tl::expected<std::unique_ptr<Session>, std::string> {
-      Setup with = *setup;
+      Setup with = setup->copy();
       RunLimits limits;
       limits.stop = stop;
       const char* const names[] = {"X", "Y", "Z"};
@@ -39,7 +40,11 @@ class APanel {
     EXPECT_TRUE(made) << made.error();
     machine_ = std::move(*made);
   }
-  std::shared_ptr<Setup> setup = std::make_shared<Setup>();  // of the next session
+  /// Of the next session.
+  void edit(const std::function<void(Setup&)>& change) const {
+    const std::lock_guard hold(setup->lock);
+    change(setup->now);
+  }
   PanelMachine* operator->() const { return machine_.get(); }
 
   /// Waits; a machine that is too busy is no fault.
@@ -61,6 +66,16 @@ class APanel {
   std::uint32_t line() const { return machine_->state().line.number; }
 
  private:
+  /// Sessions are opened by threads of the machine.
+  struct Tables {
+    std::mutex lock;
+    Setup now;
+    Setup copy() {
+      const std::lock_guard hold(lock);
+      return now;
+    }
+  };
+  std::shared_ptr<Tables> setup = std::make_shared<Tables>();
   std::unique_ptr<PanelMachine> machine_;
 };
 

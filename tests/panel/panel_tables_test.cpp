@@ -16,7 +16,7 @@ bool stands_at(const APanel& panel, std::uint32_t line) {
 
 TEST(PanelTables, AZeroIsTakenOverAtTheBeginning) {
   const APanel panel("G21 G90 G54\nG0 X10\nM30\n", "nct");
-  panel.setup->work_offsets["G54"]["X"] = 100;
+  panel.edit([](kadr::Setup& tables) { tables.work_offsets["G54"]["X"] = 100; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(stands_at(panel, 1));
   ASSERT_TRUE(panel->run());
@@ -31,8 +31,8 @@ TEST(PanelTables, AnOffsetIsTakenOverInMidProgram) {
   ASSERT_TRUE(stands_at(panel, 9));
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[0] == 2; }));
-  panel.setup->work_offsets["G54"]["X"] = 50;
-  panel.setup->work_offsets["G54"]["Y"] = -20;
+  panel.edit([](kadr::Setup& tables) { tables.work_offsets["G54"]["X"] = 50; });
+  panel.edit([](kadr::Setup& tables) { tables.work_offsets["G54"]["Y"] = -20; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(stands_at(panel, 9));
   expect_at(panel, {2, 1, 0});
@@ -51,7 +51,7 @@ TEST(PanelTables, TablesThatLeadElsewhereAreTold) {
   const APanel panel("G21 G90\nIF[#100EQ1] GOTO 5\nG0 X1\nM30\nN5 G0 Y1\nM0\nG0 Y2\nM30\n", "nct", setup);
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(stands_at(panel, 7));
-  panel.setup->variables["#100"] = 2;
+  panel.edit([](kadr::Setup& tables) { tables.variables["#100"] = 2; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.takes_tables; }));
   EXPECT_FALSE(panel->state().told.empty());
@@ -71,7 +71,7 @@ TEST(PanelTables, NotInACompensatedContour) {
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(stands_at(panel, 9));
   EXPECT_TRUE(panel->may_take_tables());
-  panel.setup->offsets[1].radius = 4;
+  panel.edit([](kadr::Setup& tables) { tables.offsets[1].radius = 4; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(stands_at(panel, 9));
   ASSERT_TRUE(panel->run());
