@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { making_steps } from "./making_steps.mjs";
-import { panel_steps } from "./panel_steps.mjs";
+import { finger_steps, panel_steps } from "./panel_steps.mjs";
 import { server } from "./server.mjs";
 
 const examples = process.argv[2] ?? fileURLToPath(new URL("../../examples", import.meta.url));
@@ -47,7 +47,7 @@ async function find_motion(wanted = () => true) {
   throw new Error("no such motion found under the mouse");
 }
 
-const only = process.env.STEPS; // a part of their names: those alone
+const only = process.env.STEPS; // parts of their names, divided by |: those alone
 const steps = {
   async "opens, and takes the token out of the address"() {
     await page.goto(kadr.address());
@@ -382,11 +382,12 @@ const steps = {
   },
   ...panel_steps({ kadr, page, pictures, only }),
   ...making_steps({ kadr, page, pictures }),
+  ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
 };
 
 let passed = 0, failed = 0, skipped = 0;
 for (const [name, step] of Object.entries(steps)) {
-  if (only && !name.includes(only) && !name.startsWith("opens")) continue;
+  if (only && !only.split("|").some((part) => name.includes(part)) && !name.startsWith("opens")) continue;
   const begin = Date.now();
   try {
     const note = await step();
