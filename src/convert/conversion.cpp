@@ -93,9 +93,13 @@ class Writing {
     if (origin.number != at_.number || origin.line != at_.line || origin.file != at_.file) {
       note(flat_->end_block());
       at_ = origin;
-      now_ = offsets_of(session_->control());
-      if (origin.file == 0)
+      bool may_change = origin.file != 0;
+      if (origin.file == 0) {
         for (const std::string& comment : comments_.up_to(origin.line)) blocks_.comment(comment), note(blocks_.end());
+        may_change = comments_.names_rows();
+      }
+      if (may_change || has_changed_) now_ = offsets_of(session_->control());  // it costs more than the block itself
+      has_changed_ = may_change;
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
     }
@@ -110,6 +114,7 @@ class Writing {
   FlatProgram* flat_ = nullptr;
   Origin at_;
   std::uint32_t numbered_ = 0;  // the line
+  bool has_changed_ = true;     // the block before may have changed what is in force
   OffsetsInForce now_;
 };
 
