@@ -83,7 +83,9 @@ def two_pages(kadr, folder):
     saved = [0, 0]
 
     def hurry(i):
-        for n in range(40):
+        for n in range(400):
+            if n >= 40 and min(saved) > 0:
+                break  # each has had its turn: on a busy machine one of them may wait long
             digest = pages[i].open('both.nc', control='mach3')[0]['digest']
             answer = pages[i].ask('save', file='both.nc', text=f'(page {i} {n})\nM30\n', digest=digest)
             if 'digest' in answer:

@@ -43,6 +43,12 @@ TEST(PartProgram, PointsAndCentresFromTheStart) {
 
 TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M6"), std::string::npos); }
 
+/// Without a point it would be thousandths of it (spec/haas 1.2).
+TEST(PartProgram, FeedsKeepTheirPointWhereTheControlCountsIncrements) {
+  EXPECT_NE(program_of("haas").find(" F240.\n"), std::string::npos);
+  EXPECT_NE(program_of("fanuc").find(" F240\n"), std::string::npos);
+}
+
 TEST(PartProgram, EveryControlReadsItBack) {
   for (const std::string& id : built_in_controls()) {
     const auto def = load_control(id);
