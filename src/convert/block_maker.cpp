@@ -25,17 +25,30 @@ bool BlockMaker::code_if_there(std::initializer_list<Wanted> wanted) {
   return code.has_value();
 }
 
-Status BlockMaker::word(char letter, double value) {
+Status BlockMaker::word(char letter, double value, int more) {
   const auto& codes = letter == 'F' ? def_.feed_codes : def_.speed_codes;
   if ((letter == 'F' || letter == 'S') && !codes.empty()) {
     const auto coded = code_below(codes, value);
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  const auto written = Words(def_, letter).word(value);
+  const auto written = Words(def_, letter, more).word(value);
   if (!written) return fail(written.error());
   text(*written);
   return {};
+}
+
+Status BlockMaker::seconds_word(char letter, double seconds) {
+  constexpr double in_ms = 1000;
+  if (letter != 'P' || !def_.behaviour.dwell_in_milliseconds) return word(letter, seconds);
+  text(fmt::format("P{:.0f}", in_ms * seconds));
+  return {};
+}
+
+Status BlockMaker::dwell_word(const CodeRow& row, double seconds) {
+  for (const char letter : {'P', 'E', 'X'})
+    if ((row.takes >> (letter - 'A') & 1U) != 0) return seconds_word(letter, seconds);
+  return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(row.function).name));
 }
 
 void BlockMaker::text(std::string_view word) {

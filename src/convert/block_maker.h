@@ -27,8 +27,14 @@ class BlockMaker {
   bool code_if_there(std::initializer_list<Wanted> wanted);
   /// A word, its value in mm, degrees, s, … as the address counts it; a feed or speed, where the control codes them, as the code that
   /// stands for it.
+  ///   more    decimals, where the address has any number of them: of inches one
   ///   alarms  word_has_no_room
-  Status word(char letter, double value);
+  Status word(char letter, double value, int more = 0);
+  /// A time, s: with P milliseconds where the control counts those (spec/fanuc 4.1, spec/haas 4.1).
+  Status seconds_word(char letter, double seconds);
+  /// … with the letter that this code of a dwell takes.
+  ///   alarms  function_has_no_code  it takes none
+  Status dwell_word(const CodeRow& row, double seconds);
   bool has_word(char letter) const { return def_.grammar.word(letter).known; }
   /// As it stands, already written.
   void text(std::string_view word);

@@ -345,14 +345,8 @@ Status FlatProgram::dwell(double seconds) {
   if (row == nullptr) return no_code("dwell");
   KADR_TRY(end_block());
   blocks_.text(with_digits(blocks_.def(), *row));
-  for (const char letter : {'P', 'E', 'X'})
-    if ((row->takes >> (letter - 'A') & 1U) != 0) {
-      const bool in_ms = letter == 'P' && blocks_.def().behaviour.dwell_in_milliseconds;  // spec/fanuc 3, spec/haas: without a point
-      if (in_ms) blocks_.text(fmt::format("P{:.0f}", 1000 * seconds));
-      else KADR_TRY(blocks_.word(letter, seconds));
-      return end_block();
-    }
-  return no_code("dwell");
+  KADR_TRY(blocks_.dwell_word(*row, seconds));
+  return end_block();
 }
 
 /// M codes go through under their number where the other control hands that number to its machine too.

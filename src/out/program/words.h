@@ -14,13 +14,14 @@ namespace kadr {
 /// How the words of one address are written.
 class Words {
  public:
-  Words(const ControlDef& def, char letter)
-      : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter), counts_(letter == 'F' && def.behaviour.feed_counts_increments) {}
+  ///   more  decimals, where there may be any number of them
+  Words(const ControlDef& def, char letter, int more = 0)
+      : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter), more_(more), counts_(letter == 'F' && def.behaviour.feed_counts_increments) {}
 
   bool known() const { return format_.known; }
   int decimals() const {
     if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
-    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals;
+    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
   }
   double increment() const { return row_.scale * std::pow(10.0, -decimals()); }
   double rounded(double value) const { return std::round(value / increment()) * increment(); }
@@ -54,6 +55,7 @@ class Words {
   const AddressRow& row_;
   const WordFormat& format_;
   char letter_;
+  int more_;
   bool counts_;  // increments, where it has no point (spec/haas 1.2)
 };
 

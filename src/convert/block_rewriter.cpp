@@ -1,0 +1,219 @@
+// Word by word. For convert/rewriting; tested by tests/convert.
+
+#include "convert/block_rewriter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace kadr {
+namespace {
+
+Status cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
+
+std::uint8_t group_of_motions(const ControlDef& def) {
+  for (const CodeRow& row : def.codes)
+    if (row.function == Function::linear) return row.group;
+  return 0;
+}
+
+bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
+
+/// Numbers are written with a point, or the point is implied: the letter counts lengths.
+bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
+
+constexpr int inch_decimals = 1;  // more than in millimetres
+
+
+/// The letter by which a canned cycle is repeated.
+char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K' : 'L'; }
+
+}  // namespace
+
+/// What stands in a block.
+struct BlockRewriter::Kinds {
+  const CodeRow* motion = nullptr;  // code of the group of motions
+  const CodeRow* dwell = nullptr;
+  const CodeRow* call = nullptr;
+  bool has_axes = false, has_feed = false;
+  bool takes_axes = false;  // a code that its axis words belong to, other than a motion
+  bool drills = false;      // a canned cycle is in force or named
+  bool is_arc = false;
+};
+
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), motion_group_(group_of_motions(from)) {}
+
+const CodeRow* BlockRewriter::row_of(const Word& word) const {
+  if (word.code < 0) return nullptr;
+  const std::int32_t row = from_.row_of(word.address, word.code);
+  return row < 0 ? nullptr : &from_.codes[static_cast<std::size_t>(row)];
+}
+
+void BlockRewriter::look(const Block& block, Kinds& kinds) const {
+  kinds.drills = motion_is_cycle_;
+  kinds.is_arc = motion_ != nullptr && (motion_->function == Function::arc_cw || motion_->function == Function::arc_ccw);
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& word = block.words[i];
+    if (const CodeRow* const row = row_of(word)) {
+      if (is_canned_cycle(*row)) kinds.motion = row, kinds.drills = true, kinds.is_arc = false;
+      else if (ends_cycles(*row)) kinds.drills = false;
+      else if (row->group == motion_group_ && row->group != 0) kinds.motion = row, kinds.drills = false, kinds.is_arc = row->function == Function::arc_cw || row->function == Function::arc_ccw;
+      else if (traits_of(row->function).takes_axes()) kinds.takes_axes = true;
+      if (row->function == Function::dwell || row->function == Function::dwell_or_turns) kinds.dwell = row;
+      if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered) kinds.call = row;
+      continue;
+    }
+    const AddressRow& row = from_.address(word.address);
+    kinds.has_axes = kinds.has_axes || is_axis(row);
+    kinds.has_feed = kinds.has_feed || word.address == 'F';
+  }
+}
+
+void BlockRewriter::pass(const Block& block) {
+  Kinds kinds;
+  look(block, kinds);
+  if (kinds.motion != nullptr) motion_ = kinds.motion;
+  motion_is_cycle_ = kinds.drills;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& word = block.words[i];
+    if (const CodeRow* const row = row_of(word)) {
+      if (row->function == Function::inch) is_inch_ = true;
+      if (row->function == Function::millimetre) is_inch_ = false;
+    }
+    if (word.address == 'F' && !word.expression) feed_ = value_of(word);
+  }
+}
+
+double BlockRewriter::value_of(const Word& word) const { return word.value * from_.address(word.address).scale; }
+
+Status BlockRewriter::slice(const Block& block, Span where, BlockMaker& out) const {
+  const std::string_view text = block.text_of(where);
+  if (text.find_first_of("<\"") != std::string_view::npos && to_.grammar.named_variables == nullptr) return cannot("#<name>");
+  out.text(text);
+  return {};
+}
+
+/// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
+Status BlockRewriter::statement(const Block& block, BlockMaker& out) const {
+  const bool is_assignment = block.statement.kind == StatementKind::assign && !block.statement.with_if;
+  const bool both = from_.grammar.macro && to_.grammar.macro && block.statement.kind != StatementKind::o_word && block.statement.kind != StatementKind::system;
+  if (!both && !(is_assignment && to_.grammar.expressions)) return cannot(block.text_of(block.statement.where));
+  std::size_t begin = block.has_number ? block.number_where.end : block.where.begin;
+  std::string_view text = block.text.substr(begin, block.where.end - begin);
+  if (block.skip != 0 && !block.has_number) text.remove_prefix(std::min(text.size(), text.find_first_not_of("/0123456789 ")));
+  if (block.statement.kind != StatementKind::message)
+    if (const std::size_t comment = text.find_first_of("(;"); comment != std::string_view::npos) text = text.substr(0, comment);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  out.text(text);
+  return {};
+}
+
+Status BlockRewriter::label(const Block& block, BlockMaker& out) const {
+  if (block.marker != Marker::label) return cannot(block.text_of(block.where));
+  if (to_.grammar.label_address == 0 && !to_.grammar.programs_by_label && !to_.grammar.o_words) return cannot("O");
+  out.text(fmt::format("O{}", block.label));
+  return {};
+}
+
+Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
+  const CodeRow* const match = match_.of(row);
+  if (match == nullptr) return cannot(row.code);
+  out.text(with_digits(to_, *match));
+  return {};
+}
+
+double BlockRewriter::seconds(const Word& word) const {
+  constexpr double ms = 0.001;
+  const bool in_ms = word.address == 'P' && from_.behaviour.dwell_in_milliseconds && !(from_.behaviour.dwell_by_point && word.has_point);
+  return in_ms ? word.value * ms : value_of(word);
+}
+
+Status BlockRewriter::dwell_word(const Word& word, const CodeRow& dwell, BlockMaker& out) const {
+  const CodeRow* const match = match_.of(dwell);
+  return match == nullptr ? cannot(dwell.code) : out.dwell_word(*match, seconds(word));
+}
+
+Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) const {
+  const AddressRow& row = to_.address(letter);
+  if (!out.has_word(letter)) return cannot(std::string(1, letter));
+  return out.word(letter, value_of(word), is_inch_ && is_length(row) ? inch_decimals : 0);
+}
+
+Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) const {
+  const AddressRow& row = from_.address(word.address);
+  if (word.address > 'Z' || word.axis || word.bare || word.incremental || word.second == word.second) {
+    const bool comma = word.address == comma_chamfer || word.address == comma_rounding || word.address == comma_angle;
+    if (!comma || !to_.grammar.comma_words || word.expression) return cannot(block.text_of(word.where));
+    return slice(block, word.where, out);
+  }
+  char letter = word.address;
+  if (kinds.drills && letter == repeats_of(from_) && kinds.call == nullptr) letter = repeats_of(to_);
+  if (word.expression) {
+    if (!to_.grammar.expressions || to_.address(letter).scale != row.scale || !out.has_word(letter)) return cannot(block.text_of(word.where));
+    if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
+    std::string text(block.text_of(word.where));
+    text.front() = letter;
+    return slice(block, word.where, out);
+  }
+  if (kinds.dwell != nullptr && (kinds.dwell->takes >> (letter - 'A') & 1U) != 0) return dwell_word(word, *kinds.dwell, out);
+  if (letter == 'P' && kinds.drills && kinds.call == nullptr) return out.seconds_word('P', seconds(word));
+  if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
+  if (is_axis(row) && !is_axis(to_.address(letter))) return cannot(std::string(1, letter));
+  if (letter == 'R' && kinds.is_arc && !to_.behaviour.arc_radius_word) return cannot("R");
+  if (row.function == Function::center && kinds.is_arc) {
+    const auto is_absolute = [](const ControlDef& def) { return def.behaviour.arc_centers == ArcCenters::as_distance; };
+    if (is_absolute(from_) != is_absolute(to_) || from_.behaviour.helix_by_lead != to_.behaviour.helix_by_lead) return cannot("I J K");
+  }
+  return number(word, letter, out);
+}
+
+/// A motion without its code, behind blocks of other words.
+Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
+  if (!says_again_ || !kinds.has_axes || kinds.takes_axes) return {};
+  if (kinds.motion == nullptr && motion_ != nullptr) {
+    if (motion_is_cycle_) return cannot(motion_->code);
+    KADR_TRY(code(*motion_, out));
+  }
+  says_again_ = false;
+  if (std::exchange(says_feed_again_, false) && !kinds.has_feed && feed_ > 0) return out.word('F', feed_, 0);
+  return {};
+}
+
+Status BlockRewriter::write(const Block& block, BlockMaker& out) {
+  if (block.broken || block.codes_vary || block.file_name.end != 0) return cannot(block.text_of(block.where));
+  if (block.marker == Marker::program_start) return {};
+  if (block.marker != Marker::none) return label(block, out);
+  out.set_skip(block.skip);
+  if (block.has_number) out.set_number(block.number);
+  if (block.statement.kind != StatementKind::none) return statement(block, out);
+  Kinds kinds;
+  look(block, kinds);
+  KADR_TRY(said_again(kinds, out));
+  pass(block);
+  std::size_t next = 0;  // assignment
+  const auto assignments_before = [&](std::uint32_t at) -> Status {
+    for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
+      if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address) return cannot(block.text_of(block.assignments[next].where));
+      KADR_TRY(slice(block, block.assignments[next].where, out));
+    }
+    return {};
+  };
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& one = block.words[i];
+    if (one.address == 'N') continue;
+    KADR_TRY(assignments_before(one.where.begin));
+    if (one.code >= 0) {
+      const CodeRow* const row = row_of(one);
+      if (row == nullptr) return cannot(block.text_of(one.where));
+      KADR_TRY(code(*row, out));
+    } else {
+      KADR_TRY(word(block, one, kinds, out));
+    }
+  }
+  return assignments_before(~std::uint32_t{0});
+}
+
+}  // namespace kadr

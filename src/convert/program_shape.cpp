@@ -1,0 +1,91 @@
+// Loops, subprograms and calls of a text. For convert/word_by_word; tested by tests/convert.
+
+#include "convert/program_shape.h"
+
+#include <algorithm>
+
+namespace kadr {
+namespace {
+
+bool opens(const Statement& s) {
+  return s.kind == StatementKind::loop || (s.kind == StatementKind::o_word && (s.o_word == OWord::while_ || s.o_word == OWord::do_ || s.o_word == OWord::repeat || s.o_word == OWord::if_));
+}
+
+bool closes(const Statement& s) {
+  return s.kind == StatementKind::loop_end || (s.kind == StatementKind::o_word && (s.o_word == OWord::endwhile || s.o_word == OWord::endrepeat || s.o_word == OWord::endif));
+}
+
+bool calls(Function function) {
+  return function == Function::call_subprogram || function == Function::call_program || function == Function::call_numbered || function == Function::macro_call || function == Function::call_local;
+}
+
+constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  // of UTF-8
+
+}  // namespace
+
+ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def) {
+  BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
+  Block block;
+  for (;;) {
+    const auto got = reader.next(block);
+    if (got && *got == BlockReader::Got::end) break;
+    lines_ = block.position.line;
+    if (got) take(block, def);
+    last_block_ = block.position.line;
+  }
+  if (labelled_ != 0) subprograms_[label_] = {labelled_, last_block_};
+}
+
+void ProgramShape::take(const Block& block, const ControlDef& def) {
+  const std::uint32_t line = block.position.line;
+  for (const Span comment : block.comments)
+    for (const char c : block.text_of(comment)) is_russian_ = is_russian_ || (static_cast<unsigned char>(c) >= first_cyrillic_byte && static_cast<unsigned char>(c) <= last_cyrillic_byte);
+  if (block.marker == Marker::label && (main_over_ || last_block_ != 0)) {
+    if (labelled_ != 0) subprograms_[label_] = {labelled_, last_block_};
+    label_ = block.label, labelled_ = line;
+  }
+  if (opens(block.statement)) {
+    open_loops_.push_back(line);
+  } else if (closes(block.statement) && !open_loops_.empty()) {
+    loops_.push_back({open_loops_.back(), line});
+    open_loops_.pop_back();
+  }
+  take_calls(block, def);
+}
+
+void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
+  bool is_call = false;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& word = block.words[i];
+    if (word.code < 0) continue;
+    const std::int32_t row = def.row_of(word.address, word.code);
+    if (row < 0) continue;
+    const Function function = def.codes[static_cast<std::size_t>(row)].function;
+    is_call = is_call || calls(function);
+    if (traits_of(function).is(function_fact::ends) && labelled_ == 0) main_over_ = true;
+  }
+  if (const Word* const p = block.find('P'); is_call && p != nullptr && !p->expression) callers_.emplace(static_cast<std::uint32_t>(p->value), block.position.line);
+}
+
+std::optional<LineRange> ProgramShape::loop_around(LineRange lines) const {
+  std::optional<LineRange> best;
+  for (const LineRange& loop : loops_)
+    if (loop.first <= lines.first && lines.last <= loop.last && !(loop == lines) && (!best || loop.last - loop.first < best->last - best->first)) best = loop;
+  return best;
+}
+
+std::optional<LineRange> ProgramShape::subprogram_of(std::uint32_t line) const {
+  for (const auto& [label, range] : subprograms_)
+    if (range.holds(line)) return range;
+  return std::nullopt;
+}
+
+std::vector<std::uint32_t> ProgramShape::callers_of(LineRange subprogram) const {
+  std::vector<std::uint32_t> lines;
+  for (const auto& [label, range] : subprograms_)
+    if (range == subprogram)
+      for (auto [at, end] = callers_.equal_range(label); at != end; ++at) lines.push_back(at->second);
+  return lines;
+}
+
+}  // namespace kadr

@@ -1,0 +1,50 @@
+#pragma once
+// ProgramShape: where the loops and subprograms of a program stand and who calls them, as far as its text says it. What is written out
+// grows along these: from a line to its loop, from a subprogram to its calls.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "lang/block/block_reader.h"
+#include "config/control_def.h"
+
+namespace kadr {
+
+/// Lines from `first` to `last`.
+struct LineRange {
+  std::uint32_t first = 0, last = 0;
+  bool holds(std::uint32_t line) const { return first <= line && line <= last; }
+  friend bool operator==(const LineRange&, const LineRange&) = default;
+};
+
+class ProgramShape {
+ public:
+  ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def);
+
+  /// The smallest loop around these lines that is larger than they; nothing: none.
+  std::optional<LineRange> loop_around(LineRange lines) const;
+  /// The subprogram that a line stands in.
+  std::optional<LineRange> subprogram_of(std::uint32_t line) const;
+  /// Lines that call the subprogram there.
+  std::vector<std::uint32_t> callers_of(LineRange subprogram) const;
+  /// Comments or messages are Russian.
+  bool is_russian() const { return is_russian_; }
+  std::uint32_t lines() const { return lines_; }
+
+ private:
+  void take(const Block& block, const ControlDef& def);
+  void take_calls(const Block& block, const ControlDef& def);
+
+  std::vector<LineRange> loops_;
+  std::map<std::uint32_t, LineRange> subprograms_;       // by label
+  std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
+  // while it is read
+  std::vector<std::uint32_t> open_loops_;
+  std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
+  bool main_over_ = false, is_russian_ = false;
+  std::uint32_t lines_ = 0;
+};
+
+}  // namespace kadr
