@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 
 #include "cli/command_parts.h"
 #include "cli/help_text.h"
@@ -24,9 +25,12 @@ namespace {
 
 constexpr double least_apart = 1e-5, most_apart = 10;  // mm
 
+constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // in the order of ConvertedAs
+
 std::string name_of(ConvertedAs as) {
   switch (as) {
     case ConvertedAs::as_it_stands: return told("as it stands", "как есть");
+    case ConvertedAs::words: return told("word by word", "слово за словом");
     case ConvertedAs::contours: return told("with offsets and radius compensation as codes", "с коррекциями и эквидистантой кодами");
     case ConvertedAs::lengths: return told("with the path of the tool's centre", "с рассчитанной эквидистантой");
     case ConvertedAs::plain: return told("with all offsets calculated in", "со всеми коррекциями в координатах");
@@ -67,6 +71,7 @@ class ConvertCommand {
     ConversionSpec spec;
     spec.to = to_.get();
     spec.flat = o_.flat;
+    if (!o_.way.empty()) spec.only = ConvertedAs(std::find(ways.begin(), ways.end(), o_.way) - ways.begin());
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
     spec.source_text = SourceText(open_text(job_->file, job_->encoding)).whole();
@@ -101,21 +106,26 @@ class ConvertCommand {
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
     }
     if (!outputs_.keep()) return wrong_usage;
-    if (!forced) say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+    if (!forced) {
+      say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+      for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], lang);
+    }
     return forced ? alarms : ok;
   }
 
   void tell_why(const Converted& made, Lang lang) const {
     complain(told("not converted: no way of writing it for that control could be proven equal", "не переведено: ни одна запись для этой системы не доказана"));
-    for (const ConversionTry& one : made.tries) {
-      say(fmt::format("  {}: ", name_of(one.as)));
-      if (one.cannot_say) say(fmt::format("{}:{}: {}\n", job_->file, one.at.line, job_->texts().sentence(*one.cannot_say, lang)));
-      else if (one.proof.stopped_a) say(fmt::format("{}\n", told("the program is stopped by an alarm under its own control", "программа останавливается ошибкой у своей системы")));
-      else if (one.proof.stopped_b) say(fmt::format("{}\n", job_->texts().sentence(one.proof.stopped_b->alarm, lang)));
-      else if (!one.proof.differences.empty()) {
-        const CourseDifference& d = one.proof.differences.front();
-        say(fmt::format("{}:{} | {}: {}\n", job_->file, d.a.origin.line, d.b.origin.line, sentence_of(d, lang)));
-      }
+    for (const ConversionTry& one : made.tries) tell_why(one, lang);
+  }
+  /// Why this way was not taken.
+  void tell_why(const ConversionTry& one, Lang lang) const {
+    say(fmt::format("  {} {}: ", told("not", "не"), name_of(one.as)));
+    if (one.cannot_say) say(fmt::format("{}:{}: {}\n", job_->file, one.at.line, job_->texts().sentence(*one.cannot_say, lang)));
+    else if (one.proof.stopped_a) say(fmt::format("{}\n", told("the program is stopped by an alarm under its own control", "программа останавливается ошибкой у своей системы")));
+    else if (one.proof.stopped_b) say(fmt::format("{}: {}\n", one.proof.stopped_b->line_text, job_->texts().sentence(one.proof.stopped_b->alarm, lang)));
+    else if (!one.proof.differences.empty()) {
+      const CourseDifference& d = one.proof.differences.front();
+      say(fmt::format("{}:{} | {}: {}\n", job_->file, d.a.origin.line, d.b.origin.line, sentence_of(d, lang)));
     }
   }
 
@@ -138,6 +148,7 @@ void add_convert(CLI::App& app, Commands& c) {
   takes_file(convert->add_option("--setup-out", o.setup_out, told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
   convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
   convert->add_flag("--force", o.force, told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
+  one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")), {ways.begin(), ways.end()});
   number(convert->add_option("--tolerance", o.tolerance, told("how far ways may be apart (default: half of the coarser word format)", "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
          "MM", "ММ", least_apart, most_apart);
   program_options(*convert, o.run);

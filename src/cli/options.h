@@ -92,7 +92,7 @@ int diff(const DiffOptions& options);
 struct ConvertOptions {
   std::string program;
   Options run;  // of the program under its own control
-  std::string from, to, out, setup_out;
+  std::string from, to, out, setup_out, way;
   bool flat = false, force = false;
   double tolerance = 0;  // mm; 0: half of the coarser word format
 };

@@ -43,6 +43,8 @@ class BlockMaker {
   /// `number`: N of the block, where the program had one; 0: none.
   void set_number(std::uint32_t number) { wanted_number_ = number; }
   void set_skip(std::uint8_t skip) { skip_ = skip; }
+  /// What stands in the block so far is not written.
+  void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
   bool empty() const { return words_.empty() && comment_.empty(); }
   /// The block is over.
   ///   alarms  word_has_no_room  of N, where every block needs one

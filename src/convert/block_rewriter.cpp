@@ -24,7 +24,7 @@ bool is_axis(const AddressRow& row) { return row.function == Function::axis || r
 /// Numbers are written with a point, or the point is implied: the letter counts lengths.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
-constexpr int inch_decimals = 1;  // more than in millimetres
+constexpr int more_decimals = 3;  // than thousandths, as the program has them: inches, finer CAM programs
 
 
 /// The letter by which a canned cycle is repeated.
@@ -111,10 +111,23 @@ Status BlockRewriter::statement(const Block& block, BlockMaker& out) const {
   return {};
 }
 
-Status BlockRewriter::label(const Block& block, BlockMaker& out) const {
-  if (block.marker != Marker::label) return cannot(block.text_of(block.where));
+Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) const {
   if (to_.grammar.label_address == 0 && !to_.grammar.programs_by_label && !to_.grammar.o_words) return cannot("O");
-  out.text(fmt::format("O{}", block.label));
+  out.text(fmt::format("O{}", label));
+  return {};
+}
+
+/// L0205 of the 2С42: number 2 five times (spec/s2c42 6).
+Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
+  constexpr std::uint32_t hundred = 100;
+  const auto value = static_cast<std::uint32_t>(word.value);
+  const std::uint32_t label = value >= hundred ? value / hundred : value, times = value >= hundred ? value % hundred : 1;
+  const auto call = code_of(to_, {{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}, {Function::call_numbered, any_argument}});
+  const bool is_own_cycle = std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
+  if (!call || word.expression || is_own_cycle) return cannot("L" + std::to_string(value));
+  KADR_TRY(out.end());  // the block's other words act before
+  out.text(*call + fmt::format(" P{}", label));
+  if (times != 1) out.text(fmt::format("L{}", times));
   return {};
 }
 
@@ -139,7 +152,20 @@ Status BlockRewriter::dwell_word(const Word& word, const CodeRow& dwell, BlockMa
 Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) const {
   const AddressRow& row = to_.address(letter);
   if (!out.has_word(letter)) return cannot(std::string(1, letter));
-  return out.word(letter, value_of(word), is_inch_ && is_length(row) ? inch_decimals : 0);
+  return out.word(letter, value_of(word), is_length(row) ? more_decimals : 0);
+}
+
+/// The letter of the other control for a word of this one; nothing: what it means there is another thing.
+std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kinds) const {
+  constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word, Function::formal_parameter};
+  const auto is_own = [&](Function function) { return std::find(std::begin(own), std::end(own), function) != std::end(own); };
+  char letter = word.address;
+  const Function here = from_.address(letter).function;
+  if (kinds.call != nullptr && letter != 'P' && (letter == 'L' || letter == 'Q')) letter = 'L';
+  else if (kinds.drills && letter == repeats_of(from_)) letter = repeats_of(to_);
+  else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';  // correctors of both kinds (spec/s2c42 4)
+  const Function there = to_.address(letter).function;
+  return (is_own(here) || is_own(there)) && here != there ? std::nullopt : std::optional(letter);
 }
 
 Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) const {
@@ -149,8 +175,10 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
     if (!comma || !to_.grammar.comma_words || word.expression) return cannot(block.text_of(word.where));
     return slice(block, word.where, out);
   }
-  char letter = word.address;
-  if (kinds.drills && letter == repeats_of(from_) && kinds.call == nullptr) letter = repeats_of(to_);
+  if (row.function == Function::call_word) return section_call(word, out);
+  const auto wanted = letter_of(word, kinds);
+  if (!wanted) return cannot(block.text_of(word.where));
+  const char letter = *wanted;
   if (word.expression) {
     if (!to_.grammar.expressions || to_.address(letter).scale != row.scale || !out.has_word(letter)) return cannot(block.text_of(word.where));
     if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
@@ -184,8 +212,8 @@ Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
 
 Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   if (block.broken || block.codes_vary || block.file_name.end != 0) return cannot(block.text_of(block.where));
-  if (block.marker == Marker::program_start) return {};
-  if (block.marker != Marker::none) return label(block, out);
+  if (block.marker == Marker::program_start || block.marker == Marker::section) return {};
+  if (block.marker != Marker::none) return block.marker == Marker::label ? write_label(block.label, out) : cannot(block.text_of(block.where));
   out.set_skip(block.skip);
   if (block.has_number) out.set_number(block.number);
   if (block.statement.kind != StatementKind::none) return statement(block, out);
@@ -208,6 +236,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
     if (one.code >= 0) {
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
+      if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       KADR_TRY(code(*row, out));
     } else {
       KADR_TRY(word(block, one, kinds, out));

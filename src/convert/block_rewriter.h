@@ -2,6 +2,7 @@
 // BlockRewriter: a block of one control word by word as a block of another one: its codes by what they do, its words in the other's form,
 // variables and expressions as they stand. Only how it is said is looked at, not what it does: that the proof tells (convert/conversion).
 
+#include <optional>
 #include <string>
 
 #include "convert/block_maker.h"
@@ -18,6 +19,10 @@ class BlockRewriter {
   /// The words of a block, into `out`; on an alarm something may stand there.
   ///   alarms  function_has_no_code, word_has_no_room: the other control cannot say it
   Status write(const Block& block, BlockMaker& out);
+  /// The first block of a subprogram.
+  Status write_label(std::uint32_t label, BlockMaker& out) const;
+  /// Ends of a program end nothing there: a section of subprograms (spec/s2c42 6).
+  void set_in_section(bool is) { in_section_ = is; }
   /// A block that is not written in this way: what it puts in force in the text counts all the same.
   void pass(const Block& block);
   /// Blocks of other words stand there now: the next motion says its code again, and in inches its feed.
@@ -30,10 +35,11 @@ class BlockRewriter {
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;
   Status statement(const Block& block, BlockMaker& out) const;
-  Status label(const Block& block, BlockMaker& out) const;
   Status said_again(const Kinds& kinds, BlockMaker& out);
   Status code(const CodeRow& row, BlockMaker& out) const;
+  std::optional<char> letter_of(const Word& word, const Kinds& kinds) const;
   Status word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) const;
+  Status section_call(const Word& word, BlockMaker& out) const;
   Status dwell_word(const Word& word, const CodeRow& dwell, BlockMaker& out) const;
   Status number(const Word& word, char letter, BlockMaker& out) const;
   Status slice(const Block& block, Span where, BlockMaker& out) const;
@@ -46,7 +52,7 @@ class BlockRewriter {
   std::uint8_t motion_group_ = 0;         // of the codes of `from`
   const CodeRow* motion_ = nullptr;       // in force in the text
   bool motion_is_cycle_ = false;
-  bool is_inch_ = false;
+  bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
   double feed_ = -1;                      // last F of the text
 };

@@ -4,54 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "config/setup_check.h"
 #include "convert/flat_program.h"
 #include "convert/source_comments.h"
+#include "convert/word_by_word.h"
 #include "out/program/words.h"
 
 namespace kadr {
 namespace {
-
-bool has_key(const ControlDef& def, const char* name) {
-  const nlohmann::json table = {{name, nlohmann::json::object()}};
-  return !fault_of(table, table, &def);
-}
-
-bool is_system(const CodeRow& row) { return row.function == Function::fixture || row.function == Function::work_zero || row.function == Function::work_system || row.function == Function::table_system; }
-
-/// Rows of the work zeros by number, whatever the control calls them.
-std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
-  std::map<int, AxisValues> zeros = setup.zeros;
-  for (const CodeRow& row : def.codes)
-    if (is_system(row) && row.arg > 0)
-      if (const auto found = setup.work_offsets.find(row.code); found != setup.work_offsets.end()) zeros[row.arg] = found->second;
-  return zeros;
-}
-
-OffsetsInForce offsets_of(const Control& control) {
-  OffsetsInForce now;
-  double length = 0, radius = 0;
-  for (const InForce& one : control.in_force()) {
-    if (one.kind == InForce::Kind::offset) radius = one.value;
-    if (one.kind == InForce::Kind::length_offset) length = one.value;
-    if (one.kind == InForce::Kind::code && (one.code == "G43" || one.code == "G44")) now.length_sign = one.code == "G43" ? 1 : -1;
-  }
-  now.radius_number = std::uint32_t(radius);
-  now.length_number = std::uint32_t(length != 0 ? length : radius);
-  return now;
-}
-
-bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
-
-FlatSource source_of(const Session& session) {
-  FlatSource source{session.control().axes(), {}, has_systems(session.def())};
-  for (const auto& [number, values] : zeros_of(session.setup(), session.def()))
-    for (std::size_t a = 0; a < source.axes.size() && a < max_axes; ++a)
-      if (const auto found = values.find(source.axes[a]); found != values.end()) source.zeros[number][a] = found->second;
-  return source;
-}
 
 /// One way of saying it.
 class Writing {
@@ -65,7 +25,7 @@ class Writing {
     const FlatWay way = made_.as == ConvertedAs::contours ? FlatWay::contours : made_.as == ConvertedAs::lengths ? FlatWay::lengths : FlatWay::plain;
     Control& control = session_->control();
     control.hand_over_each_block();
-    FlatProgram flat(blocks_, source_of(*session_), way);
+    FlatProgram flat(blocks_, flat_source_of(*session_), way);
     flat_ = &flat;
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
@@ -118,49 +78,27 @@ class Writing {
   OffsetsInForce now_;
 };
 
-}  // namespace
-
-Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, bool plain) {
-  Setup made;
-  made.start = setup.start, made.start_in_work = setup.start_in_work;
-  made.machine = setup.machine, made.axis_limits = setup.axis_limits;
-  made.skip = setup.skip, made.optional_stop = setup.optional_stop;
-  made.spindles = setup.spindles;
-  made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
-  made.tool = setup.tool;
-  made.clock = setup.clock;
-  if (has_key(to, "probe")) made.probe = setup.probe;
-  if (plain) return made;
-  if (has_key(to, "offsets")) made.offsets = setup.offsets;
-  const std::map<int, AxisValues> zeros = zeros_of(setup, from);
-  if (has_key(to, "zeros")) made.zeros = zeros;
-  else
-    for (const CodeRow& row : to.codes)
-      if (is_system(row) && row.arg > 0)
-        if (const auto found = zeros.find(row.arg); found != zeros.end()) made.work_offsets[row.code] = found->second;
-  return made;
-}
-
-std::string setup_text(const Setup& setup) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::object();
-  const auto put_axes = [](nlohmann::ordered_json& to, const AxisValues& values) {
-    to = nlohmann::ordered_json::object();
-    for (const auto& [axis, value] : values) to[axis] = value;
-  };
-  if (!setup.start.empty()) put_axes(all["start"], setup.start);
-  for (const auto& [name, values] : setup.work_offsets) put_axes(all["work_offsets"][name], values);
-  for (const auto& [number, values] : setup.zeros) put_axes(all["zeros"][std::to_string(number)], values);
-  for (const auto& [number, offset] : setup.offsets) {
-    nlohmann::ordered_json& row = all["offsets"][std::to_string(number)];
-    row = nlohmann::ordered_json::object();
-    for (const auto& [name, value] : {std::pair{"length", offset.length}, {"length_wear", offset.length_wear}, {"radius", offset.radius}, {"radius_wear", offset.radius_wear}})
-      if (value != 0) row[name] = value;
+tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const CompareRules& rules) {
+  if (as == ConvertedAs::words) return word_by_word(spec);
+  ConversionTry one;
+  one.as = as;
+  if (as == ConvertedAs::as_it_stands) {
+    one.text = spec.source_text;
+  } else {
+    auto written = Writing(spec, as).write();
+    if (!written) return tl::unexpected(written.error());
+    one = std::move(*written);
   }
-  if (setup.tool != 0) all["tool"] = setup.tool;
-  if (!setup.skip.empty()) all["skip"] = setup.skip;
-  if (setup.optional_stop) all["optional_stop"] = true;
-  return all.dump(1) + "\n";
+  if (one.cannot_say || spec.stop.asked()) return one;
+  auto a = spec.source();
+  if (!a) return tl::unexpected(a.error());
+  auto b = spec.target(one.text, as == ConvertedAs::plain);
+  if (!b) return tl::unexpected(b.error());
+  one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
+  return one;
 }
+
+}  // namespace
 
 double usual_tolerance(const ControlDef& from, const ControlDef& to) {
   return std::sqrt(3.0) / 2 * std::max(Words(from, 'X').increment(), Words(to, 'X').increment());
@@ -171,26 +109,13 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
-  for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
-    if (as == ConvertedAs::as_it_stands && spec.flat) continue;
-    ConversionTry one;
-    one.as = as;
-    if (as == ConvertedAs::as_it_stands) {
-      one.text = spec.source_text;
-    } else {
-      auto written = Writing(spec, as).write();
-      if (!written) return tl::unexpected(written.error());
-      one = std::move(*written);
-    }
-    if (!one.cannot_say && !spec.stop.asked()) {
-      auto a = spec.source();
-      if (!a) return tl::unexpected(a.error());
-      auto b = spec.target(one.text, as == ConvertedAs::plain);
-      if (!b) return tl::unexpected(b.error());
-      one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
-    }
-    const bool is_proven = !one.cannot_say && one.proof.equal() && !one.proof.stopped_a && !one.proof.stopped_b;
-    all.tries.push_back(std::move(one));
+  for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
+    if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
+    if (spec.only && as != *spec.only) continue;
+    auto one = one_try(spec, as, rules);
+    if (!one) return tl::unexpected(one.error());
+    const bool is_proven = !one->cannot_say && one->proof.equal() && !one->proof.stopped_a && !one->proof.stopped_b;
+    all.tries.push_back(std::move(*one));
     if (spec.stop.asked()) break;
     if (is_proven) {
       all.taken = all.tries.size() - 1;

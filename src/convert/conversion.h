@@ -2,7 +2,7 @@
 // A program of one control as a program of another, proven equal: the text is made in several ways, the one that keeps most first, each is
 // run by its control, and the first that does the same is taken (compare/comparison).
 //
-//   as it stands ─▶ contours and offsets as codes ─▶ offsets as codes ─▶ all of it calculated in
+//   as it stands ─▶ word by word ─▶ contours and offsets as codes ─▶ offsets as codes ─▶ all of it calculated in
 
 #include <functional>
 #include <memory>
@@ -10,8 +10,18 @@
 #include <vector>
 
 #include "compare/comparison.h"
+#include "convert/source_setup.h"
 
 namespace kadr {
+
+/// How the program is said.
+enum class ConvertedAs : std::uint8_t {
+  as_it_stands,
+  words,     // word by word, written out only where it must be (convert/word_by_word)
+  contours,  // written out, and so are the next: FlatWay
+  lengths,
+  plain,
+};
 
 /// What is converted: how sessions of it are made.
 struct ConversionSpec {
@@ -22,11 +32,10 @@ struct ConversionSpec {
   std::string source_text;    // UTF-8
   const ControlDef* to = nullptr;
   bool flat = false;          // calls, loops and cycles are written out even where the other control has them
+  std::optional<ConvertedAs> only{};  // this way and no other
   double tolerance = 0.001;   // mm
   StopToken stop{};
 };
-
-enum class ConvertedAs : std::uint8_t { as_it_stands, contours, lengths, plain };
 
 /// One of the ways, and why it was not taken.
 struct ConversionTry {
@@ -42,14 +51,6 @@ struct Converted {
   std::vector<ConversionTry> tries;
   double tolerance = 0;
 };
-
-/// The set-up from which a program of `to` begins as one of `from` does from `setup`: tables under the numbers that the other control has
-/// for them.
-///   plain  no tables: all of them are calculated in
-Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, bool plain);
-
-/// … as a set-up file: start, tables, switches. Limits and rates of the machine are its own.
-std::string setup_text(const Setup& setup);
 
 /// Half an increment of the coarser word format in each of three axes: mm between two places.
 double usual_tolerance(const ControlDef& from, const ControlDef& to);

@@ -35,6 +35,7 @@ char centre_letter(const std::string& axis) { return axis == "X" ? 'I' : axis ==
 
 Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement) {
   placement_ = placement;
+  said_origin_ = placement.origin;
   at_ = stand.machine;
   blocks_.begin();
   blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
@@ -57,6 +58,10 @@ std::optional<char> FlatProgram::letter_of(std::size_t axis) const {
 Axes FlatProgram::base() const {
   if (way_ == FlatWay::plain) return {};
   Axes base = placement_.length;
+  if (way_ == FlatWay::places) {
+    for (std::size_t a = 0; a < max_axes; ++a) base[a] += said_origin_[a];
+    return base;
+  }
   if (const auto found = source_.zeros.find(system_); found != source_.zeros.end())
     for (std::size_t a = 0; a < max_axes; ++a) base[a] += found->second[a];
   return base;
@@ -105,6 +110,40 @@ Status FlatProgram::finish() {
   return blocks_.end();
 }
 
+void FlatProgram::pass(const Action& action) {
+  if (const auto* const m = std::get_if<Motion>(&action.what)) {
+    at_ = m->machine;
+    system_ = m->system, side_ = m->side;
+    if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = m->unit;
+    if (is_arc(m->kind) || m->side != 0) plane_ = plane_of(*m, axes_);
+  } else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
+    placement_ = frame->placement;
+    said_origin_ = placement_.origin;
+  } else if (const auto* const turned = std::get_if<Spindle>(&action.what)) {
+    turns_ = turned->dir;
+    if (turned->rpm > 0) rpm_ = turned->rpm;
+  } else if (const auto* const of = std::get_if<Speed>(&action.what)) {
+    surface_ = of->surface, rpm_ = of->value;
+  } else if (const auto* const selected = std::get_if<ToolSelect>(&action.what)) {
+    selected_ = selected->tool;
+  }
+}
+
+Status FlatProgram::open(bool incremental, bool inch, const OffsetsInForce& now) {
+  said_ = now;
+  system_is_said_ = true;
+  known_ = 0, code_ = Function::count, feed_ = -1;
+  relative_ = incremental;
+  if (inch) KADR_TRY(blocks_.code({{Function::millimetre, any_argument}}));
+  return blocks_.end();
+}
+
+Status FlatProgram::close(bool inch) {
+  KADR_TRY(end_block());
+  if (inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
+  return blocks_.end();
+}
+
 /// In blocks of their own: plane and work zero.
 Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
   if (is_arc(motion.kind) || motion.side != 0) {
@@ -117,17 +156,19 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
       KADR_TRY(blocks_.end());
     }
   }
+  if (way_ == FlatWay::places && system_is_said_) system_ = motion.system;
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
   KADR_TRY(blocks_.code({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}));
   system_ = motion.system;
+  said_origin_ = placement_.origin;
   return blocks_.end();
 }
 
 /// In the block of the motion: lengths and sides.
 Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
-  if (way_ == FlatWay::contours && motion.side != side_) {
+  if (is_by_codes() && motion.side != side_) {
     if (motion.side == 0) KADR_TRY(blocks_.code({{Function::radius_comp_off, any_argument}, {Function::radius_side, 0}, {Function::compensation_off, any_argument}}));
     else if (motion.side > 0) KADR_TRY(blocks_.code({{Function::radius_comp_left, any_argument}, {Function::radius_side, 1}, {Function::tool_side, 41}}));
     else KADR_TRY(blocks_.code({{Function::radius_comp_right, any_argument}, {Function::radius_side, 2}, {Function::tool_side, 42}}));
@@ -172,6 +213,7 @@ Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInFor
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
+  ++motions_;
   return blocks_.end();
 }
 
@@ -216,7 +258,7 @@ Status FlatProgram::axis_words(const Motion& motion) {
       if (!is_new && !(all_named && is_named) && std::fabs(motion.machine[a] - at_[a]) <= same_value) continue;
       const auto letter = letter_of(a);
       if (!letter) return no_code(axes_[a].c_str());
-      KADR_TRY(blocks_.word(*letter, motion.machine[a] - zero[a]));
+      KADR_TRY(blocks_.word(*letter, word_of(a, motion.machine[a], zero[a])));
       known_ |= AxisMask{1} << a;
       any = any || !all_named;
     }
@@ -278,7 +320,7 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
     if (!in_plane && std::fabs(to[a] - at_[a]) <= same_value) continue;
     const auto letter = letter_of(a);
     if (!letter) return no_code(axes_[a].c_str());
-    KADR_TRY(blocks_.word(*letter, to[a] - zero[a]));
+    KADR_TRY(blocks_.word(*letter, word_of(a, to[a], zero[a])));
     known_ |= AxisMask{1} << a;
   }
   const bool absolute = blocks_.def().behaviour.arc_centers == ArcCenters::as_distance;
@@ -288,75 +330,6 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
     KADR_TRY(blocks_.word(centre_letter(axes_[axis]), of[i] - (absolute ? zero[axis] : at_[axis])));
   }
   return {};
-}
-
-Status FlatProgram::spindle(const Spindle& spindle) {
-  if (spindle.number != 1) return no_code("spindle_axis_word");
-  const bool turns = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;
-  if (turns && !surface_ && spindle.rpm > 0 && spindle.rpm != rpm_) KADR_TRY(blocks_.word('S', rpm_ = spindle.rpm));
-  turns_ = spindle.dir;
-  wants_direction_ = false;
-  switch (spindle.dir) {
-    case SpindleDir::cw:
-    case SpindleDir::ccw: KADR_TRY(spindle_on()); break;
-    case SpindleDir::stop: KADR_TRY(blocks_.code({{Function::spindle_stop, any_argument}, {Function::spindle_code, 5}})); break;
-    case SpindleDir::orient: KADR_TRY(blocks_.code({{Function::spindle_orient, any_argument}, {Function::spindle_code, 19}})); break;
-    case SpindleDir::position: return no_code("spindle_orient");
-  }
-  return end_block();
-}
-
-Status FlatProgram::spindle_on() {
-  if (turns_ == SpindleDir::cw) return blocks_.code({{Function::spindle_cw, any_argument}, {Function::spindle_code, 3}});
-  if (turns_ == SpindleDir::ccw) return blocks_.code({{Function::spindle_ccw, any_argument}, {Function::spindle_code, 4}});
-  return {};
-}
-
-Status FlatProgram::speed(const Speed& speed) {
-  if (speed.number != 1) return no_code("spindle_word");
-  if (speed.surface != surface_) {
-    if (speed.surface) KADR_TRY(blocks_.code({{Function::surface_speed, any_argument}, {Function::css_on, any_argument}}));
-    else KADR_TRY(blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}}));
-    surface_ = speed.surface;
-  }
-  rpm_ = speed.value;
-  KADR_TRY(blocks_.word('S', speed.value));
-  wants_direction_ = blocks_.def().behaviour.speed_needs_direction;
-  return {};
-}
-
-Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool change) {
-  constexpr std::uint32_t corrector_digits = 100;
-  const bool together = blocks_.def().behaviour.tool_and_corrector;
-  if (!change || number != selected_) {
-    if (!blocks_.has_word('T')) return no_code("tool_word");
-    KADR_TRY(blocks_.word('T', together ? number * corrector_digits + (corrector != 0 ? corrector : number) : number));
-    selected_ = number;
-  }
-  if (change) KADR_TRY(blocks_.code({{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
-  if (!change) return {};
-  KADR_TRY(end_block());
-  KADR_TRY(spindle_on());  // some controls stop it with the change
-  return end_block();
-}
-
-Status FlatProgram::dwell(double seconds) {
-  const CodeRow* const row = row_that_does(blocks_.def(), {{Function::dwell, any_argument}, {Function::dwell_or_turns, any_argument}});
-  if (row == nullptr) return no_code("dwell");
-  KADR_TRY(end_block());
-  blocks_.text(with_digits(blocks_.def(), *row));
-  KADR_TRY(blocks_.dwell_word(*row, seconds));
-  return end_block();
-}
-
-/// M codes go through under their number where the other control hands that number to its machine too.
-Status FlatProgram::machine_code(std::uint32_t code) {
-  const ControlDef& def = blocks_.def();
-  const std::int32_t row = def.row_of('M', std::int32_t(10 * code));
-  if (row < 0 || def.codes[std::size_t(row)].function != Function::machine_function) return no_code(("M" + std::to_string(code)).c_str());
-  KADR_TRY(end_block());
-  blocks_.text(with_digits(def, def.codes[std::size_t(row)]));
-  return end_block();
 }
 
 }  // namespace kadr

@@ -17,6 +17,7 @@ enum class FlatWay : std::uint8_t {
   contours,  // as programmed: radius compensation, tool lengths and work zeros as codes of their own
   lengths,   // radius compensation is calculated in; tool lengths and work zeros are codes
   plain,     // all of it is calculated in: machine coordinates
+  places,    // as contours, between blocks that are said otherwise and have put shifts in force: coordinates as programmed
 };
 
 /// What of the tables is in force.
@@ -48,6 +49,18 @@ class FlatProgram {
   Status end_block();
   Status finish();
 
+  /// An action that is said otherwise: how things stand behind it.
+  void pass(const Action& action);
+  /// Blocks begin behind some that were said otherwise.
+  ///   incremental, inch, now  what those have put in force
+  Status open(bool incremental, bool inch, const OffsetsInForce& now);
+  /// From here on the work system is said by these blocks, no more by others.
+  void system_changes() { system_is_said_ = false; }
+  /// … and end before such.
+  Status close(bool inch);
+  /// Motions that have been said.
+  std::size_t motions() const { return motions_; }
+
  private:
   Status motion(const Motion& motion, const Step* step, const OffsetsInForce& now);
   Status said_before(const Motion& motion, const OffsetsInForce& now);
@@ -69,6 +82,8 @@ class FlatProgram {
   Status machine_code(std::uint32_t code);
   std::optional<char> letter_of(std::size_t axis) const;
 
+  double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
+  bool is_by_codes() const { return way_ == FlatWay::contours || way_ == FlatWay::places; }
   /// Machine coordinates of the zero that the target counts from.
   Axes base() const;
 
@@ -88,6 +103,10 @@ class FlatProgram {
   std::int8_t side_ = 0;
   OffsetsInForce said_;
   std::uint32_t selected_ = 0;
+  std::size_t motions_ = 0;
+  Axes said_origin_{};      // of the work system, with the shifts that the other blocks have put in force
+  bool system_is_said_ = true;
+  bool relative_ = false;   // increments are programmed
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   bool surface_ = false, has_acts_ = false;

@@ -19,6 +19,11 @@ bool calls(Function function) {
   return function == Function::call_subprogram || function == Function::call_program || function == Function::call_numbered || function == Function::macro_call || function == Function::call_local;
 }
 
+bool returns(Function function) {
+  return function == Function::subprogram_return || function == Function::subprogram_end || function == Function::return_program || function == Function::return_numbered;
+}
+
+constexpr std::uint32_t hundred = 100;
 constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  // of UTF-8
 
 }  // namespace
@@ -31,9 +36,10 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     if (got && *got == BlockReader::Got::end) break;
     lines_ = block.position.line;
     if (got) take(block, def);
+    if (last_block_ != block.position.line) blocks_.push_back(block.position.line);
     last_block_ = block.position.line;
   }
-  if (labelled_ != 0) subprograms_[label_] = {labelled_, last_block_};
+  close_subprogram();
 }
 
 void ProgramShape::take(const Block& block, const ControlDef& def) {
@@ -41,9 +47,11 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
   for (const Span comment : block.comments)
     for (const char c : block.text_of(comment)) is_russian_ = is_russian_ || (static_cast<unsigned char>(c) >= first_cyrillic_byte && static_cast<unsigned char>(c) <= last_cyrillic_byte);
   if (block.marker == Marker::label && (main_over_ || last_block_ != 0)) {
-    if (labelled_ != 0) subprograms_[label_] = {labelled_, last_block_};
+    close_subprogram();
     label_ = block.label, labelled_ = line;
+    edges_.push_back(line);
   }
+  take_section(block);
   if (opens(block.statement)) {
     open_loops_.push_back(line);
   } else if (closes(block.statement) && !open_loops_.empty()) {
@@ -53,18 +61,56 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
   take_calls(block, def);
 }
 
+/// Subprograms of the 2С42: N02001 begins number 2 (spec/s2c42 6).
+void ProgramShape::take_section(const Block& block) {
+  constexpr std::uint32_t blocks_a_subprogram = 1000;
+  if (block.marker == Marker::section || block.marker == Marker::program_start) {
+    close_subprogram();
+    in_section_ = block.marker == Marker::section;
+    return;
+  }
+  if (!in_section_ || !block.has_number) return;
+  const std::uint32_t label = block.number / blocks_a_subprogram;
+  if (labelled_ != 0 && label == label_) return;
+  close_subprogram();
+  label_ = label, labelled_ = block.position.line;
+}
+
+void ProgramShape::close_subprogram() {
+  if (labelled_ != 0) subprograms_[label_] = {labelled_, last_block_};
+  labelled_ = 0;
+}
+
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
+    if (def.address(word.address).function == Function::call_word && !word.expression) {
+      const auto value = static_cast<std::uint32_t>(word.value);  // L0205: number 2 five times
+      callers_.emplace(value >= hundred ? value / hundred : value, block.position.line);
+    }
     if (word.code < 0) continue;
     const std::int32_t row = def.row_of(word.address, word.code);
     if (row < 0) continue;
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     is_call = is_call || calls(function);
+    if (returns(function)) edges_.push_back(block.position.line);
+    if (traits_of(function).phase == Phase::transform) transforms_.push_back(block.position.line);
     if (traits_of(function).is(function_fact::ends) && labelled_ == 0) main_over_ = true;
   }
   if (const Word* const p = block.find('P'); is_call && p != nullptr && !p->expression) callers_.emplace(static_cast<std::uint32_t>(p->value), block.position.line);
+}
+
+std::vector<std::uint32_t> ProgramShape::calls_outside() const {
+  std::vector<std::uint32_t> lines;
+  for (const auto& [label, line] : callers_)
+    if (subprograms_.count(label) == 0) lines.push_back(line);
+  return lines;
+}
+
+std::uint32_t ProgramShape::block_before(std::uint32_t line) const {
+  const auto at = std::lower_bound(blocks_.begin(), blocks_.end(), line);
+  return at == blocks_.begin() ? 0 : *std::prev(at);
 }
 
 std::optional<LineRange> ProgramShape::loop_around(LineRange lines) const {

@@ -2,6 +2,7 @@
 // ProgramShape: where the loops and subprograms of a program stand and who calls them, as far as its text says it. What is written out
 // grows along these: from a line to its loop, from a subprogram to its calls.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -29,21 +30,33 @@ class ProgramShape {
   std::optional<LineRange> subprogram_of(std::uint32_t line) const;
   /// Lines that call the subprogram there.
   std::vector<std::uint32_t> callers_of(LineRange subprogram) const;
+  /// The line of the block before that of this line; 0: none.
+  std::uint32_t block_before(std::uint32_t line) const;
+  /// It begins a subprogram or returns from it.
+  bool is_edge(std::uint32_t line) const { return std::binary_search(edges_.begin(), edges_.end(), line); }
+  /// Lines that turn, mirror or scale what follows, or end it.
+  const std::vector<std::uint32_t>& transforms() const { return transforms_; }
+  /// Lines that call what stands in other files.
+  std::vector<std::uint32_t> calls_outside() const;
   /// Comments or messages are Russian.
   bool is_russian() const { return is_russian_; }
   std::uint32_t lines() const { return lines_; }
 
  private:
   void take(const Block& block, const ControlDef& def);
+  void take_section(const Block& block);
+  void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
+  std::vector<std::uint32_t> blocks_;  // lines with blocks
+  std::vector<std::uint32_t> edges_, transforms_;
   std::vector<LineRange> loops_;
   std::map<std::uint32_t, LineRange> subprograms_;       // by label
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
   // while it is read
   std::vector<std::uint32_t> open_loops_;
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
-  bool main_over_ = false, is_russian_ = false;
+  bool main_over_ = false, in_section_ = false, is_russian_ = false;
   std::uint32_t lines_ = 0;
 };
 

@@ -1,0 +1,124 @@
+// Lines written out. For convert/word_by_word; tested by tests/convert.
+
+#include "convert/flat_places.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "convert/flat_program.h"
+#include "convert/source_setup.h"
+
+namespace kadr {
+namespace {
+
+class PlaceWriter {
+ public:
+  PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places)
+      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session), FlatWay::places) {}
+
+  Status run(const StopToken& stop) {
+    control_.hand_over_each_block();
+    control_.watch_calls();
+    Outlets& outlets = session_.outlets();
+    outlets.stop = stop;
+    outlets.step = [](const Step&) {};
+    outlets.programmed = [this](const Action& action) { take(action); };
+    control_.holds_before = [this](const Origin& origin) { return begin_block(origin), false; };
+    KADR_TRY(flat_.begin(session_.stand(), control_.placement()));
+    text_.clear();  // the other blocks say it
+    while (session_.go_on() == Session::State::running) {}
+    close();
+    return {};
+  }
+
+ private:
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+  /// A line of the program by which a block came to be carried out, the outermost first.
+  std::size_t place_of(const Origin& origin, std::uint32_t& line, bool& is_own) const {
+    if (origin.depth > 0)
+      for (const AlarmReport::Call& call : control_.calls_of(origin))
+        if (call.file.empty())
+          if (const std::size_t found = place_at(call.line); found != nowhere) return line = call.line, is_own = false, found;
+    line = origin.line, is_own = true;
+    return origin.file == 0 ? place_at(origin.line) : nowhere;
+  }
+  std::size_t place_at(std::uint32_t line) const {
+    const auto after = std::upper_bound(places_.begin(), places_.end(), line, [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
+    if (after == places_.begin() || !std::prev(after)->lines.holds(line)) return nowhere;
+    return static_cast<std::size_t>(std::prev(after) - places_.begin());
+  }
+
+  void begin_block(const Origin& origin) {
+    if (open_ != nowhere) note(flat_.end_block());
+    is_new_ = true;
+    std::uint32_t line = 0;
+    bool is_own = false;
+    const std::size_t place = place_of(origin, line, is_own);
+    const bool again = place == open_ && is_own && places_[place].lines.first == places_[place].lines.last;
+    if (place == open_ && !again) return;
+    const bool goes_on = open_ != nowhere && place == open_ + 1 && places_[place].follows;
+    close(!goes_on);
+    if (place != nowhere) open(place, !goes_on);
+  }
+
+  ///   afresh  blocks that are said otherwise stand before it
+  void open(std::size_t place, bool afresh) {
+    open_ = place;
+    text_.clear();
+    begun_at_ = flat_.motions();
+    if (!afresh) return;
+    bool incremental = false;
+    inch_ = false;
+    for (const InForce& one : control_.in_force()) {
+      if (one.kind != InForce::Kind::code) continue;
+      for (const CodeRow& row : session_.def().codes)
+        if (row.code == one.code) incremental = incremental || row.function == Function::incremental, inch_ = inch_ || row.function == Function::inch;
+    }
+    note(flat_.open(incremental, inch_, offsets_of(control_)));
+  }
+
+  ///   at_end  such blocks follow
+  void close(bool at_end = true) {
+    if (open_ == nowhere) return;
+    note(flat_.close(at_end && inch_));
+    FlatPlace& place = places_[open_];
+    // A line that is read over, as subprograms are before they are called, is not carried out.
+    if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
+    if (place.times++ == 0) place.text = text_, place.motions = flat_.motions() - begun_at_;
+    else place.differs = place.differs || place.text != text_;
+    text_.clear();
+    open_ = nowhere;
+  }
+
+  void take(const Action& action) {
+    if (open_ == nowhere) return flat_.pass(action);
+    if (std::holds_alternative<FrameChange>(action.what)) flat_.system_changes();
+    if (std::exchange(is_new_, false)) now_ = offsets_of(control_);
+    has_acted_ = true;
+    note(flat_.take(action, nullptr, now_));
+  }
+
+  void note(const Status& status) {
+    if (status || open_ == nowhere) return;
+    if (!places_[open_].cannot) places_[open_].cannot = status.error();
+  }
+
+  Session& session_;
+  Control& control_;
+  std::vector<FlatPlace>& places_;
+  std::string text_;
+  BlockMaker blocks_;
+  FlatProgram flat_;
+  OffsetsInForce now_;
+  std::size_t open_ = nowhere, begun_at_ = 0;
+  bool is_new_ = true, has_acted_ = false, inch_ = false;
+};
+
+}  // namespace
+
+Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, const StopToken& stop) {
+  return PlaceWriter(source, to, places).run(stop);
+}
+
+}  // namespace kadr

@@ -1,0 +1,31 @@
+#pragma once
+// FlatPlaces: some lines of a program written out, as flat blocks of another control, between others that stay: the program is run and
+// what it does at those lines is said, action by action (convert/flat_program). A place that does the same each time becomes one text.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/stop.h"
+#include "convert/program_shape.h"
+#include "session/session.h"
+
+namespace kadr {
+
+struct FlatPlace {
+  LineRange lines;
+  bool follows = false;          // there is no block between it and the place before
+  std::string text{};            // of one time
+  std::size_t times = 0;         // it was carried out
+  std::size_t motions = 0;       // of one time
+  bool differs = false;          // not each time the same
+  std::optional<Alarm> cannot{};  // the other control cannot say it
+  bool settled() const { return !differs && !cannot; }
+};
+
+/// Runs the program once and writes `places`, which are in their order and do not overlap.
+Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, const StopToken& stop);
+
+}  // namespace kadr

@@ -1,0 +1,213 @@
+// Line by line. For convert/word_by_word; tested by tests/convert.
+
+#include "convert/rewriting.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lang/text/line_reader.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_told = 60;  // bytes of a block in a comment
+
+/// Whole characters.
+std::string_view beginning_of(std::string_view text) {
+  constexpr unsigned char follows = 0x80, mask = 0xc0;
+  if (text.size() <= most_told) return text;
+  std::size_t end = most_told;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & mask) == follows) --end;
+  return text.substr(0, end);
+}
+
+/// Comments of a line without blocks, in whatever signs.
+std::string comment_of(std::string_view line, const Grammar& grammar) {
+  std::size_t begin = line.find_first_of(grammar.semicolon_comments || grammar.semicolon_ends ? "(;" : "(");
+  if (begin == std::string_view::npos) return {};
+  const bool in_brackets = line[begin] == '(';
+  std::string_view text = line.substr(begin + 1);
+  if (in_brackets) text = text.substr(0, text.rfind(')'));
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+class Rewriter {
+ public:
+  Rewriter(const RewriteSpec& spec, const std::function<void(std::string_view)>& put)
+      : spec_(spec), put_(put), blocks_(*spec.to, [this](std::string_view line) { say(line); }), words_(*spec.from, *spec.to), reader_(spec.source, spec.from->grammar, Encoding::utf8), raw_(spec.source) {}
+
+  Rewritten write() {
+    blocks_.begin();
+    bool has_begun = false;
+    for (;;) {
+      const auto got = reader_.next(block_);
+      if (got && *got == BlockReader::Got::end) break;
+      const std::uint32_t line = block_.position.line;
+      lines_before(line);
+      source_line_ = line;
+      if (is_over_ && is_all_behind_end()) {
+        last_block_ = line;
+        continue;  // nothing behind the end is read
+      }
+      if (!got) {
+        unsaid(got.error());
+        continue;
+      }
+      if (!has_begun && block_.marker == Marker::none) has_begun = true, begin_modes();
+      if (got) words_.set_in_section(in_section_ = block_.marker == Marker::section || (in_section_ && block_.marker != Marker::program_start));
+      is_over_ = is_over_ || (!in_section_ && is_end());
+      if (!has_begun && block_.marker == Marker::label && !spec_.to->grammar.programs_by_label) comment(std::string("O" + std::to_string(block_.label)));
+      else if (in_section_) section_block(line);
+      else if (!is_left_out(line)) block(line);
+    }
+    lines_before(~std::uint32_t{0});
+    if (!is_over_) end_program();
+    write_tail();
+    return std::move(made_);
+  }
+
+ private:
+  void say(std::string_view text) {
+    if (in_section_) {  // subprograms stand behind the end elsewhere
+      tail_ += text, tail_lines_.push_back(source_line_);
+      return;
+    }
+    made_.lines.push_back(source_line_);
+    put_(text);
+  }
+  void write_tail() {
+    in_section_ = false;
+    put_(tail_);
+    made_.lines.insert(made_.lines.end(), tail_lines_.begin(), tail_lines_.end());
+  }
+
+  /// Of subprograms of the 2С42 (spec/s2c42 6): N02001 begins O2.
+  void section_block(std::uint32_t line) {
+    constexpr std::uint32_t blocks_a_subprogram = 1000;
+    last_block_ = line;
+    if (is_left_out(line) || block_.marker == Marker::section || !block_.has_number) return;
+    const std::uint32_t label = block_.number / blocks_a_subprogram;
+    if (label != std::exchange(label_, label)) {
+      if (const Status status = words_.write_label(label, blocks_); !status) return unsaid(status.error());
+      (void)blocks_.end();
+    }
+    block(line);
+  }
+
+  /// Power-on states differ: what most controls begin with is said.
+  void begin_modes() {
+    blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
+    blocks_.code_if_there({{Function::absolute, any_argument}});
+    (void)blocks_.end();
+    blocks_.code_if_there({{Function::millimetre, any_argument}});
+    if (spec_.to->behaviour.arc_centers == ArcCenters::by_code) blocks_.code_if_there({{Function::centers_incremental, any_argument}});
+    (void)blocks_.end();
+  }
+  void end_program() {
+    blocks_.code_if_there({{Function::program_end, any_argument}, {Function::tape_end, any_argument}});
+    (void)blocks_.end();
+  }
+
+  /// Those without blocks: comments and empty ones.
+  void lines_before(std::uint32_t line) {
+    Line raw;
+    while (next_raw_ <= line && raw_.next(raw)) {
+      next_raw_ = raw.number + 1;
+      if (raw.number >= line) return;
+      if (raw.number == last_block_ || is_in_place(raw.number) || is_left_out(raw.number)) continue;
+      source_line_ = raw.number;
+      const std::string text = comment_of(raw.bytes, spec_.from->grammar);
+      if (!text.empty()) comment(text);
+      else if (raw.bytes.find_first_not_of(" \t\r") == std::string_view::npos) say("\n");
+    }
+  }
+
+  void comment(const std::string& text) {
+    blocks_.comment(text);
+    (void)blocks_.end();
+  }
+
+  /// No subprograms can stand there.
+  bool is_all_behind_end() const {
+    const Grammar& grammar = spec_.from->grammar;
+    return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) && grammar.section_address == 0 && !grammar.programs_by_label;
+  }
+
+  bool is_left_out(std::uint32_t line) const {
+    return std::any_of(spec_.left_out->begin(), spec_.left_out->end(), [&](const LineRange& range) { return range.holds(line); });
+  }
+  const FlatPlace* place_at(std::uint32_t line) const {
+    const auto after = std::upper_bound(spec_.places->begin(), spec_.places->end(), line, [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
+    if (after == spec_.places->begin() || !std::prev(after)->lines.holds(line)) return nullptr;
+    return &*std::prev(after);
+  }
+  bool is_in_place(std::uint32_t line) const { return place_at(line) != nullptr; }
+
+  bool is_end() const {
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+      const Word& word = block_.words[i];
+      if (word.code < 0) continue;
+      const std::int32_t row = spec_.from->row_of(word.address, word.code);
+      if (row >= 0 && traits_of(spec_.from->codes[static_cast<std::size_t>(row)].function).is(function_fact::ends)) return true;
+    }
+    return false;
+  }
+
+  void block(std::uint32_t line) {
+    last_block_ = line;
+    if (const FlatPlace* const place = place_at(line)) {
+      words_.pass(block_);
+      if (place != last_place_) written_out(*place);
+      last_place_ = place;
+      return;
+    }
+    if (const Status status = words_.write(block_, blocks_); !status) unsaid(status.error());
+    for (const Span one : block_.comments)
+      if (block_.statement.kind != StatementKind::message) blocks_.comment(block_.text_of(one));
+    if (const Status status = blocks_.end(); !status) unsaid(status.error());
+  }
+
+  void written_out(const FlatPlace& place) {
+    const bool is_long = place.motions > 1 || place.lines.first != place.lines.last;
+    if (is_long) {
+      std::string_view text = block_.text_of(block_.where);
+      comment((spec_.russian ? "РАСПИСАНО: " : "WRITTEN OUT: ") + std::string(beginning_of(text)));
+    } else {
+      for (const Span one : block_.comments) comment(std::string(block_.text_of(one)));
+    }
+    std::string_view rest = place.text;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+      say(rest.substr(0, end));
+      rest.remove_prefix(end);
+    }
+    words_.say_again();
+  }
+
+  void unsaid(const Alarm& why) {
+    blocks_.drop();
+    made_.unsaid.push_back({block_.position.line, why});
+  }
+
+  const RewriteSpec& spec_;
+  const std::function<void(std::string_view)>& put_;
+  Rewritten made_;
+  BlockMaker blocks_;
+  BlockRewriter words_;
+  BlockReader reader_;
+  LineReader raw_;
+  Block block_;
+  const FlatPlace* last_place_ = nullptr;
+  std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
+  std::uint32_t label_ = 0;  // of the subprogram in a section
+  std::string tail_;
+  std::vector<std::uint32_t> tail_lines_;
+  bool is_over_ = false, in_section_ = false;
+};
+
+}  // namespace
+
+Rewritten rewrite(const RewriteSpec& spec, const std::function<void(std::string_view)>& put) { return Rewriter(spec, put).write(); }
+
+}  // namespace kadr

@@ -1,0 +1,40 @@
+#pragma once
+// Rewriting: a program line by line as one of another control: its blocks word by word, comments and empty lines where they are, and
+// places that are written out in between.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convert/block_rewriter.h"
+#include "convert/flat_places.h"
+#include "lang/block/block_reader.h"
+
+namespace kadr {
+
+/// A line that the other control cannot say.
+struct UnsaidLine {
+  std::uint32_t line = 0;
+  Alarm why;
+};
+
+struct RewriteSpec {
+  std::shared_ptr<ByteSource> source;  // UTF-8
+  const ControlDef* from = nullptr;
+  const ControlDef* to = nullptr;
+  const std::vector<FlatPlace>* places = nullptr;     // in their order, settled
+  const std::vector<LineRange>* left_out = nullptr;   // subprograms that nobody calls any more
+  bool russian = false;                               // what is said about it
+};
+
+struct Rewritten {
+  std::vector<UnsaidLine> unsaid;
+  std::vector<std::uint32_t> lines;  // of the source, by line of the text, from 0
+};
+
+/// Lines that cannot be said are left out and told.
+Rewritten rewrite(const RewriteSpec& spec, const std::function<void(std::string_view)>& put);
+
+}  // namespace kadr

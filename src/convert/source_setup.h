@@ -1,0 +1,27 @@
+#pragma once
+// The set-up of another control that corresponds to that of a program.
+
+#include <map>
+#include <string>
+
+#include "config/control_def.h"
+#include "config/setup.h"
+#include "session/session.h"
+#include "convert/flat_program.h"
+
+namespace kadr {
+
+/// The set-up from which a program of `to` begins as one of `from` does from `setup`: tables under the numbers that the other control has
+/// for them.
+///   plain  no tables: all of them are calculated in
+Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, bool plain);
+
+/// … as a set-up file: start, tables, switches. Limits and rates of the machine are its own.
+std::string setup_text(const Setup& setup);
+
+/// What of a session's program and set-up its actions do not say.
+FlatSource flat_source_of(const Session& session);
+/// Lengths and radii in force, all blocks so far carried out.
+OffsetsInForce offsets_of(const Control& control);
+
+}  // namespace kadr

@@ -1,0 +1,202 @@
+// Rewrite, prove, write out where it fails, again. For convert/conversion; tested by tests/convert.
+
+#include "convert/word_by_word.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "convert/rewriting.h"
+
+namespace kadr {
+namespace {
+
+constexpr int most_rounds = 60;              // of writing and proving
+constexpr std::size_t most_work = 20'000'000;  // lines gone through in all
+
+class WordByWord {
+ public:
+  explicit WordByWord(const ConversionSpec& spec) : spec_(spec) { made_.as = ConvertedAs::words; }
+
+  tl::expected<ConversionTry, std::string> write() {
+    auto session = spec_.source();
+    if (!session) return tl::unexpected(session.error());
+    from_ = &(*session)->def();
+    opened_ = std::move(*session);
+    shape_.emplace(text(), *from_);
+    for (const std::uint32_t line : shape_->calls_outside()) add({line, line});
+    for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
+      auto grown = one_round();
+      if (!grown) return tl::unexpected(grown.error());
+      work_ += shape_->lines() + 1;
+      if (work_ > most_work || (!*grown && (is_proven() || !give_up_transforms()))) break;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  std::shared_ptr<ByteSource> text() const { return text_source(spec_.source_text); }
+
+  /// True: more must be written out.
+  tl::expected<bool, std::string> one_round() {
+    made_.text.clear(), made_.cannot_say.reset(), made_.proof = {};
+    std::vector<FlatPlace> places;
+    if (!places_.empty()) {
+      for (const LineRange& lines : places_) places.push_back({lines, follows(lines, places)});
+      auto source = spec_.source();
+      if (!source) return tl::unexpected(source.error());
+      if (const Status begun = write_flat_places(**source, *spec_.to, places, spec_.stop); !begun) return unsayable(begun.error(), 0), false;
+      for (const FlatPlace& place : places)
+        if (!place.settled()) {
+          if (grow(place.lines)) return true;
+          return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
+        }
+    }
+    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_->is_russian()};
+    const Rewritten written = rewrite(rewriting, [this](std::string_view line) { made_.text += line; });
+    if (!written.unsaid.empty()) return write_out_unsaid(written);
+    return prove(written);
+  }
+
+  bool write_out_unsaid(const Rewritten& written) {
+    bool any = false;
+    for (const UnsaidLine& unsaid : written.unsaid) {
+      if (is_left_out(unsaid.line)) continue;
+      if (write_out({unsaid.line, unsaid.line})) {
+        any = true;
+      } else {
+        unsayable(unsaid.why, unsaid.line);
+        return false;
+      }
+    }
+    return any || !written.unsaid.empty();
+  }
+
+  tl::expected<bool, std::string> prove(const Rewritten& written) {
+    auto a = spec_.source();
+    if (!a) return tl::unexpected(a.error());
+    auto b = spec_.target(made_.text, false);
+    if (!b) return tl::unexpected(b.error());
+    CompareRules rules;
+    rules.stop = spec_.stop;
+    rules.tolerance = spec_.tolerance;
+    made_.proof = compare_sessions(std::move(*a), std::move(*b), rules);
+    if (is_proven()) return false;
+    const auto line = place_of_failure(written);
+    return line && write_out({*line, *line});
+  }
+
+  /// The line of the program at which both part.
+  std::optional<std::uint32_t> place_of_failure(const Rewritten& written) const {
+    const auto of_target = [&](std::uint32_t line) { return line >= 1 && line <= written.lines.size() ? written.lines[line - 1] : 0; };
+    const Comparison& proof = made_.proof;
+    std::uint32_t line = 0;
+    if (proof.stopped_b && proof.differences.size() < 2) line = of_target(proof.stopped_b->origin.line);
+    if (line == 0 && !proof.differences.empty()) {
+      const CourseDifference& first = proof.differences.front();
+      line = first.a.origin.file == 0 ? first.a.origin.line : 0;
+      if (line == 0) line = of_target(first.b.origin.line);
+    }
+    return line == 0 ? std::nullopt : std::optional(line);
+  }
+
+  bool is_proven() const { return !made_.cannot_say && made_.proof.equal() && !made_.proof.cancelled && !made_.proof.stopped_a && !made_.proof.stopped_b && !made_.text.empty(); }
+
+  /// Places between such codes cannot be said as the program has them: what they do is calculated in instead.
+  bool give_up_transforms() {
+    if (std::exchange(has_given_up_transforms_, true) || shape_->transforms().empty()) return false;
+    bool any = false;
+    for (const std::uint32_t line : shape_->transforms())
+      if (!is_left_out(line) && !is_in_place(line)) add({line, line}), any = true;
+    return any;
+  }
+
+  bool is_left_out(std::uint32_t line) const {
+    return std::any_of(left_out_.begin(), left_out_.end(), [&](const LineRange& gone) { return gone.holds(line); });
+  }
+  bool is_in_place(std::uint32_t line) const {
+    return std::any_of(places_.begin(), places_.end(), [&](const LineRange& place) { return place.holds(line); });
+  }
+
+  void unsayable(const Alarm& why, std::uint32_t line) {
+    made_.cannot_say = why;
+    made_.at.line = line;
+  }
+
+  /// These lines and what they touch; false: they are as large already as can be.
+  bool write_out(LineRange lines) {
+    if (shape_->is_edge(lines.first)) return grow(lines);
+    for (const LineRange& place : places_)
+      if (place.holds(lines.first)) return grow_back(place) || grow(place);
+    if (const auto subprogram = shape_->subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
+      constexpr int most_deep = 16;  // subprograms that call each other
+      if (deep_ >= most_deep) return false;
+      ++deep_;
+      bool any = false;
+      for (const std::uint32_t caller : shape_->callers_of(*subprogram)) any = (!subprogram->holds(caller) && write_out({caller, caller})) || any;
+      --deep_;
+      return any;
+    }
+    add(lines);
+    return true;
+  }
+
+  bool follows(LineRange lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_->block_before(lines.first)); }
+
+  /// What is wrong there may come from blocks before: one, then twice as many each time.
+  bool grow_back(LineRange lines) {
+    constexpr int most_steps = 6;
+    int& steps = steps_back_[lines.first];
+    if (steps >= most_steps) return false;
+    bool any = false;
+    std::uint32_t line = lines.first;
+    for (int left = 1 << steps++; left > 0; --left) {
+      do line = shape_->block_before(line);
+      while (line != 0 && is_in_place(line));
+      if (line == 0 || shape_->is_edge(line) || shape_->subprogram_of(line) != shape_->subprogram_of(lines.first)) break;
+      add({line, line});
+      any = true;
+    }
+    return any;
+  }
+
+  /// A place that does not do: its loop, then the calls of its subprogram.
+  bool grow(LineRange lines) {
+    if (const auto loop = shape_->loop_around(lines)) {
+      add(*loop);
+      return true;
+    }
+    const auto subprogram = shape_->subprogram_of(lines.first);
+    if (!subprogram) return false;
+    const std::vector<std::uint32_t> callers = shape_->callers_of(*subprogram);
+    if (callers.empty()) return false;
+    std::erase_if(places_, [&](const LineRange& place) { return subprogram->holds(place.first); });
+    left_out_.push_back(*subprogram);
+    bool any = false;
+    for (const std::uint32_t caller : callers) any = (subprogram->holds(caller) ? false : write_out({caller, caller})) || any;
+    return any;
+  }
+
+  void add(LineRange lines) {
+    std::erase_if(places_, [&](const LineRange& place) { return lines.holds(place.first); });
+    places_.insert(std::upper_bound(places_.begin(), places_.end(), lines, [](const LineRange& a, const LineRange& b) { return a.first < b.first; }), lines);
+  }
+
+  const ConversionSpec& spec_;
+  const ControlDef* from_ = nullptr;
+  std::unique_ptr<Session> opened_;  // it owns the control's definition
+  std::optional<ProgramShape> shape_;
+  std::vector<LineRange> places_;    // written out, in their order
+  std::vector<LineRange> left_out_;  // subprograms whose calls are
+  std::map<std::uint32_t, int> steps_back_;  // by first line of a place
+  ConversionTry made_;
+  std::size_t work_ = 0;
+  int deep_ = 0;
+  bool has_given_up_transforms_ = false;
+};
+
+}  // namespace
+
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec) { return WordByWord(spec).write(); }
+
+}  // namespace kadr

@@ -1,0 +1,14 @@
+#pragma once
+// Word by word: a program rewritten block by block for another control, and written out only where that control cannot say it or would do
+// something else. What is written out grows from where the proof fails, no further than it must: the line, its loop, the call that it is
+// carried out by.
+
+#include "convert/conversion.h"
+
+namespace kadr {
+
+/// The best that could be done; proven or not.
+///   returns  an error sentence: a session could not be opened
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec);
+
+}  // namespace kadr
