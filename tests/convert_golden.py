@@ -48,7 +48,7 @@ def convert(kadr, job):
         setup_file, out = Path(folder, 'setup.json'), Path(folder, 'out.nc')
         setup_file.write_text(json.dumps(setup, ensure_ascii=False), encoding='utf-8')
         try:
-            got = subprocess.run([str(kadr), 'convert', main, '--from', control, '--to', to, '--setup', str(setup_file), '--out', str(out), '--lang', 'en', '--files', '.'],
+            got = subprocess.run([str(kadr), 'convert', main, '--from', control, '--to', to, '--setup', str(setup_file), '--out', str(out), '--lang', 'en'],
                                  cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False, errors='replace')
         except subprocess.TimeoutExpired:
             return 'hangs', ''

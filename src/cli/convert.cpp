@@ -108,6 +108,7 @@ class ConvertCommand {
     if (!outputs_.keep()) return wrong_usage;
     if (!forced) {
       say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+      explain(one, lang);
       for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], lang);
     }
     return forced ? alarms : ok;
@@ -117,8 +118,20 @@ class ConvertCommand {
     complain(told("not converted: no way of writing it for that control could be proven equal", "не переведено: ни одна запись для этой системы не доказана"));
     for (const ConversionTry& one : made.tries) tell_why(one, lang);
   }
+  void explain(const ConversionTry& one, Lang lang) const {
+    if (!o_.explain) return;
+    for (const WrittenOut& out : one.written_out) {
+      const std::string lines = out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
+      const std::string why = out.cannot_say ? job_->texts().sentence(*out.cannot_say, lang)
+                              : out.differs  ? sentence_of(*out.differs, lang)
+                              : out.varies   ? told("not the same each time", "каждый раз по-разному")
+                                             : told("calculated in", "рассчитано");
+      say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why));
+    }
+  }
   /// Why this way was not taken.
   void tell_why(const ConversionTry& one, Lang lang) const {
+    explain(one, lang);
     say(fmt::format("  {} {}: ", told("not", "не"), name_of(one.as)));
     if (one.cannot_say) say(fmt::format("{}:{}: {}\n", job_->file, one.at.line, job_->texts().sentence(*one.cannot_say, lang)));
     else if (one.proof.stopped_a) say(fmt::format("{}\n", told("the program is stopped by an alarm under its own control", "программа останавливается ошибкой у своей системы")));
@@ -147,6 +160,7 @@ void add_convert(CLI::App& app, Commands& c) {
   takes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
   takes_file(convert->add_option("--setup-out", o.setup_out, told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
   convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
+  convert->add_flag("--explain", o.explain, told("which lines are written out, and why", "какие кадры расписаны и почему"));
   convert->add_flag("--force", o.force, told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
   one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")), {ways.begin(), ways.end()});
   number(convert->add_option("--tolerance", o.tolerance, told("how far ways may be apart (default: half of the coarser word format)", "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),

@@ -93,7 +93,7 @@ struct ConvertOptions {
   std::string program;
   Options run;  // of the program under its own control
   std::string from, to, out, setup_out, way;
-  bool flat = false, force = false;
+  bool flat = false, force = false, explain = false;
   double tolerance = 0;  // mm; 0: half of the coarser word format
 };
 int convert(const ConvertOptions& options);

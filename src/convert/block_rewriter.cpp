@@ -27,6 +27,11 @@ bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 constexpr int more_decimals = 3;  // than thousandths, as the program has them: inches, finer CAM programs
 
 
+/// H, where it is no number of repetitions (spec/s2c42 4).
+char letter_of_lengths(const ControlDef& def) {
+  return def.grammar.word('H').known && def.address('H').function != Function::repeat_word ? 'H' : 'D';
+}
+
 /// The letter by which a canned cycle is repeated.
 char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K' : 'L'; }
 
@@ -43,7 +48,7 @@ struct BlockRewriter::Kinds {
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), motion_group_(group_of_motions(from)) {}
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(to), motion_group_(group_of_motions(from)) {}
 
 const CodeRow* BlockRewriter::row_of(const Word& word) const {
   if (word.code < 0) return nullptr;
@@ -83,20 +88,24 @@ void BlockRewriter::pass(const Block& block) {
       if (row->function == Function::millimetre) is_inch_ = false;
     }
     if (word.address == 'F' && !word.expression) feed_ = value_of(word);
+    if (word.address == 'T' && !word.expression) tool_ = value_of(word);
   }
 }
 
 double BlockRewriter::value_of(const Word& word) const { return word.value * from_.address(word.address).scale; }
 
-Status BlockRewriter::slice(const Block& block, Span where, BlockMaker& out) const {
-  const std::string_view text = block.text_of(where);
-  if (text.find_first_of("<\"") != std::string_view::npos && to_.grammar.named_variables == nullptr) return cannot("#<name>");
-  out.text(text);
+/// An expression and what is given its value: variables with names become numbers where the other control has none.
+Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
+  if (!from_.grammar.o_words || to_.grammar.o_words) return out.text(text), Status();
+  const auto made = flow_.expression(text);
+  if (!made) return fail(made.error());
+  out.text(*made);
   return {};
 }
 
 /// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
-Status BlockRewriter::statement(const Block& block, BlockMaker& out) const {
+Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
+  if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words && (to_.grammar.macro || to_.grammar.label_address != 0)) return flow_.write(block, out);
   const bool is_assignment = block.statement.kind == StatementKind::assign && !block.statement.with_if;
   const bool both = from_.grammar.macro && to_.grammar.macro && block.statement.kind != StatementKind::o_word && block.statement.kind != StatementKind::system;
   if (!both && !(is_assignment && to_.grammar.expressions)) return cannot(block.text_of(block.statement.where));
@@ -107,8 +116,7 @@ Status BlockRewriter::statement(const Block& block, BlockMaker& out) const {
     if (const std::size_t comment = text.find_first_of("(;"); comment != std::string_view::npos) text = text.substr(0, comment);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  out.text(text);
-  return {};
+  return slice(text, out);
 }
 
 Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) const {
@@ -168,12 +176,12 @@ std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kind
   return (is_own(here) || is_own(there)) && here != there ? std::nullopt : std::optional(letter);
 }
 
-Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) const {
+Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) {
   const AddressRow& row = from_.address(word.address);
   if (word.address > 'Z' || word.axis || word.bare || word.incremental || word.second == word.second) {
     const bool comma = word.address == comma_chamfer || word.address == comma_rounding || word.address == comma_angle;
     if (!comma || !to_.grammar.comma_words || word.expression) return cannot(block.text_of(word.where));
-    return slice(block, word.where, out);
+    return slice(block.text_of(word.where), out);
   }
   if (row.function == Function::call_word) return section_call(word, out);
   const auto wanted = letter_of(word, kinds);
@@ -184,7 +192,7 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
     if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
     std::string text(block.text_of(word.where));
     text.front() = letter;
-    return slice(block, word.where, out);
+    return slice(text, out);
   }
   if (kinds.dwell != nullptr && (kinds.dwell->takes >> (letter - 'A') & 1U) != 0) return dwell_word(word, *kinds.dwell, out);
   if (letter == 'P' && kinds.drills && kinds.call == nullptr) return out.seconds_word('P', seconds(word));
@@ -196,6 +204,14 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
     if (is_absolute(from_) != is_absolute(to_) || from_.behaviour.helix_by_lead != to_.behaviour.helix_by_lead) return cannot("I J K");
   }
   return number(word, letter, out);
+}
+
+/// RS274/NGC takes the number of the tool where H or D is left out (spec/linuxcnc 7.6); the others want it.
+Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
+  if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
+  if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
+  const bool is_side = row.function == Function::radius_comp_left || row.function == Function::radius_comp_right || row.function == Function::tool_side;
+  return is_side && !block.has('D') ? out.word('D', tool_) : Status();
 }
 
 /// A motion without its code, behind blocks of other words.
@@ -225,7 +241,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address) return cannot(block.text_of(block.assignments[next].where));
-      KADR_TRY(slice(block, block.assignments[next].where, out));
+      KADR_TRY(slice(block.text_of(block.assignments[next].where), out));
     }
     return {};
   };
@@ -238,6 +254,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
       if (row == nullptr) return cannot(block.text_of(one.where));
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       KADR_TRY(code(*row, out));
+      KADR_TRY(implied_number(block, *row, out));
     } else {
       KADR_TRY(word(block, one, kinds, out));
     }

@@ -7,6 +7,7 @@
 
 #include "convert/block_maker.h"
 #include "convert/code_match.h"
+#include "convert/flow_rewriter.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -19,6 +20,8 @@ class BlockRewriter {
   /// The words of a block, into `out`; on an alarm something may stand there.
   ///   alarms  function_has_no_code, word_has_no_room: the other control cannot say it
   Status write(const Block& block, BlockMaker& out);
+  /// Numbers of variables that the program uses.
+  void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   /// The first block of a subprogram.
   Status write_label(std::uint32_t label, BlockMaker& out) const;
   /// Ends of a program end nothing there: a section of subprograms (spec/s2c42 6).
@@ -34,27 +37,30 @@ class BlockRewriter {
   struct Kinds;
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;
-  Status statement(const Block& block, BlockMaker& out) const;
+  Status statement(const Block& block, BlockMaker& out);
+  Status implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const;
   Status said_again(const Kinds& kinds, BlockMaker& out);
   Status code(const CodeRow& row, BlockMaker& out) const;
   std::optional<char> letter_of(const Word& word, const Kinds& kinds) const;
-  Status word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out) const;
+  Status word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out);
   Status section_call(const Word& word, BlockMaker& out) const;
   Status dwell_word(const Word& word, const CodeRow& dwell, BlockMaker& out) const;
   Status number(const Word& word, char letter, BlockMaker& out) const;
-  Status slice(const Block& block, Span where, BlockMaker& out) const;
+  Status slice(std::string_view text, BlockMaker& out);
   double seconds(const Word& word) const;
   double value_of(const Word& word) const;
 
   const ControlDef& from_;
   const ControlDef& to_;
   const CodeMatch match_;
+  FlowRewriter flow_;
   std::uint8_t motion_group_ = 0;         // of the codes of `from`
   const CodeRow* motion_ = nullptr;       // in force in the text
   bool motion_is_cycle_ = false;
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
   double feed_ = -1;                      // last F of the text
+  double tool_ = 0;                       // last T
 };
 
 }  // namespace kadr

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/comparison.h"
+#include "convert/program_shape.h"
 #include "convert/source_setup.h"
 
 namespace kadr {
@@ -37,6 +38,14 @@ struct ConversionSpec {
   StopToken stop{};
 };
 
+/// Lines that are written out where the others are rewritten.
+struct WrittenOut {
+  TextLines lines;
+  std::optional<Alarm> cannot_say{};       // the other control has nothing for it …
+  std::optional<CourseDifference> differs{};  // … or would do something else, here or nearby …
+  bool varies = false;                        // … or it is not the same each time; none: contours and frames that are calculated in
+};
+
 /// One of the ways, and why it was not taken.
 struct ConversionTry {
   ConvertedAs as = ConvertedAs::as_it_stands;
@@ -44,6 +53,7 @@ struct ConversionTry {
   Origin at;                        // … this block
   Comparison proof;                 // where it could be said
   std::string text;
+  std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };
 
 struct Converted {

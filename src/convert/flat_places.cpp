@@ -13,17 +13,25 @@ namespace {
 
 class PlaceWriter {
  public:
-  PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places)
-      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session), FlatWay::places) {}
+  PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres)
+      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session), centres ? FlatWay::centres : FlatWay::places), centres_(centres) {}
 
   Status run(const StopToken& stop) {
     control_.hand_over_each_block();
     control_.watch_calls();
     Outlets& outlets = session_.outlets();
     outlets.stop = stop;
-    outlets.step = [](const Step&) {};
-    outlets.programmed = [this](const Action& action) { take(action); };
-    control_.holds_before = [this](const Origin& origin) { return begin_block(origin), false; };
+    if (centres_) {
+      // Paths come behind their blocks: what counts is where an action comes from.
+      outlets.step = [this](const Step& step) {
+        if (step.action.origin.number != std::exchange(number_, step.action.origin.number)) begin_block(step.action.origin);
+        take(step.action);
+      };
+    } else {
+      outlets.step = [](const Step&) {};
+      outlets.programmed = [this](const Action& action) { take(action); };
+      control_.holds_before = [this](const Origin& origin) { return begin_block(origin), false; };
+    }
     KADR_TRY(flat_.begin(session_.stand(), control_.placement()));
     text_.clear();  // the other blocks say it
     while (session_.go_on() == Session::State::running) {}
@@ -110,15 +118,17 @@ class PlaceWriter {
   std::string text_;
   BlockMaker blocks_;
   FlatProgram flat_;
+  const bool centres_;
   OffsetsInForce now_;
+  std::uint32_t number_ = ~std::uint32_t{0};  // of the block that an action came from last
   std::size_t open_ = nowhere, begun_at_ = 0;
   bool is_new_ = true, has_acted_ = false, inch_ = false;
 };
 
 }  // namespace
 
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, const StopToken& stop) {
-  return PlaceWriter(source, to, places).run(stop);
+Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, const StopToken& stop) {
+  return PlaceWriter(source, to, places, centres).run(stop);
 }
 
 }  // namespace kadr

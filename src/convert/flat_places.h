@@ -15,7 +15,7 @@
 namespace kadr {
 
 struct FlatPlace {
-  LineRange lines;
+  TextLines lines;
   bool follows = false;          // there is no block between it and the place before
   std::string text{};            // of one time
   std::size_t times = 0;         // it was carried out
@@ -26,6 +26,7 @@ struct FlatPlace {
 };
 
 /// Runs the program once and writes `places`, which are in their order and do not overlap.
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, const StopToken& stop);
+///   centres  radius compensation is calculated in: contours are places as a whole
+Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, const StopToken& stop);
 
 }  // namespace kadr

@@ -58,7 +58,7 @@ std::optional<char> FlatProgram::letter_of(std::size_t axis) const {
 Axes FlatProgram::base() const {
   if (way_ == FlatWay::plain) return {};
   Axes base = placement_.length;
-  if (way_ == FlatWay::places) {
+  if (is_between()) {
     for (std::size_t a = 0; a < max_axes; ++a) base[a] += said_origin_[a];
     return base;
   }
@@ -156,7 +156,7 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
       KADR_TRY(blocks_.end());
     }
   }
-  if (way_ == FlatWay::places && system_is_said_) system_ = motion.system;
+  if (is_between() && system_is_said_) system_ = motion.system;
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates

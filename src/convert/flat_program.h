@@ -18,6 +18,7 @@ enum class FlatWay : std::uint8_t {
   lengths,   // radius compensation is calculated in; tool lengths and work zeros are codes
   plain,     // all of it is calculated in: machine coordinates
   places,    // as contours, between blocks that are said otherwise and have put shifts in force: coordinates as programmed
+  centres,   // as places, radius compensation calculated in
 };
 
 /// What of the tables is in force.
@@ -84,6 +85,7 @@ class FlatProgram {
 
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
   bool is_by_codes() const { return way_ == FlatWay::contours || way_ == FlatWay::places; }
+  bool is_between() const { return way_ == FlatWay::places || way_ == FlatWay::centres; }
   /// Machine coordinates of the zero that the target counts from.
   Axes base() const;
 

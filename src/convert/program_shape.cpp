@@ -23,6 +23,7 @@ bool returns(Function function) {
   return function == Function::subprogram_return || function == Function::subprogram_end || function == Function::return_program || function == Function::return_numbered;
 }
 
+constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
 constexpr std::uint32_t hundred = 100;
 constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  // of UTF-8
 
@@ -52,11 +53,15 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
     edges_.push_back(line);
   }
   take_section(block);
-  if (opens(block.statement)) {
-    open_loops_.push_back(line);
-  } else if (closes(block.statement) && !open_loops_.empty()) {
-    loops_.push_back({open_loops_.back(), line});
+  take_o_line(block);
+  take_variables(block.text_of(block.where));
+  const std::string label(block.statement.kind == StatementKind::o_word ? block.text_of(block.statement.label_where) : std::string_view());
+  const bool ends_do = block.statement.o_word == OWord::while_ && !open_loops_.empty() && !label.empty() && open_loops_.back().second == label;
+  if ((closes(block.statement) || ends_do) && !open_loops_.empty()) {
+    loops_.push_back({open_loops_.back().first, line});
     open_loops_.pop_back();
+  } else if (opens(block.statement)) {
+    open_loops_.emplace_back(line, label);
   }
   take_calls(block, def);
 }
@@ -74,6 +79,34 @@ void ProgramShape::take_section(const Block& block) {
   if (labelled_ != 0 && label == label_) return;
   close_subprogram();
   label_ = label, labelled_ = block.position.line;
+}
+
+/// Subprograms of RS274/NGC and their calls (spec/linuxcnc 6); those with names get labels that no number is.
+void ProgramShape::take_o_line(const Block& block) {
+  const Statement& s = block.statement;
+  if (s.kind != StatementKind::o_word) return;
+  const std::uint32_t line = block.position.line;
+  const auto label = [&] { return names_.emplace(block.text_of(s.label_where), first_name_label + static_cast<std::uint32_t>(names_.size())).first->second; };
+  if (s.o_word == OWord::sub) {
+    label_ = label(), labelled_ = line;
+    edges_.push_back(line);
+  } else if (s.o_word == OWord::endsub) {
+    edges_.push_back(line);
+    if (labelled_ != 0) subprograms_[label_] = {labelled_, line};
+    labelled_ = 0;
+  } else if (s.o_word == OWord::return_) {
+    edges_.push_back(line);
+  } else if (s.o_word == OWord::call) {
+    callers_.emplace(label(), line);
+  }
+}
+
+void ProgramShape::take_variables(std::string_view text) {
+  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+    std::uint32_t number = 0;
+    for (std::size_t i = at + 1; i < text.size() && text[i] >= '0' && text[i] <= '9' && number < most_variable; ++i) number = 10 * number + static_cast<std::uint32_t>(text[i] - '0');
+    if (number != 0) variables_.insert(number);
+  }
 }
 
 void ProgramShape::close_subprogram() {
@@ -94,11 +127,22 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     if (row < 0) continue;
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     is_call = is_call || calls(function);
+    take_side(def.codes[static_cast<std::size_t>(row)], block.position.line);
     if (returns(function)) edges_.push_back(block.position.line);
     if (traits_of(function).phase == Phase::transform) transforms_.push_back(block.position.line);
     if (traits_of(function).is(function_fact::ends) && labelled_ == 0) main_over_ = true;
   }
   if (const Word* const p = block.find('P'); is_call && p != nullptr && !p->expression) callers_.emplace(static_cast<std::uint32_t>(p->value), block.position.line);
+}
+
+void ProgramShape::take_side(const CodeRow& row, std::uint32_t line) {
+  const Function function = row.function;
+  if (function == Function::radius_comp_left || function == Function::radius_comp_right || function == Function::tool_side || (function == Function::radius_side && row.arg != 0)) {
+    if (contour_ == 0) contour_ = line;
+  } else if (contour_ != 0 && (function == Function::radius_comp_off || function == Function::compensation_off || function == Function::radius_side)) {
+    contours_.push_back({contour_, line});
+    contour_ = 0;
+  }
 }
 
 std::vector<std::uint32_t> ProgramShape::calls_outside() const {
@@ -113,20 +157,20 @@ std::uint32_t ProgramShape::block_before(std::uint32_t line) const {
   return at == blocks_.begin() ? 0 : *std::prev(at);
 }
 
-std::optional<LineRange> ProgramShape::loop_around(LineRange lines) const {
-  std::optional<LineRange> best;
-  for (const LineRange& loop : loops_)
+std::optional<TextLines> ProgramShape::loop_around(TextLines lines) const {
+  std::optional<TextLines> best;
+  for (const TextLines& loop : loops_)
     if (loop.first <= lines.first && lines.last <= loop.last && !(loop == lines) && (!best || loop.last - loop.first < best->last - best->first)) best = loop;
   return best;
 }
 
-std::optional<LineRange> ProgramShape::subprogram_of(std::uint32_t line) const {
+std::optional<TextLines> ProgramShape::subprogram_of(std::uint32_t line) const {
   for (const auto& [label, range] : subprograms_)
     if (range.holds(line)) return range;
   return std::nullopt;
 }
 
-std::vector<std::uint32_t> ProgramShape::callers_of(LineRange subprogram) const {
+std::vector<std::uint32_t> ProgramShape::callers_of(TextLines subprogram) const {
   std::vector<std::uint32_t> lines;
   for (const auto& [label, range] : subprograms_)
     if (range == subprogram)

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "lang/block/block_reader.h"
@@ -14,10 +16,10 @@
 namespace kadr {
 
 /// Lines from `first` to `last`.
-struct LineRange {
+struct TextLines {
   std::uint32_t first = 0, last = 0;
   bool holds(std::uint32_t line) const { return first <= line && line <= last; }
-  friend bool operator==(const LineRange&, const LineRange&) = default;
+  friend bool operator==(const TextLines&, const TextLines&) = default;
 };
 
 class ProgramShape {
@@ -25,19 +27,23 @@ class ProgramShape {
   ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def);
 
   /// The smallest loop around these lines that is larger than they; nothing: none.
-  std::optional<LineRange> loop_around(LineRange lines) const;
+  std::optional<TextLines> loop_around(TextLines lines) const;
   /// The subprogram that a line stands in.
-  std::optional<LineRange> subprogram_of(std::uint32_t line) const;
+  std::optional<TextLines> subprogram_of(std::uint32_t line) const;
   /// Lines that call the subprogram there.
-  std::vector<std::uint32_t> callers_of(LineRange subprogram) const;
+  std::vector<std::uint32_t> callers_of(TextLines subprogram) const;
   /// The line of the block before that of this line; 0: none.
   std::uint32_t block_before(std::uint32_t line) const;
   /// It begins a subprogram or returns from it.
   bool is_edge(std::uint32_t line) const { return std::binary_search(edges_.begin(), edges_.end(), line); }
   /// Lines that turn, mirror or scale what follows, or end it.
   const std::vector<std::uint32_t>& transforms() const { return transforms_; }
+  /// From a block with G41 or G42 to that with G40.
+  const std::vector<TextLines>& contours() const { return contours_; }
   /// Lines that call what stands in other files.
   std::vector<std::uint32_t> calls_outside() const;
+  /// Variables that its text names by numbers.
+  const std::set<std::uint32_t>& variables() const { return variables_; }
   /// Comments or messages are Russian.
   bool is_russian() const { return is_russian_; }
   std::uint32_t lines() const { return lines_; }
@@ -45,16 +51,22 @@ class ProgramShape {
  private:
   void take(const Block& block, const ControlDef& def);
   void take_section(const Block& block);
+  void take_side(const CodeRow& row, std::uint32_t line);
+  void take_o_line(const Block& block);
+  void take_variables(std::string_view text);
   void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
   std::vector<std::uint32_t> blocks_;  // lines with blocks
   std::vector<std::uint32_t> edges_, transforms_;
-  std::vector<LineRange> loops_;
-  std::map<std::uint32_t, LineRange> subprograms_;       // by label
+  std::vector<TextLines> loops_, contours_;
+  std::map<std::uint32_t, TextLines> subprograms_;       // by label
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
+  std::set<std::uint32_t> variables_;
   // while it is read
-  std::vector<std::uint32_t> open_loops_;
+  std::map<std::string, std::uint32_t> names_;  // of subprograms → label
+  std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line
+  std::uint32_t contour_ = 0;  // line where it begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
   bool main_over_ = false, in_section_ = false, is_russian_ = false;
   std::uint32_t lines_ = 0;

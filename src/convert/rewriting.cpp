@@ -38,6 +38,7 @@ class Rewriter {
       : spec_(spec), put_(put), blocks_(*spec.to, [this](std::string_view line) { say(line); }), words_(*spec.from, *spec.to), reader_(spec.source, spec.from->grammar, Encoding::utf8), raw_(spec.source) {}
 
   Rewritten write() {
+    words_.set_used(spec_.used_variables);
     blocks_.begin();
     bool has_begun = false;
     for (;;) {
@@ -59,7 +60,7 @@ class Rewriter {
       is_over_ = is_over_ || (!in_section_ && is_end());
       if (!has_begun && block_.marker == Marker::label && !spec_.to->grammar.programs_by_label) comment(std::string("O" + std::to_string(block_.label)));
       else if (in_section_) section_block(line);
-      else if (!is_left_out(line)) block(line);
+      else if (!is_left_out(line)) block_or_subprogram(line);
     }
     lines_before(~std::uint32_t{0});
     if (!is_over_) end_program();
@@ -69,15 +70,21 @@ class Rewriter {
 
  private:
   void say(std::string_view text) {
-    if (in_section_) {  // subprograms stand behind the end elsewhere
+    if (in_section_ || in_subprogram_) {  // subprograms stand behind the end elsewhere
       tail_ += text, tail_lines_.push_back(source_line_);
       return;
     }
     made_.lines.push_back(source_line_);
     put_(text);
   }
+  /// Subprograms of O lines stand behind the end elsewhere.
+  void block_or_subprogram(std::uint32_t line) {
+    if (!spec_.to->grammar.o_words && FlowRewriter::begins_subprogram(block_)) in_subprogram_ = true;
+    block(line);
+    if (FlowRewriter::ends_subprogram(block_)) in_subprogram_ = false;
+  }
   void write_tail() {
-    in_section_ = false;
+    in_section_ = in_subprogram_ = false;
     put_(tail_);
     made_.lines.insert(made_.lines.end(), tail_lines_.begin(), tail_lines_.end());
   }
@@ -135,7 +142,7 @@ class Rewriter {
   }
 
   bool is_left_out(std::uint32_t line) const {
-    return std::any_of(spec_.left_out->begin(), spec_.left_out->end(), [&](const LineRange& range) { return range.holds(line); });
+    return std::any_of(spec_.left_out->begin(), spec_.left_out->end(), [&](const TextLines& range) { return range.holds(line); });
   }
   const FlatPlace* place_at(std::uint32_t line) const {
     const auto after = std::upper_bound(spec_.places->begin(), spec_.places->end(), line, [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
@@ -203,7 +210,7 @@ class Rewriter {
   std::uint32_t label_ = 0;  // of the subprogram in a section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
-  bool is_over_ = false, in_section_ = false;
+  bool is_over_ = false, in_section_ = false, in_subprogram_ = false;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,8 @@ struct RewriteSpec {
   const ControlDef* from = nullptr;
   const ControlDef* to = nullptr;
   const std::vector<FlatPlace>* places = nullptr;     // in their order, settled
-  const std::vector<LineRange>* left_out = nullptr;   // subprograms that nobody calls any more
+  const std::vector<TextLines>* left_out = nullptr;   // subprograms that nobody calls any more
+  std::set<std::uint32_t> used_variables{};           // by their numbers
   bool russian = false;                               // what is said about it
 };
 

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_rounds = 60;              // of writing and proving
+constexpr int most_rounds = 100;             // of writing and proving
 constexpr std::size_t most_work = 20'000'000;  // lines gone through in all
 
 class WordByWord {
@@ -24,12 +24,12 @@ class WordByWord {
     from_ = &(*session)->def();
     opened_ = std::move(*session);
     shape_.emplace(text(), *from_);
-    for (const std::uint32_t line : shape_->calls_outside()) add({line, line});
+    write_out_calls();
     for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
       auto grown = one_round();
       if (!grown) return tl::unexpected(grown.error());
       work_ += shape_->lines() + 1;
-      if (work_ > most_work || (!*grown && (is_proven() || !give_up_transforms()))) break;
+      if (work_ > most_work || (!*grown && (is_proven() || !begin_anew()))) break;
     }
     return std::move(made_);
   }
@@ -42,17 +42,18 @@ class WordByWord {
     made_.text.clear(), made_.cannot_say.reset(), made_.proof = {};
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
-      for (const LineRange& lines : places_) places.push_back({lines, follows(lines, places)});
+      for (const TextLines& lines : places_) places.push_back({lines, follows(lines, places)});
       auto source = spec_.source();
       if (!source) return tl::unexpected(source.error());
-      if (const Status begun = write_flat_places(**source, *spec_.to, places, spec_.stop); !begun) return unsayable(begun.error(), 0), false;
+      if (const Status begun = write_flat_places(**source, *spec_.to, places, centres_, spec_.stop); !begun) return unsayable(begun.error(), 0), false;
       for (const FlatPlace& place : places)
         if (!place.settled()) {
+          why_ = place.cannot, varies_ = place.differs;
           if (grow(place.lines)) return true;
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_->is_russian()};
+    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_->variables(), shape_->is_russian()};
     const Rewritten written = rewrite(rewriting, [this](std::string_view line) { made_.text += line; });
     if (!written.unsaid.empty()) return write_out_unsaid(written);
     return prove(written);
@@ -62,6 +63,7 @@ class WordByWord {
     bool any = false;
     for (const UnsaidLine& unsaid : written.unsaid) {
       if (is_left_out(unsaid.line)) continue;
+      why_ = unsaid.why, varies_ = false;
       if (write_out({unsaid.line, unsaid.line})) {
         any = true;
       } else {
@@ -82,6 +84,7 @@ class WordByWord {
     rules.tolerance = spec_.tolerance;
     made_.proof = compare_sessions(std::move(*a), std::move(*b), rules);
     if (is_proven()) return false;
+    why_.reset(), varies_ = false;
     const auto line = place_of_failure(written);
     return line && write_out({*line, *line});
   }
@@ -102,20 +105,35 @@ class WordByWord {
 
   bool is_proven() const { return !made_.cannot_say && made_.proof.equal() && !made_.proof.cancelled && !made_.proof.stopped_a && !made_.proof.stopped_b && !made_.text.empty(); }
 
-  /// Places between such codes cannot be said as the program has them: what they do is calculated in instead.
-  bool give_up_transforms() {
-    if (std::exchange(has_given_up_transforms_, true) || shape_->transforms().empty()) return false;
-    bool any = false;
-    for (const std::uint32_t line : shape_->transforms())
-      if (!is_left_out(line) && !is_in_place(line)) add({line, line}), any = true;
-    return any;
+  void write_out_calls() {
+    for (const std::uint32_t line : shape_->calls_outside()) add({line, line});
+  }
+
+  /// What is known to fail is calculated in from the beginning: contours, then frames that turn, mirror or scale as well.
+  bool begin_anew() {
+    const bool has_contours = !shape_->contours().empty(), has_transforms = !shape_->transforms().empty();
+    for (++stage_; stage_ <= 3; ++stage_) {
+      centres_ = has_contours && stage_ != 2;
+      const bool frames = has_transforms && stage_ >= 2;
+      if ((stage_ == 1 && !centres_) || (stage_ == 2 && !frames) || (stage_ == 3 && !(centres_ && frames))) continue;
+      places_.clear(), left_out_.clear(), steps_back_.clear(), made_.written_out.clear();
+      why_.reset(), varies_ = false, made_.proof = {};
+      write_out_calls();
+      if (frames)
+        for (const std::uint32_t line : shape_->transforms())
+          if (!is_in_place(line)) add({line, line});
+      if (centres_)
+        for (const TextLines& contour : shape_->contours()) add(contour);
+      return true;
+    }
+    return false;
   }
 
   bool is_left_out(std::uint32_t line) const {
-    return std::any_of(left_out_.begin(), left_out_.end(), [&](const LineRange& gone) { return gone.holds(line); });
+    return std::any_of(left_out_.begin(), left_out_.end(), [&](const TextLines& gone) { return gone.holds(line); });
   }
   bool is_in_place(std::uint32_t line) const {
-    return std::any_of(places_.begin(), places_.end(), [&](const LineRange& place) { return place.holds(line); });
+    return std::any_of(places_.begin(), places_.end(), [&](const TextLines& place) { return place.holds(line); });
   }
 
   void unsayable(const Alarm& why, std::uint32_t line) {
@@ -124,9 +142,9 @@ class WordByWord {
   }
 
   /// These lines and what they touch; false: they are as large already as can be.
-  bool write_out(LineRange lines) {
+  bool write_out(TextLines lines) {
     if (shape_->is_edge(lines.first)) return grow(lines);
-    for (const LineRange& place : places_)
+    for (const TextLines& place : places_)
       if (place.holds(lines.first)) return grow_back(place) || grow(place);
     if (const auto subprogram = shape_->subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
       constexpr int most_deep = 16;  // subprograms that call each other
@@ -141,10 +159,10 @@ class WordByWord {
     return true;
   }
 
-  bool follows(LineRange lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_->block_before(lines.first)); }
+  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_->block_before(lines.first)); }
 
   /// What is wrong there may come from blocks before: one, then twice as many each time.
-  bool grow_back(LineRange lines) {
+  bool grow_back(TextLines lines) {
     constexpr int most_steps = 6;
     int& steps = steps_back_[lines.first];
     if (steps >= most_steps) return false;
@@ -161,7 +179,7 @@ class WordByWord {
   }
 
   /// A place that does not do: its loop, then the calls of its subprogram.
-  bool grow(LineRange lines) {
+  bool grow(TextLines lines) {
     if (const auto loop = shape_->loop_around(lines)) {
       add(*loop);
       return true;
@@ -170,29 +188,34 @@ class WordByWord {
     if (!subprogram) return false;
     const std::vector<std::uint32_t> callers = shape_->callers_of(*subprogram);
     if (callers.empty()) return false;
-    std::erase_if(places_, [&](const LineRange& place) { return subprogram->holds(place.first); });
+    std::erase_if(places_, [&](const TextLines& place) { return subprogram->holds(place.first); });
     left_out_.push_back(*subprogram);
     bool any = false;
     for (const std::uint32_t caller : callers) any = (subprogram->holds(caller) ? false : write_out({caller, caller})) || any;
     return any;
   }
 
-  void add(LineRange lines) {
-    std::erase_if(places_, [&](const LineRange& place) { return lines.holds(place.first); });
-    places_.insert(std::upper_bound(places_.begin(), places_.end(), lines, [](const LineRange& a, const LineRange& b) { return a.first < b.first; }), lines);
+  void add(TextLines lines) {
+    const bool differs = !why_ && !varies_ && !made_.proof.differences.empty();
+    made_.written_out.push_back({lines, why_, differs ? std::optional(made_.proof.differences.front()) : std::nullopt, varies_});
+    std::erase_if(places_, [&](const TextLines& place) { return lines.holds(place.first); });
+    places_.insert(std::upper_bound(places_.begin(), places_.end(), lines, [](const TextLines& a, const TextLines& b) { return a.first < b.first; }), lines);
   }
 
   const ConversionSpec& spec_;
   const ControlDef* from_ = nullptr;
   std::unique_ptr<Session> opened_;  // it owns the control's definition
   std::optional<ProgramShape> shape_;
-  std::vector<LineRange> places_;    // written out, in their order
-  std::vector<LineRange> left_out_;  // subprograms whose calls are
+  std::vector<TextLines> places_;    // written out, in their order
+  std::vector<TextLines> left_out_;  // subprograms whose calls are
   std::map<std::uint32_t, int> steps_back_;  // by first line of a place
   ConversionTry made_;
   std::size_t work_ = 0;
+  std::optional<Alarm> why_;  // the next lines are written out
+  bool varies_ = false;
   int deep_ = 0;
-  bool has_given_up_transforms_ = false;
+  int stage_ = 0;
+  bool centres_ = false;
 };
 
 }  // namespace

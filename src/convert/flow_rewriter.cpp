@@ -1,0 +1,255 @@
+// O lines as macro statements. For convert/block_rewriter; tested by tests/convert.
+
+#include "convert/flow_rewriter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "out/program/codes.h"
+
+namespace kadr {
+namespace {
+
+constexpr int most_nested = 3;                                               // DO1 to DO3
+constexpr std::uint32_t first_named = 8000;                                  // subprograms with names
+constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // variables (spec/fanuc 5.1)
+
+/// Letters of the arguments for #1, #2 … (spec/fanuc 9.3); '\0': there is none.
+constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
+
+Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+/// What stands behind the keyword.
+std::string_view behind_word(const Block& block) {
+  std::string_view rest = block.text.substr(block.statement.label_where.end, block.where.end - block.statement.label_where.end);
+  rest = rest.substr(0, rest.find_first_of("(;"));
+  rest = trimmed(rest);
+  if (!rest.empty() && rest.front() == '>') rest = trimmed(rest.substr(1));
+  while (!rest.empty() && std::isalpha(static_cast<unsigned char>(rest.front())) != 0) rest.remove_prefix(1);
+  return trimmed(rest);
+}
+
+/// The end of a bracket that begins there.
+std::size_t end_of_bracket(std::string_view text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+    if (depth == 0) return i + 1;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+bool FlowRewriter::begins_subprogram(const Block& block) { return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::sub; }
+bool FlowRewriter::ends_subprogram(const Block& block) { return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::endsub; }
+
+Status FlowRewriter::write(const Block& block, BlockMaker& out) {
+  const Statement& s = block.statement;
+  const std::string_view label = block.text_of(s.label_where), rest = behind_word(block);
+  const bool has_macros = to_.grammar.macro;
+  switch (s.o_word) {
+    case OWord::label: return line(fmt::format("O{}", number_of(label)), out);
+    case OWord::sub:
+      scope_ = label;
+      return line(fmt::format("O{}", number_of(label)), out);
+    case OWord::endsub:
+    case OWord::return_: {
+      if (s.o_word == OWord::endsub) scope_.clear(), open_.clear();
+      if (!rest.empty()) return no_way("return [ ]");
+      return out.code({{Function::return_program, any_argument}, {Function::subprogram_return, any_argument}, {Function::subprogram_end, any_argument}});
+    }
+    case OWord::call: return call(label, rest, out);
+    default: break;
+  }
+  if (!has_macros) return no_way("WHILE");
+  switch (s.o_word) {
+    case OWord::do_:
+    case OWord::while_:
+      if (s.o_word == OWord::while_ && !open_.empty() && open_.back().word == OWord::do_) return end_loop(rest, out);
+      [[fallthrough]];
+    case OWord::repeat:
+    case OWord::if_: return begin_loop({s.o_word}, rest, out);
+    case OWord::elseif:
+    case OWord::else_: return branch(s.o_word, rest, out);
+    case OWord::endwhile:
+    case OWord::endrepeat:
+    case OWord::endif: return end_loop({}, out);
+    case OWord::break_: return leave(false, out);
+    case OWord::continue_: return leave(true, out);
+    default: return no_way("O");
+  }
+}
+
+Status FlowRewriter::line(const std::string& text, BlockMaker& out) const {
+  out.text(text);
+  return out.end();
+}
+Status FlowRewriter::label_line(std::uint32_t label, BlockMaker& out) const { return label == 0 ? Status() : line(fmt::format("N{}", label), out); }
+
+Status FlowRewriter::begin_loop(Open open, std::string_view condition, BlockMaker& out) {
+  const auto nested = [this] { return 1 + static_cast<int>(std::count_if(open_.begin(), open_.end(), [](const Open& one) { return one.loop != 0; })); };
+  if (open.word == OWord::if_) {
+    const auto otherwise = not_that(condition);
+    if (!otherwise) return fail(otherwise.error());
+    open.next = ++next_label_;
+    open_.push_back(open);
+    return line(fmt::format("IF {} GOTO {}", *otherwise, open.next), out);
+  }
+  if (open.word == OWord::do_) {
+    open.next = ++next_label_;
+    open_.push_back(open);
+    return label_line(open.next, out);
+  }
+  open.loop = nested();
+  if (open.loop > most_nested) return no_way("DO4");
+  auto text = expression(condition);
+  if (!text) return fail(text.error());
+  if (open.word == OWord::repeat) {
+    open.variable = free_variable(last_local, 1, -1);
+    if (open.variable == 0) return no_way("#33");
+    KADR_TRY(line(fmt::format("#{}={}", open.variable, *text), out));
+    *text = fmt::format("[#{} GT 0]", open.variable);
+  }
+  open_.push_back(open);
+  return line(fmt::format("WHILE {} DO{}", *text, open.loop), out);
+}
+
+Status FlowRewriter::branch(OWord word, std::string_view condition, BlockMaker& out) {
+  if (open_.empty() || open_.back().word != OWord::if_) return no_way("ELSE");
+  Open& open = open_.back();
+  if (open.over == 0) open.over = ++next_label_;
+  KADR_TRY(line(fmt::format("GOTO {}", open.over), out));
+  KADR_TRY(label_line(open.next, out));
+  open.next = 0;
+  if (word == OWord::else_) return {};
+  const auto otherwise = not_that(condition);
+  if (!otherwise) return fail(otherwise.error());
+  open.next = ++next_label_;
+  return line(fmt::format("IF {} GOTO {}", *otherwise, open.next), out);
+}
+
+Status FlowRewriter::end_loop(std::string_view condition, BlockMaker& out) {
+  if (open_.empty()) return no_way("END");
+  const Open open = open_.back();
+  open_.pop_back();
+  if (open.word == OWord::do_) {
+    const auto text = expression(condition);
+    if (!text) return fail(text.error());
+    KADR_TRY(line(fmt::format("IF {} GOTO {}", *text, open.next), out));
+    return label_line(open.over, out);
+  }
+  if (open.word != OWord::if_) {
+    KADR_TRY(label_line(open.next, out));
+    if (open.variable != 0) {
+      KADR_TRY(line(fmt::format("#{0}=#{0}-1", open.variable), out));
+      used_.erase(open.variable);
+    }
+    KADR_TRY(line(fmt::format("END{}", open.loop), out));
+    return label_line(open.over, out);
+  }
+  KADR_TRY(label_line(open.next, out));
+  return label_line(open.over, out);
+}
+
+Status FlowRewriter::leave(bool goes_on, BlockMaker& out) {
+  for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
+    if (open->word == OWord::if_) continue;
+    if (open->word == OWord::do_ && goes_on) return no_way("continue");
+    std::uint32_t& label = goes_on ? open->next : open->over;
+    if (label == 0) label = ++next_label_;
+    return line(fmt::format("GOTO {}", label), out);
+  }
+  return no_way(goes_on ? "continue" : "break");
+}
+
+Status FlowRewriter::call(std::string_view label, std::string_view arguments, BlockMaker& out) {
+  if (arguments.empty() && !to_.grammar.macro) {
+    KADR_TRY(out.code({{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}}));
+    out.text(fmt::format("P{}", number_of(label)));
+    return {};
+  }
+  KADR_TRY(out.code({{Function::macro_call, 0}}));
+  out.text(fmt::format("P{}", number_of(label)));
+  for (std::size_t i = 0; !arguments.empty(); ++i) {
+    const std::size_t end = end_of_bracket(arguments);
+    const auto text = expression(arguments.substr(0, end));
+    if (!text) return fail(text.error());
+    if (i >= argument_letters.size() || argument_letters[i] == '\0') return no_way("call");
+    out.text(argument_letters[i] + *text);
+    arguments = trimmed(arguments.substr(end));
+  }
+  return {};
+}
+
+/// Of a comparison the opposite one; of anything else that it is 0.
+Result<std::string> FlowRewriter::not_that(std::string_view condition) {
+  auto text = expression(condition);
+  if (!text) return text;
+  constexpr std::array<std::array<std::string_view, 2>, 6> opposite = {{{"EQ", "NE"}, {"NE", "EQ"}, {"GT", "LE"}, {"LE", "GT"}, {"LT", "GE"}, {"GE", "LT"}}};
+  int depth = 0;
+  std::size_t found = std::string::npos;
+  const std::array<std::string_view, 2>* by = nullptr;
+  for (std::size_t i = 0; i + 1 < text->size(); ++i) {
+    depth += (*text)[i] == '[' ? 1 : (*text)[i] == ']' ? -1 : 0;
+    if (depth != 1) continue;
+    const std::string_view two = std::string_view(*text).substr(i, 2);
+    if (two == "AN" || two == "OR" || two == "XO") return text->insert(0, "["), *text += " EQ 0]";
+    for (const auto& one : opposite)
+      if (two == one[0]) found = i, by = &one;
+  }
+  if (by == nullptr) return text->insert(0, "["), *text += " EQ 0]";
+  return text->replace(found, 2, (*by)[1]);
+}
+
+std::uint32_t FlowRewriter::number_of(std::string_view label) {
+  if (!label.empty() && std::all_of(label.begin(), label.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) && label.size() < 6) return static_cast<std::uint32_t>(std::stoul(std::string(label)));
+  return labels_.emplace(label, first_named + static_cast<std::uint32_t>(labels_.size())).first->second;
+}
+
+std::uint32_t FlowRewriter::free_variable(std::uint32_t from, std::uint32_t to, int step) {
+  for (std::uint32_t n = from; n != to; n = static_cast<std::uint32_t>(static_cast<int>(n) + step))
+    if (used_.insert(n).second) return n;
+  return 0;
+}
+
+Result<std::uint32_t> FlowRewriter::variable_of(std::string_view name) {
+  const bool is_global = !name.empty() && name.front() == '_';
+  const std::string key = (is_global ? std::string() : scope_) + "<" + std::string(name);
+  if (const auto found = variables_.find(key); found != variables_.end()) return found->second;
+  const std::uint32_t number = is_global ? free_variable(first_global, last_global, 1) : free_variable(last_local, 1, -1);
+  if (number == 0) return fail(alarm(AlarmId::function_has_no_code, {}, name));
+  return variables_[key] = number;
+}
+
+Result<std::string> FlowRewriter::expression(std::string_view text) {
+  std::string made;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<' && !made.empty() && made.back() == '#') {
+      const std::size_t end = std::min(text.find('>', i), text.size());
+      std::string name;
+      for (const char c : text.substr(i + 1, end - i - 1))
+        if (c != ' ') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      const auto number = variable_of(name);
+      if (!number) return fail(number.error());
+      made += std::to_string(*number);
+      i = end;
+    } else if (text.substr(i, 2) == "**") {
+      return fail(alarm(AlarmId::function_has_no_code, {}, "**"));
+    } else {
+      made += static_cast<char>(std::toupper(static_cast<unsigned char>(text[i])));
+    }
+  }
+  return made;
+}
+
+}  // namespace kadr

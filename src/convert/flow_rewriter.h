@@ -1,0 +1,62 @@
+#pragma once
+// FlowRewriter: loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc 5, nct 23),
+// and named variables as numbered ones.
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convert/block_maker.h"
+#include "lang/block/block.h"
+
+namespace kadr {
+
+class FlowRewriter {
+ public:
+  /// `to` has macros, or subprograms under labels at least.
+  explicit FlowRewriter(const ControlDef& to) : to_(to) {}
+
+  /// Numbers of variables that the program uses itself.
+  void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
+  /// An O line.
+  ///   alarms  function_has_no_code
+  Status write(const Block& block, BlockMaker& out);
+  /// An expression, an assignment, a word with one: names as numbers, in capitals.
+  ///   alarms  function_has_no_code  there is no number left
+  Result<std::string> expression(std::string_view text);
+  /// The line begins a subprogram, and the next ones belong to it; or it ends it.
+  static bool begins_subprogram(const Block& block);
+  static bool ends_subprogram(const Block& block);
+
+ private:
+  struct Open {
+    OWord word;
+    int loop = 0;                      // m of DOm
+    std::uint32_t variable = 0;        // that counts
+    std::uint32_t next = 0, over = 0;  // labels: of the next branch or pass, of what follows; 0: not needed yet
+  };
+  Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
+  Status branch(OWord word, std::string_view condition, BlockMaker& out);
+  Status end_loop(std::string_view condition, BlockMaker& out);
+  Status leave(bool goes_on, BlockMaker& out);
+  Status call(std::string_view label, std::string_view arguments, BlockMaker& out);
+  Status line(const std::string& text, BlockMaker& out) const;
+  Status label_line(std::uint32_t label, BlockMaker& out) const;
+  Result<std::string> not_that(std::string_view condition);
+  std::uint32_t number_of(std::string_view label);
+  Result<std::uint32_t> variable_of(std::string_view name);
+  std::uint32_t free_variable(std::uint32_t from, std::uint32_t to, int step);
+
+  const ControlDef& to_;
+  std::vector<Open> open_;
+  std::map<std::string, std::uint32_t> labels_;     // of subprograms with names
+  std::map<std::string, std::uint32_t> variables_;  // by scope and name
+  std::set<std::uint32_t> used_;
+  std::string scope_;  // the subprogram
+  std::uint32_t next_label_ = 9000;
+};
+
+}  // namespace kadr
