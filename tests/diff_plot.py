@@ -235,6 +235,20 @@ def check_work_zero(kadr):
            f'{got.stderr} {picture and picture.texts_of("view-isometric")}')
 
 
+def check_names(kadr):
+    """Without folders; with them where the names are the same."""
+    for folder in ('old', 'new'):
+        (kadr.folder / folder).mkdir()
+        (kadr.folder / folder / 'p.nc').write_text(BASE if folder == 'old' else changed(('X10\n', 'X11\n')))
+    (kadr.folder / 'new' / ('long' * 40 + '.nc')).write_text(BASE)
+    for other, names in (('new/p.nc', ['old/p.nc', 'new/p.nc']), ('new/' + 'long' * 40 + '.nc', [])):
+        kadr.run('old/p.nc', other, '--control', 'linuxcnc', '--lang', 'en', '--plot', 'n.svg')
+        picture = Picture(kadr.folder / 'n.svg')
+        expect(set(names) <= set(picture.texts_of('legend')), f'names: {picture.texts_of("legend")}')
+        expect(all(len(t) < 200 for t in picture.texts), 'no text leaves the page')
+    kadr.run('old/p.nc', str(kadr.folder / 'new' / 'p.nc'), '--control', 'linuxcnc', '--plot', 'n.svg')
+
+
 def check_files(kadr):
     """Inputs are never written over, the picture is there whole or not at all."""
     for name in ('a.nc', 'b.nc'):

@@ -57,9 +57,11 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   return session;
 }
 
+using Names = std::array<std::string, 2>;  // of the two
+
 /// "part.nc:5-7"
-std::string place(const Side& side, const CourseSpot& from, const CourseSpot& to) {
-  std::string text = fmt::format("{}:{}", from.file.empty() ? side.name : from.file, from.origin.line);
+std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
+  std::string text = fmt::format("{}:{}", from.file.empty() ? name : from.file, from.origin.line);
   if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
   return text;
 }
@@ -71,8 +73,8 @@ void show_line(Side& side, const CourseSpot& spot, char mark) {
   if (!lines.empty()) fmt::print("  {} {}\n", mark, shortened_line(lines.front(), most_of_line));
 }
 
-std::string places(const Side& a, const Side& b, const CourseDifference& d) {
-  return place(a, d.a, d.a_to) + " | " + place(b, d.b, d.b_to);
+std::string places(const Names& names, const CourseDifference& d) {
+  return place(names[0], d.a, d.a_to) + " | " + place(names[1], d.b, d.b_to);
 }
 
 struct Showing {
@@ -86,7 +88,7 @@ void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
   for (const CourseDifference& d : c.differences) {
     if (count++ == how.most) break;
     if (how.numbered) fmt::print("{}. ", count);
-    fmt::print("{}: {}\n", places(a, b, d), sentence_of(d, how.lang));
+    fmt::print("{}: {}\n", places({a.name, b.name}, d), sentence_of(d, how.lang));
     show_line(a, d.a, '<');
     show_line(b, d.b, '>');
   }
@@ -145,11 +147,17 @@ struct Drawing {
 bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
   const Lang lang = to.lang;
   const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };
-  DifferenceTitle title{
-      a.name, b.name, control(a), lang, {}, to.all ? most_shown : shown, [&](const CourseDifference& d) { return places(a, b, d); }};
+  const Names names = short_names(a.name, b.name);
+  DifferenceTitle title{names[0],
+                        names[1],
+                        control(a),
+                        lang,
+                        {},
+                        to.all ? most_shown : shown,
+                        [&names](const CourseDifference& d) { return places(names, d); }};
   if (control(a) != control(b)) title.control += " | " + control(b);
   for (std::size_t i = 0; i < made.differences.size() && i < shown; ++i)
-    title.lines.push_back(places(a, b, made.differences[i]) + ": " + sentence_of(made.differences[i], lang));
+    title.lines.push_back(places(names, made.differences[i]) + ": " + sentence_of(made.differences[i], lang));
   const auto drawn = to.plot.write(to.file, title, made);
   if (!drawn) complain(drawn.error());
   return drawn.has_value();

@@ -33,15 +33,8 @@ bool is_of_state(CourseDifference::Kind kind) {
   return kind != Kind::way && kind != Kind::act && kind != Kind::end;
 }
 
-/// Without their folders, where that tells them apart.
-std::array<std::string, 2> short_names(const DifferenceTitle& title) {
-  const std::string a = name_of_file(title.a), b = name_of_file(title.b);
-  return a == b ? std::array{title.a, title.b} : std::array{a, b};
-}
-
 PlotTitle plot_title(const DifferenceTitle& title, const Comparison& made) {
-  const auto [a, b] = short_names(title);
-  PlotTitle all{a + " | " + b, title.control, title.lang, {}, LengthUnit::mm, {{0, a}, {file_of_b, b}}};
+  PlotTitle all{title.a + " | " + title.b, title.control, title.lang, {}, LengthUnit::mm, {{0, title.a}, {file_of_b, title.b}}};
   for (const auto& [file, name] : made.files_a) all.files[file] = name_of_file(name);
   for (const auto& [file, name] : made.files_b) all.files[std::uint16_t(file_of_b | file)] = name_of_file(name);
   return all;
@@ -60,6 +53,11 @@ std::vector<DifferenceLine> lines_of(const DifferenceTitle& title, const Compari
 }
 
 }  // namespace
+
+std::array<std::string, 2> short_names(const std::string& a, const std::string& b) {
+  const std::string its = name_of_file(a), other = name_of_file(b);
+  return its == other ? std::array{a, b} : std::array{its, other};
+}
 
 DifferencePlot::DifferencePlot(const std::vector<std::string>& frame) : chain_(AxisRoles::of(frame, 0)), whole_(most_points, whole_chord) {}
 
@@ -190,8 +188,8 @@ tl::expected<void, std::string> DifferencePlot::write(const ResultFile& file, co
     closeups.push_back({is_fine ? scene_of(whole_, layers, {}) : scene_of(*closeup->sketch, close_layers.back(), {}), window.view,
                         window.box, std::to_string(closeup->number + 1) + "   " + title.place(d)});
   }
-  const auto [a, b] = short_names(title);
-  return draw_difference_page(file, {scene, a, b, summary_of(made, title.lang), made.equal(), std::move(closeups), lines_of(title, made)});
+  return draw_difference_page(
+      file, {scene, title.a, title.b, summary_of(made, title.lang), made.equal(), std::move(closeups), lines_of(title, made)});
 }
 
 }  // namespace kadr

@@ -15,8 +15,11 @@
 
 namespace kadr {
 
+/// Of two files, without their folders where that tells them apart.
+std::array<std::string, 2> short_names(const std::string& a, const std::string& b);
+
 struct DifferenceTitle {
-  std::string a, b;     // the programs
+  std::string a, b;     // what the programs are called
   std::string control;  // of both
   Lang lang = Lang::en;
   std::vector<std::string> lines{};  // the differences in words, as many as stand below the picture

@@ -82,8 +82,8 @@ TEST(PieceFollower, AnActIsToldWhereItDiffers) {
 
 /// Random corners and feeds, some of them changed.
 RC_GTEST_PROP(PieceFollowerProperty, without_a_gap_and_numbered_as_told, ()) {
-  const auto corners = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(
-      rc::gen::tuple(rc::gen::inRange(-20, 20), rc::gen::inRange(-20, 20), rc::gen::inRange(0, 12)));
+  const auto corner = rc::gen::tuple(rc::gen::inRange(-20, 20), rc::gen::inRange(-20, 20), rc::gen::inRange(0, 12));
+  const auto corners = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(*rc::gen::inRange<std::size_t>(0, 16), corner);
   std::string a = "G21 G90 F100\nG1 X0 Y0\n", b = a;
   for (const auto& [x, y, change] : corners) {
     a += fmt::format("X{} Y{}\n", x, y);

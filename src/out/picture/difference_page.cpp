@@ -56,6 +56,8 @@ std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= fe
 
 double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
 
+constexpr double bold = 1.16, most_name = 420;  // times as wide; of the page
+
 /// What of it has room.
 std::string fitting(std::string text, double width, double size) {
   text = shortened_line(text, most_line_length);
@@ -70,7 +72,7 @@ std::string fitting(std::string text, double width, double size) {
 void draw_head(Canvas& canvas, const DifferencePage& page) {
   const PlotTitle& title = page.scene.title;
   const double room = page_wide - 2 * edge_room - 90;
-  canvas.text({edge_room, 42}, fitting(title.file, room, 26), {24, colour(0x20262E), Align::left, true});
+  canvas.text({edge_room, 42}, fitting(title.file, room, 24 * bold), {24, colour(0x20262E), Align::left, true});
   canvas.text({page_wide - edge_room, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   const std::string control = fmt::format("{}: {}", words_of(page).control, title.control);
   canvas.text({edge_room, 64}, page.summary, {14, page.equal ? fine : warns, Align::left, true});
@@ -83,8 +85,8 @@ void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
   canvas.begin("legend");
   LegendRow strokes(canvas, edge_room + 4, y - key_row);
   if (const PlotDifferences& d = *scene.differences; !d.a.points().empty() || !d.b.points().empty()) {
-    strokes.sample(way_of_a, page.a);
-    strokes.sample({way_of_b.ink, 2}, page.b);
+    strokes.sample(way_of_a, fitting(page.a, most_name, line_size));
+    strokes.sample({way_of_b.ink, 2}, fitting(page.b, most_name, line_size));
   }
   strokes.sample({same_way.ink, 1.4}, w.both);
   if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, w.changed);
@@ -119,7 +121,7 @@ void draw_right(Canvas& canvas, const DifferencePage& page, const Area& area, co
     }
     const DifferenceCloseup& closeup = page.closeups[i];
     canvas.begin(i == 0 ? "closeup-1" : "closeup-2");
-    canvas.text({at.x + 48, at.y + caption_room - 7}, fitting(closeup.caption, at.width - 48, line_size),
+    canvas.text({at.x + 48, at.y + caption_room - 7}, fitting(closeup.caption, at.width - 48, line_size * bold),
                 {line_size, colour(0x20262E), Align::left, true});
     draw_field(canvas, {at.x, at.y + caption_room, at.width, at.height - caption_room}, closeup.view, closeup.scene, closeup.box);
     canvas.end();
