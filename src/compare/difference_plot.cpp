@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "compare/comparison_text.h"
-#include "compare/difference_window.h"
 
 namespace kadr {
 namespace {
@@ -149,13 +148,19 @@ std::vector<PlotMark> DifferencePlot::marks(const Comparison& made) const {
   return all;
 }
 
-/// The greatest, and the first of the others.
+DifferenceWindow DifferencePlot::window_on(const Closeup& closeup, const Comparison& made) const {
+  const CourseDifference& d = made.differences[closeup.number];
+  return window_of(closeup.sketch->box(), tip(d.b_far) - tip(d.a_far), tip(d.b_far), whole_.same().box());
+}
+
+/// The greatest, and the first of the others, of those of which more is seen close up.
 std::vector<const DifferencePlot::Closeup*> DifferencePlot::chosen(const Comparison& made) const {
   std::vector<const Closeup*> all;
   for (const std::size_t i : {2, 0, 1}) {
     const Closeup& closeup = closeups_[i];
     const bool known = std::any_of(all.begin(), all.end(), [&](const Closeup* other) { return other->number == closeup.number; });
-    if (closeup.sketch && !known && all.size() < 2 && closeup.number < made.differences.size()) all.push_back(&closeup);
+    if (!closeup.sketch || known || all.size() == 2 || closeup.number >= made.differences.size()) continue;
+    if (window_on(closeup, made).closer) all.push_back(&closeup);
   }
   std::sort(all.begin(), all.end(), [](const Closeup* a, const Closeup* b) { return a->number < b->number; });
   return all;
@@ -181,8 +186,7 @@ tl::expected<void, std::string> DifferencePlot::write(const ResultFile& file, co
   std::vector<DifferenceCloseup> closeups;
   for (const Closeup* const closeup : close) {
     const CourseDifference& d = made.differences[closeup->number];
-    const DifferenceWindow window = window_of(closeup->sketch->box(), tip(d.b_far) - tip(d.a_far), tip(d.b_far), whole_.same().box());
-    if (!window.closer) continue;
+    const DifferenceWindow window = window_on(*closeup, made);
     const bool is_fine = whole_.error() <= window.finest;
     close_layers.push_back(layers_of(*closeup->sketch, numbers));
     closeups.push_back({is_fine ? scene_of(whole_, layers, {}) : scene_of(*closeup->sketch, close_layers.back(), {}), window.view,

@@ -11,6 +11,7 @@
 
 #include "compare/comparison.h"
 #include "compare/difference_sketch.h"
+#include "compare/difference_window.h"
 #include "out/picture/difference_page.h"
 
 namespace kadr {
@@ -60,6 +61,7 @@ class DifferencePlot {
   void finish(Vec3 zero);
   PlotNumber number_of(const CourseDifference& d, std::size_t index) const;
   std::vector<PlotMark> marks(const Comparison& made) const;
+  DifferenceWindow window_on(const Closeup& closeup, const Comparison& made) const;
   std::vector<const Closeup*> chosen(const Comparison& made) const;
   Vec3 tip(const Axes& machine) const { return chain_.tip(machine) - zero_; }
 
