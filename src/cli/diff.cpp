@@ -1,4 +1,4 @@
-// kadr diff: do two programs do the same? Tested by tests/run_diff.py.
+// kadr diff: do two programs do the same, in words and as a picture? Tested by tests/run_diff.py, tests/diff_plot.py.
 
 #include <fmt/core.h>
 
@@ -8,11 +8,14 @@
 #include "cli/help_text.h"
 #include "cli/job.h"
 #include "cli/option_values.h"
+#include "cli/outputs.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "compare/comparison_text.h"
+#include "compare/difference_plot.h"
 #include "config/told.h"
 #include "out/text/alarm_print.h"
+#include "out/text/page_file.h"
 #include "out/text/source_line.h"
 #include "view/source_text.h"
 
@@ -54,9 +57,11 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   return session;
 }
 
+using Names = std::array<std::string, 2>;  // of the two
+
 /// "part.nc:5-7"
-std::string place(const Side& side, const CourseSpot& from, const CourseSpot& to) {
-  std::string text = fmt::format("{}:{}", from.file.empty() ? side.name : from.file, from.origin.line);
+std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
+  std::string text = fmt::format("{}:{}", from.file.empty() ? name : from.file, from.origin.line);
   if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
   return text;
 }
@@ -68,20 +73,94 @@ void show_line(Side& side, const CourseSpot& spot, char mark) {
   if (!lines.empty()) fmt::print("  {} {}\n", mark, shortened_line(lines.front(), most_of_line));
 }
 
-void show(Side& a, Side& b, const Comparison& c, std::size_t most, Lang lang) {
+std::string places(const Names& names, const CourseDifference& d) {
+  return place(names[0], d.a, d.a_to) + " | " + place(names[1], d.b, d.b_to);
+}
+
+struct Showing {
+  std::size_t most;  // differences
+  bool numbered;     // as in the picture
+  Lang lang;
+};
+
+void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
   std::size_t count = 0;
   for (const CourseDifference& d : c.differences) {
-    if (count++ == most) break;
-    fmt::print("{} | {}: {}\n", place(a, d.a, d.a_to), place(b, d.b, d.b_to), sentence_of(d, lang));
+    if (count++ == how.most) break;
+    if (how.numbered) fmt::print("{}. ", count);
+    fmt::print("{}: {}\n", places({a.name, b.name}, d), sentence_of(d, how.lang));
     show_line(a, d.a, '<');
     show_line(b, d.b, '>');
   }
-  if (const std::size_t all = c.differences.size() + c.more; all > count - (count > most ? 1 : 0) && all > most)
-    fmt::print(fmt::runtime(told("… and {} more: --all\n", "… и ещё {}: --all\n")), all - most);
+  if (const std::size_t all = c.differences.size() + c.more; all > count - (count > how.most ? 1 : 0) && all > how.most)
+    fmt::print(fmt::runtime(told("… and {} more: --all\n", "… и ещё {}: --all\n")), all - how.most);
 }
 
 void tell_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
   if (report) say(alarm_text(*report, side.job->texts(), lang, colours()));
+}
+
+void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
+  const Lang lang = language(o.both);
+  show(a, b, made, {o.all ? most_shown : shown, !o.plot.empty(), lang});
+  tell_alarm(a, made.stopped_a, lang);
+  tell_alarm(b, made.stopped_b, lang);
+  if ((made.stopped_a || made.stopped_b) && made.differences.empty())
+    fmt::print("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
+  else fmt::print("{}\n", summary_of(made, lang));
+}
+
+CompareRules rules_of(const DiffOptions& o, DifferencePlot& plot) {
+  CompareRules rules;
+  rules.tolerance = o.tolerance;
+  rules.most_told = most_shown;
+  rules.stop = o.both.limits.stop;
+  if (!o.plot.empty()) rules.on_piece = [&plot](const ComparedPiece& piece) { plot.take(piece); };
+  return rules;
+}
+
+/// That both have called.
+std::vector<std::string> files_of(const Comparison& made) {
+  std::vector<std::string> files = made.read_a;
+  files.insert(files.end(), made.read_b.begin(), made.read_b.end());
+  return files;
+}
+
+/// The files of the command, none of them opened yet.
+Outputs outputs_of_diff(const DiffOptions& o, const Side& a, const Side& b) {
+  Outputs outputs(language(o.both));
+  for (const Side* const side : {&a, &b}) outputs.reads(side->name), outputs.reads(side->job->setup_file);
+  for (const std::string& file : {o.both.control, o.control_a, o.control_b, o.both.machine})
+    if (file.ends_with(".toml")) outputs.reads(file);
+  outputs.writes("--plot", o.plot);
+  return outputs;
+}
+
+struct Drawing {
+  DifferencePlot& plot;
+  const ResultFile& file;
+  Lang lang;
+  bool all;  // numbers of all differences
+};
+
+/// Complains.
+bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
+  const Lang lang = to.lang;
+  const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };
+  const Names names = short_names(a.name, b.name);
+  DifferenceTitle title{names[0],
+                        names[1],
+                        control(a),
+                        lang,
+                        {},
+                        to.all ? most_shown : shown,
+                        [&names](const CourseDifference& d) { return places(names, d); }};
+  if (control(a) != control(b)) title.control += " | " + control(b);
+  for (std::size_t i = 0; i < made.differences.size() && i < shown; ++i)
+    title.lines.push_back(places(names, made.differences[i]) + ": " + sentence_of(made.differences[i], lang));
+  const auto drawn = to.plot.write(to.file, title, made);
+  if (!drawn) complain(drawn.error());
+  return drawn.has_value();
 }
 
 }  // namespace
@@ -99,6 +178,7 @@ void add_diff(CLI::App& app, Commands& c) {
          "MM", "ММ", least_tolerance, most_tolerance)
       ->capture_default_str();
   diff->add_flag("--all", o.all, told("all differences, not the first twenty", "все различия, а не первые двадцать"));
+  takes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
   control_id(
       diff->add_option("--control-a", o.control_a,
                        told("control of A (default: --control, else guessed)", "УЧПУ для A (по умолчанию --control или по тексту)")));
@@ -115,25 +195,22 @@ int diff(const DiffOptions& o) {
   if (o.a == "-" && o.b == "-")
     return complain(told("only one of the two can be the standard input", "со стандартного ввода читается только одна из двух")),
            wrong_usage;
+  if (const std::string fault = o.plot.empty() ? "" : page_fault(o.plot); !fault.empty()) return complain("--plot " + fault), wrong_usage;
   Side a, b;
   const Options options_a = options_of(o, false), options_b = options_of(o, true);
   auto session_a = open_side(options_a, a);
   auto session_b = session_a ? open_side(options_b, b) : nullptr;
   if (!session_b) return wrong_usage;
-  CompareRules rules;
-  rules.tolerance = o.tolerance;
-  rules.most_told = most_shown;
-  rules.stop = o.both.limits.stop;
-  const Comparison made = compare_sessions(std::move(session_a), std::move(session_b), rules);
+  Outputs outputs = outputs_of_diff(o, a, b);
+  if (!outputs.check() || !outputs.open()) return wrong_usage;
+  DifferencePlot plot(common_frame(*session_a, *session_b));
+  const Comparison made = compare_sessions(std::move(session_a), std::move(session_b), rules_of(o, plot));
   if (interrupted()) return interrupted_status();
-  show(a, b, made, o.all ? most_shown : shown, lang);
-  tell_alarm(a, made.stopped_a, lang);
-  tell_alarm(b, made.stopped_b, lang);
-  const bool stopped = made.stopped_a || made.stopped_b;
-  if (stopped && made.differences.empty())
-    fmt::print("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
-  else fmt::print("{}\n", summary_of(made, lang));
-  return made.equal() && !stopped ? ok : alarms;
+  print_all(o, a, b, made);
+  if (!o.plot.empty() && !draw({plot, *outputs.file("--plot"), lang, o.all}, a, b, made)) return wrong_usage;
+  if (interrupted()) return interrupted_status();
+  if (!outputs.keep(files_of(made))) return wrong_usage;
+  return made.equal() && !made.stopped_a && !made.stopped_b ? ok : alarms;
 }
 
 }  // namespace kadr::cli

@@ -152,11 +152,13 @@ std::string diff_examples() {
   return told(
       "Examples:\n"
       "  kadr diff part.nc part-new.nc                   what the edited program does otherwise\n"
+      "  kadr diff part.nc part-new.nc --plot diff.svg   a picture of it\n"
       "  kadr diff part.tap part.mpf --control-a mach3 --control-b nct --tolerance 0.01\n"
       "A line cut in two is the same line; comments, numbers of blocks and how it is written do not count.\n"
       "Exit status: 0 both do the same, 1 they differ or one is stopped by an alarm, 2 wrong usage or unreadable file.",
       "Примеры:\n"
       "  kadr diff part.nc part-new.nc                   что изменённая УП делает иначе\n"
+      "  kadr diff part.nc part-new.nc --plot diff.svg   чертёж различий\n"
       "  kadr diff part.tap part.mpf --control-a mach3 --control-b nct --tolerance 0.01\n"
       "Отрезок, разбитый на два, — тот же отрезок; комментарии, номера кадров и запись значения не имеют.\n"
       "Код возврата: 0 — делают одно и то же, 1 — различаются или одна остановлена ошибкой, 2 — неверная команда или файл не читается.");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/piece_follower.h"
 #include "compare/stretch.h"
 
 namespace kadr {
@@ -60,7 +61,12 @@ class Comparer {
         course_a_(a),
         course_b_(b),
         a_([&a] { return a.next(); }, a.start(), space_),
-        b_([&b] { return b.next(); }, b.start(), space_) {}
+        b_([&b] { return b.next(); }, b.start(), space_),
+        follower_(rules.on_piece, space_, rules.tolerance) {
+    if (!rules_.on_piece) return;
+    a_.on_pass = [this](const CourseItem& item, const Axes& from, const Axes& to) { follower_.take(item, from, to, false); };
+    b_.on_pass = [this](const CourseItem& item, const Axes& from, const Axes& to) { follower_.take(item, from, to, true); };
+  }
 
   Comparison all() {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
@@ -70,6 +76,8 @@ class Comparer {
     out_.cancelled = rules_.stop.asked();
     out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
     out_.stopped_a = course_a_.stopped(), out_.stopped_b = course_b_.stopped();
+    name_files(false, course_a_), name_files(true, course_b_);
+    out_.zero = course_a_.zero() ? *course_a_.zero() : course_b_.zero().value_or(Vec3{});
     return std::move(out_);
   }
 
@@ -85,10 +93,19 @@ class Comparer {
     meet_again();
   }
 
+  void name_files(bool of_b, Course& course) {
+    const Control& control = course.session().settled_control();
+    for (auto& [file, name] : follower_.files(of_b)) name = control.file_name(file);
+    (of_b ? out_.files_b : out_.files_a) = follower_.files(of_b);
+    (of_b ? out_.read_b : out_.read_a) = control.files_read();
+  }
+
   /// Both do the same; what is in force meanwhile counts too.
   void act() {
-    if (const auto differs = first_difference(as_act(a_.item(0).state), as_act(b_.item(0).state))) tell_state(*differs);
+    if (const auto differs = first_difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
+      follower_.begin(ComparedPiece::Part::changed, tell_state(*differs));
     a_.pass(), b_.pass();
+    follower_.end();
   }
   static CourseState as_act(CourseState state) {
     state.move = CourseMove::rapid, state.feed = state.lead = 0, state.unit = FeedUnit::mm_per_min;
@@ -105,10 +122,12 @@ class Comparer {
         return;
     }
     const CourseSpot from_a = spot(a_), from_b = spot(b_);
+    const std::string a_says = differs ? words_of_state(a, *differs) : "", b_says = differs ? words_of_state(b, *differs) : "";
+    if (differs) follower_.begin_waiting(number_of_next({*differs, {}, {}, {}, {}, 0, {}, {}, a_says, b_says}), a_.at());
     const StretchResult result = go_along(a_, b_, space_, rules_.tolerance);
+    follower_.end(result.reach > rules_.tolerance);
     out_.greatest = std::max(out_.greatest, result.greatest);
-    if (differs && result.reach > rules_.tolerance)
-      add({*differs, from_a, from_b, spot(a_), spot(b_), 0, words_of_state(a, *differs), words_of_state(b, *differs)});
+    if (differs && result.reach > rules_.tolerance) add({*differs, from_a, from_b, spot(a_), spot(b_), 0, {}, {}, a_says, b_says});
     if (!result.together) meet_again();
   }
 
@@ -123,12 +142,17 @@ class Comparer {
     return false;
   }
 
-  void tell_state(Kind kind) {
-    add({kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, words_of_state(a_.item(0).state, kind), words_of_state(b_.item(0).state, kind)});
+  /// returns  the number of the difference
+  std::size_t tell_state(Kind kind) {
+    const std::string a_says = words_of_state(a_.item(0).state, kind), b_says = words_of_state(b_.item(0).state, kind);
+    const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_says, b_says};
+    const std::size_t number = number_of_next(d);
+    add(d);
+    return number;
   }
   void ends_differ() {
     const auto name = [](const CourseItem& end) { return end.fault ? std::string(name_of(*end.fault)) : std::string("end"); };
-    add({Kind::end, spot(a_), spot(b_), spot(a_), spot(b_), 0, name(a_.item(0)), name(b_.item(0))});
+    add({Kind::end, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, name(a_.item(0)), name(b_.item(0))});
   }
 
   CourseSpot spot(Lane& lane) {
@@ -146,7 +170,9 @@ class Comparer {
     CourseDifference d;
     d.a = spot(a_), d.b = spot(b_);
     describe(d, da, db);
+    follower_.begin(ComparedPiece::Part::apart, number_of_next(d), d.distance);
     a_.pass(da), b_.pass(db);
+    follower_.end();
     d.a_to = spot(a_), d.b_to = spot(b_);
     add(d);
   }
@@ -195,36 +221,47 @@ class Comparer {
     const auto [b_says, only_b] = acts(b_, db);
     d.a_says = a_says, d.b_says = b_says;
     d.kind = only_a && only_b ? Kind::act : Kind::way;
-    if (d.kind == Kind::way) d.distance = std::max(farthest(a_, da, b_, db), farthest(b_, db, a_, da));
+    if (d.kind != Kind::way) return;
+    const Apart of_a = farthest(a_, da, b_, db), of_b = farthest(b_, db, a_, da);
+    if (of_a.distance >= of_b.distance) d.distance = of_a.distance, d.a_far = of_a.vertex, d.b_far = of_a.nearest;
+    else d.distance = of_b.distance, d.a_far = of_b.nearest, d.b_far = of_b.vertex;
   }
 
-  /// Of so many vertices of one from the way of the other, mm.
-  double farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
-    double most = 0;
+  struct Apart {
+    double distance = 0;  // mm
+    Axes vertex{}, nearest{};
+  };
+  /// Of so many vertices of one the one that is farthest from the way of the other.
+  Apart farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
+    Apart most{0, of.at(), from.at()};
     const std::size_t step = count / most_measured + 1, other_step = pieces / most_measured + 1;
     for (std::size_t i = 0; i < count; i += step) {
       const Axes& at = of.item(i).to;
-      double least = space_.distance(at, from.at());
+      Apart least{space_.distance(at, from.at()), at, from.at()};
       for (std::size_t j = 0; j < pieces; j += other_step) {
         const Axes &begin = from.begin(j), &end = from.item(j).to;
-        least = std::min(least, space_.distance(at, space_.between(begin, end, space_.nearest(at, begin, end, {0, 1}))));
+        const Axes nearest = space_.between(begin, end, space_.nearest(at, begin, end, {0, 1}));
+        if (const double distance = space_.distance(at, nearest); distance < least.distance) least = {distance, at, nearest};
       }
-      most = std::max(most, least);
+      if (least.distance > most.distance) most = least;
     }
     return most;
   }
 
+  bool goes_on_from_last(const CourseDifference& d) const {
+    if (out_.differences.empty() || out_.more > 0 || d.kind == Kind::way || d.kind == Kind::act || d.kind == Kind::end) return false;
+    const CourseDifference& last = out_.differences.back();
+    return last.kind == d.kind && last.a_says == d.a_says && last.b_says == d.b_says;
+  }
+  std::size_t number_of_next(const CourseDifference& d) const {
+    return out_.differences.size() + out_.more - (goes_on_from_last(d) ? 1 : 0);
+  }
   /// One that goes on where the last one ended is the same.
   void add(CourseDifference d) {
-    if (!out_.differences.empty()) {
+    if (goes_on_from_last(d)) {
       CourseDifference& last = out_.differences.back();
-      const bool of_state = d.kind != Kind::way && d.kind != Kind::act && d.kind != Kind::end;
-      if (of_state && last.kind == d.kind && last.a_says == d.a_says && last.b_says == d.b_says && out_.more == 0) {
-        last.a_to = d.a_to, last.b_to = d.b_to;
-        return;
-      }
-    }
-    if (out_.differences.size() >= rules_.most_told) ++out_.more;
+      last.a_to = d.a_to, last.b_to = d.b_to;
+    } else if (out_.differences.size() >= rules_.most_told) ++out_.more;
     else out_.differences.push_back(std::move(d));
   }
 
@@ -233,6 +270,7 @@ class Comparer {
   Course &course_a_, &course_b_;
   Lane a_, b_;
   int far_searches_ = 0;
+  PieceFollower follower_;
   Comparison out_;
 };
 

@@ -6,6 +6,8 @@
 //
 // Goes along both once, in constant memory; where they part it looks for the next place that they have in common.
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,10 +15,24 @@
 
 namespace kadr {
 
+/// A piece of one of the two ways. Those of both come in turn, each in its order.
+struct ComparedPiece {
+  enum class Part : std::uint8_t { together, changed, apart };  // changed: together, with another feed, tool …
+  Part part = Part::together;
+  bool of_b = false;
+  bool act = false;  // something is done where the axes stand; told only where it differs
+  CourseMove move = CourseMove::rapid;
+  Axes from{}, to{};
+  Origin origin;
+  std::size_t number = 0;  // of the difference, from 0 on in the order of Comparison::differences
+  double distance = 0;     // of that difference
+};
+
 struct CompareRules {
   double tolerance = 0.001;      // mm; degrees of rotary axes
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
+  std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along
 };
 
 /// A place of one of the two.
@@ -33,18 +49,22 @@ struct CourseDifference {
   CourseSpot a, b;             // where it begins
   CourseSpot a_to, b_to;       // where both do the same again
   double distance = 0;         // mm, of a way: the farthest that a vertex of either is from the other's way meanwhile
+  Axes a_far{}, b_far{};       // places of the two that are so far apart
   std::string a_says, b_says;  // values of what differs: "F200", "M8"; of an act that the other has not the other is empty
 };
 
 struct Comparison {
   bool cancelled = false;
-  double greatest = 0;                              // mm, where both go together
-  std::size_t moves_a = 0, moves_b = 0;             // blocks that move
-  std::vector<std::string> axes;                    // names
-  std::vector<CourseDifference> differences;        // in the order of the programs
-  std::size_t more = 0;                             // that are not told one by one
-  std::optional<AlarmReport> stopped_a, stopped_b;  // the alarm that it has stopped by: nothing is known of what would follow
-  bool lost = false;                                // from the last difference on they have no place in common that was found
+  double greatest = 0;                                        // mm, where both go together
+  std::size_t moves_a = 0, moves_b = 0;                       // blocks that move
+  std::vector<std::string> axes;                              // names
+  std::vector<CourseDifference> differences;                  // in the order of the programs
+  std::size_t more = 0;                                       // that are not told one by one
+  std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that it has stopped by: nothing is known of what would follow
+  std::vector<std::string> read_a, read_b;                    // files that they have called
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: those that pieces stand in, but for the programs
+  Vec3 zero;                                                  // of the work system of the first cut, machine coordinates
+  bool lost = false;                                          // from the last difference on they have no place in common that was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

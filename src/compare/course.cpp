@@ -24,7 +24,10 @@ CourseMove move_of(MotionKind kind) {
 }  // namespace
 
 Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop)
-    : session_(std::move(session)), chord_(chord), stop_(stop) {
+    : session_(std::move(session)),
+      chord_(chord),
+      stop_(stop),
+      chain_(AxisRoles::of(session_->channels()[session_->own()].control->axes(), 0)) {
   const Channel& own = session_->channels()[session_->own()];
   const std::vector<std::string>& axes = own.control->axes();
   for (const std::string& name : frame) {
@@ -90,6 +93,8 @@ void Course::take(const Step& step) {
     take_act(step, Kind::function, function->code);
   } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
     take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
+  } else if (const auto* const frame = std::get_if<FrameChange>(&what)) {
+    frame_zero_ = zero_of(chain_, frame->placement);
   } else if (std::holds_alternative<Couple>(what)) {
     take_act(step, Kind::other, std::get<Couple>(what).ratio, "couple " + std::get<Couple>(what).slave);
   } else if (std::holds_alternative<Uncouple>(what)) {
@@ -124,6 +129,7 @@ void Course::take_motion(const Step& step, const Motion& motion) {
   if (item.state.move == CourseMove::feed || item.state.move == CourseMove::probe)
     item.state.unit = motion.unit, item.state.feed = motion.feed;
   if (item.state.move == CourseMove::thread && motion.detail) item.state.lead = motion.detail->lead.value_or(0);
+  if (!zero_ && item.state.move == CourseMove::feed) zero_ = frame_zero_;
   item.origin = step.action.origin;
   const MachinePath path(step);
   const int pieces = path.straight() ? 1 : std::clamp(path.pieces(chord_), 1, most_pieces);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/chain.h"
 #include "session/session.h"
 
 namespace kadr {
@@ -62,6 +63,8 @@ class Course {
   /// After an end it is the end again and again.
   CourseItem next();
   Session& session() { return *session_; }
+  /// Zero of the work system of the first cut so far, machine coordinates.
+  const std::optional<Vec3>& zero() const { return zero_; }
   /// The alarm that it has stopped by.
   const std::optional<AlarmReport>& stopped() const { return stopped_; }
 
@@ -75,7 +78,10 @@ class Course {
   std::vector<int> axis_of_;  // of the frame → of the control; -1: it has none
   double chord_;
   StopToken stop_;
+  Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
+  Vec3 frame_zero_;
+  std::optional<Vec3> zero_;
   std::deque<CourseItem> ahead_;
   CourseState state_;
   double rpm_ = 0;

@@ -62,6 +62,7 @@ void Lane::pass(std::size_t count) {
     CourseItem& first = ahead_.front();
     if (first.kind == CourseItem::Kind::move && (first.origin.number != last_.origin.number || last_.kind != CourseItem::Kind::move))
       ++moves_;
+    if (on_pass) on_pass(first, at_, first.to);
     at_ = first.to;
     last_ = std::move(first);
     ahead_.pop_front();
@@ -71,7 +72,9 @@ void Lane::pass(std::size_t count) {
 void Lane::pass_part(double part) {
   if (part >= whole) return pass();
   CourseItem& first = ahead_.front();
+  const Axes from = at_;
   at_ = space_.between(at_, first.to, part);
+  if (on_pass) on_pass(first, from, at_);
   first.begins += part * (first.ends - first.begins);
 }
 

@@ -44,6 +44,9 @@ class Lane {
   std::size_t moves() const { return moves_; }
   const CourseItem& last() const { return last_; }
 
+  /// Where set: called with each item that is passed, or a part of it, and where that begins and ends.
+  std::function<void(const CourseItem& item, const Axes& from, const Axes& to)> on_pass;
+
  private:
   std::function<CourseItem()> next_;
   const CourseSpace& space_;

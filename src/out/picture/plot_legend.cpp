@@ -4,17 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "out/picture/plot_marks.h"
+#include "out/picture/legend_row.h"
 #include "out/picture/plot_view.h"
-#include "out/picture/text_width.h"
 #include "out/text/limit_text.h"
 
 namespace kadr {
 namespace {
-
-constexpr Colour ink = colour(0x20262E);
-const TextStyle style{13, ink, Align::left, false};
-constexpr double swatch = 32, behind_swatch = 8, between = 26;
 
 struct Words {
   const char *rapid, *feed, *arc, *plunge, *contour, *beside, *zero, *start, *end, *stop, *stop_line, *stop_file, *thinned, *cropped, *tool;
@@ -55,10 +50,10 @@ constexpr Words russian = {"быстрый ход",
                            "скорость (мин. время), {}:",
                            "ограничение (мин. время):"};
 
-/// Entries in a row, from left to right.
-class Row {
+/// With the strokes of a path.
+class Row : public LegendRow {
  public:
-  Row(Canvas& canvas, double x, double y) : canvas_(canvas), x_(x), y_(y) {}
+  using LegendRow::LegendRow;
 
   void stroke(Stroke stroke, const char* name, double behind = between) {
     const StrokeStyle line = style_of(stroke, 0);
@@ -69,28 +64,9 @@ class Row {
     x_ += swatch + behind_swatch;
     words(name, behind);
   }
-  void sample(Colour of, const char* name) {
-    canvas_.line({x_, y_ - 4}, {x_ + swatch, y_ - 4}, of, 3);
-    x_ += swatch + behind_swatch;
-    words(name);
-  }
-  void words(std::string_view text, double behind = between) {
-    canvas_.text({x_, y_}, text, style);
-    x_ += text_width(text, style.size) + behind;
-  }
-  void zero(const char* name) {
-    canvas_.zero_mark({x_ + 10, y_ - 4}, 6, ink);
-    x_ += 24;
-    words(name);
-  }
-  void mark(PlotMark::What what, std::string_view name) {
-    draw_mark(canvas_, what, {x_ + 10, y_ - 4});
-    x_ += 27;
-    words(name);
-  }
   void speeds(const ShadeScale& shades, double per_unit) {
     constexpr double step_width = 14, ticks = 4, bar = 9;
-    const TextStyle number{12, ink, Align::centre, false};
+    const TextStyle number{12, legend_style.ink, Align::centre, false};
     const double width = step_width * double(shades.steps());
     for (std::size_t step = 0; step < shades.steps(); ++step)
       canvas_.fill({x_ + double(step) * step_width, y_ - 18, step_width + 0.5, bar}, shades.ink(step));
@@ -98,10 +74,6 @@ class Row {
       canvas_.text({x_ + width * tick / ticks, y_ + 5}, number_text(shades.top() / per_unit * tick / ticks, per_unit > 1 ? 1 : 0), number);
     x_ += width + 40;
   }
-
- private:
-  Canvas& canvas_;
-  double x_, y_;
 };
 
 void draw_strokes_row(Row& row, const PlotScene& scene, const Words& w) {
@@ -121,7 +93,7 @@ void draw_strokes_row(Row& row, const PlotScene& scene, const Words& w) {
   }
   if (!scene.tools.empty()) row.sample(tool_ink, w.tool);
   if (scene.contour.points().empty()) return;
-  row.stroke(Stroke::contour, w.contour, behind_swatch);
+  row.stroke(Stroke::contour, w.contour, Row::behind_swatch);
   if (shades.by() == PlotColour::stroke) row.words(w.beside);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "out/picture/plot_differences.h"
 #include "out/picture/plot_legend.h"
 #include "out/picture/plot_strokes.h"
 #include "out/picture/plot_view.h"
@@ -72,6 +73,12 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
 }
 
 }  // namespace
+
+std::vector<const PlotPath*> paths_of(const PlotScene& scene) {
+  std::vector<const PlotPath*> paths = {&scene.path, &scene.contour};
+  if (const PlotDifferences* const d = scene.differences) paths.insert(paths.end(), {&d->changed, &d->a, &d->b});
+  return paths;
+}
 
 std::string name_of_file(const std::string& path) {
   const std::size_t slash = path.find_last_of("/\\");

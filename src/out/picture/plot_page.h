@@ -8,6 +8,8 @@
 
 namespace kadr {
 
+struct PlotDifferences;
+
 struct PlotScene {
   const PlotPath& path;
   const PlotPath& contour;  // as programmed, where the tool runs beside it; may be empty
@@ -15,8 +17,12 @@ struct PlotScene {
   const std::vector<PlotMark> marks;
   const PlotTitle& title;
   ShadeScale shades;
-  std::vector<ToolDirection> tools{};  // which way the tool leans
+  std::vector<ToolDirection> tools{};            // which way the tool leans
+  const PlotDifferences* differences = nullptr;  // of two programs: the path is what both do
 };
+
+/// All that are drawn.
+std::vector<const PlotPath*> paths_of(const PlotScene& scene);
 
 /// Without its folder.
 std::string name_of_file(const std::string& path);

@@ -10,8 +10,9 @@
 
 namespace kadr {
 
-enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe };  // plunge: a feed straight down; contour: as programmed
-inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe; }
+/// plunge: a feed straight down; contour: as programmed; jump: nothing is drawn, the path goes on elsewhere.
+enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe, jump };
+inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe && stroke != Stroke::jump; }
 
 /// A vertex and how the path comes to it.
 struct PlotPoint {

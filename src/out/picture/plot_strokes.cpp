@@ -3,8 +3,11 @@
 #include "out/picture/plot_strokes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_set>
+
+#include "out/picture/plot_differences.h"
 
 namespace kadr {
 namespace {
@@ -15,6 +18,22 @@ constexpr double plunge_radius = 3.2;
 constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
+
+/// What of a line is within reach; false: nothing.
+bool cut_to_reach(Vec2& from, Vec2& to) {
+  double first = 0, last = 1;
+  const Vec2 start = from, way = to - from;
+  const auto keep = [&](double at, double step) {  // at + t·step ≤ beyond
+    if (step > 0) last = std::min(last, (beyond - at) / step);
+    else if (step < 0) first = std::max(first, (beyond - at) / step);
+    else if (at > beyond) last = -1;
+  };
+  keep(start.x, way.x), keep(-start.x, -way.x), keep(start.y, way.y), keep(-start.y, -way.y);
+  if (first > last) return false;
+  if (last < 1) to = start + last * way;
+  if (first > 0) from = start + first * way;
+  return true;
+}
 
 bool is_line(Stroke point, Stroke wanted) {
   return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
@@ -46,6 +65,9 @@ class Pencil {
   /// `may_name`: its strokes are the path's own.
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
+    const Vec2 start = from;
+    if (!cut_to_reach(from, to)) return lift();
+    if (!(from == start)) lift();
     if (tags_.tells() && !(down_ && line == line_)) {
       lift();
       tags_.next(line_ = line, may_name_);
@@ -88,7 +110,7 @@ void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   Vec2 from;
   for (std::size_t i = 0; i < points.size() + (path.has_pending() ? 1 : 0); ++i) {
     const PlotPoint point = i < points.size() ? points[i] : path.pending();
-    const Vec2 to = within_reach(scale.page(projected(view, point.at)));
+    const Vec2 to = scale.page(projected(view, point.at));
     if (i > 0 && is_wanted(point)) pencil.segment(from, to, point.line);
     else pencil.lift();
     from = to;
@@ -131,6 +153,32 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   canvas.kind("");
 }
 
+/// What two programs do, one over the other: where both go, A shows on either side of B.
+void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
+  const PlotDifferences& d = *scene.differences;
+  struct Way {
+    const PlotPath& path;
+    const char* kind;
+    const WayStyle& style;
+    bool names, dashed;
+  };
+  const std::array<Way, 5> ways = {{{d.changed, "changed", changed_way, false, false},
+                                    {d.changed, "same", same_way, true, true},
+                                    {scene.path, "same", same_way, true, true},
+                                    {d.a, "a", way_of_a, true, true},
+                                    {d.b, "b", way_of_b, true, true}}};
+  for (const Way& way : ways)
+    for (const bool rapid : {true, false}) {
+      canvas.kind(way.kind);
+      canvas.pen(way.style.ink, way.style.width);
+      if (rapid && way.dashed) canvas.dashes(5, 4);
+      draw_pieces(canvas, tags, view, scale, way.path, way.names,
+                  [rapid](const PlotPoint& point) { return point.stroke != Stroke::jump && (point.stroke == Stroke::rapid) == rapid; });
+      canvas.solid();
+    }
+  canvas.kind("");
+}
+
 /// Straight down is a point when seen from above: a ring each, as long as they can be told apart.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
@@ -150,7 +198,7 @@ void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) 
 
 bool lines_are_told(const PlotScene& scene) {
   std::size_t strokes = 0;
-  for (const PlotPath* const path : {&scene.path, &scene.contour}) {
+  for (const PlotPath* const path : paths_of(scene)) {
     ProgramLine line;
     Stroke stroke = Stroke::rapid;
     for (const PlotPoint& point : path->points()) {
@@ -163,6 +211,7 @@ bool lines_are_told(const PlotScene& scene) {
 
 void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
   LineTags tags(canvas, scene, view == View::isometric);
+  if (scene.differences != nullptr) return draw_ways(canvas, tags, view, scale, scene);
   draw_lines(canvas, tags, view, scale, scene.contour, Stroke::contour);
   draw_lines(canvas, tags, view, scale, scene.path, Stroke::rapid);
   if (scene.shades.by() != PlotColour::stroke) return draw_shaded(canvas, tags, view, scale, scene);

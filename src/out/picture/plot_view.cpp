@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "out/picture/plot_differences.h"
 #include "out/picture/plot_marks.h"
 #include "out/picture/plot_strokes.h"
 #include "out/picture/text_width.h"
@@ -138,7 +139,7 @@ void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
   FlatBox flat;
   for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));
-  for (const PlotPath* const path : {&scene.path, &scene.contour})
+  for (const PlotPath* const path : paths_of(scene))
     for (const PlotPoint& point : path->points()) {
       const auto within = [&](double Vec3::*c) { return std::clamp(point.at.*c, box.least.*c, box.most.*c); };
       flat.take(projected(View::isometric, {within(&Vec3::x), within(&Vec3::y), within(&Vec3::z)}));
@@ -186,10 +187,15 @@ double round_step(double least) {
 }
 
 void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box) {
+  canvas.begin(names_of(view).name);
+  draw_field(canvas, area, view, scene, box);
+  canvas.end();
+}
+
+void draw_field(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box) {
   constexpr double left = 48, below = 24, inside = 16;
   const Area field{area.x + left, area.y, area.width - left, area.height - below};
   const ViewScale scale = fitted(view, box, {field.x + inside, field.y + inside, field.width - 2 * inside, field.height - 2 * inside});
-  canvas.begin(names_of(view).name);
   canvas.fill(field, paper);
   draw_grid(canvas, field, view, scale, scene.title.unit);
   canvas.clip(field);
@@ -197,9 +203,9 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   draw_strokes(canvas, view, scale, scene);
   draw_zeros(canvas, view, scale, scene.zeros);
   draw_marks(canvas, view, scale, scene, field);
+  draw_numbers(canvas, view, scale, scene, field);
   canvas.unclip();
   canvas.frame(field, edge, 1);
-  canvas.end();
 }
 
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box) {
@@ -216,6 +222,7 @@ void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, co
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
   draw_sizes(canvas, scale, room, scene.title.unit);
   draw_marks(canvas, View::isometric, scale, scene, area);
+  draw_numbers(canvas, View::isometric, scale, scene, area);
   canvas.unclip();
   draw_triad(canvas, {area.x + 58, area.bottom() - 34});
   draw_scale_bar(canvas, {area.right() - 24, area.bottom() - 24}, scale, scene.title.unit, scene.title.lang);

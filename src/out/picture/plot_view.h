@@ -33,6 +33,8 @@ ViewScale fitted(const FlatBox& flat, const Area& area);
 double round_step(double least);
 
 void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box);
+/// The same as a part of something else: without a name of its own.
+void draw_field(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box);
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box);
 
 /// The strokes of the path; used by the legend too.

@@ -1,0 +1,55 @@
+// What a view close up shows of a difference. For compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
+
+#include "compare/difference_window.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kadr {
+namespace {
+
+constexpr double most_times = 12;      // of how far they are apart: a window that is larger does not show it well,
+constexpr double good_times = 6;       // one of that size does
+constexpr double little_part = 0.6;    // of the part: a window that is larger shows no more than the whole
+constexpr double margin_part = 0.15;   // of the window
+constexpr double place_part = 0.06;    // of the part, around a place
+constexpr double least_window = 0.02;  // mm
+constexpr double page_size = 500;      // of a view, about
+
+double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
+
+/// The plane that shows best how far they are apart, and then the most of where they go.
+View best_view(Vec3 apart, Vec3 size) {
+  const double all = size.x + size.y + size.z, far = length(apart);
+  View best = View::xy;
+  double most = -1;
+  for (const View view : {View::xy, View::xz, View::yz}) {
+    const Vec2 sides = projected(view, size);
+    const double value = (far > 0 ? length(projected(view, apart)) / far : 0) + (all > 0 ? 0.5 * (sides.x + sides.y) / all : 0);
+    if (value > most + 1e-6) most = value, best = view;
+  }
+  return best;
+}
+
+}  // namespace
+
+DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box& part) {
+  DifferenceWindow window;
+  window.box = differing;
+  const Vec3 size = differing.most - differing.least;
+  const double far = length(apart);
+  window.view = best_view(apart, size);
+  if (far > 0 && greatest_of(size) > most_times * far) {
+    const double half = std::max(good_times * far, least_window) / 2;
+    const Vec3 middle = at - 0.5 * apart;
+    window.box = {middle - half * Vec3{1, 1, 1}, middle + half * Vec3{1, 1, 1}, false};
+  }
+  const double most = greatest_of(window.box.most - window.box.least);
+  const double around = most > least_window ? margin_part * most : std::max(place_part * greatest_of(part.most - part.least), least_window);
+  window.box = {window.box.least - around * Vec3{1, 1, 1}, window.box.most + around * Vec3{1, 1, 1}, false};
+  window.closer = greatest_of(window.box.most - window.box.least) < little_part * greatest_of(part.most - part.least);
+  window.finest = 0.5 * greatest_of(window.box.most - window.box.least) / page_size;
+  return window;
+}
+
+}  // namespace kadr

@@ -1,0 +1,54 @@
+// The pieces of a comparison for whoever follows it. For compare/comparison; tested by tests/compare/comparison_test.cpp.
+
+#include "compare/piece_follower.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_waiting = 1000;  // within the tolerance of one place: beyond, they are told as what they would be if it were all
+
+}  // namespace
+
+void PieceFollower::begin(ComparedPiece::Part part, std::size_t number, double distance) {
+  now_.part = part, now_.number = number, now_.distance = distance;
+  waits_ = false;
+}
+
+void PieceFollower::begin_waiting(std::size_t number, const Axes& here) {
+  begin(ComparedPiece::Part::changed, number);
+  here_ = here;
+  waits_ = true;
+}
+
+void PieceFollower::end(bool counts) {
+  let_go(counts ? now_.part : ComparedPiece::Part::together);
+  now_ = {};
+  waits_ = false;
+}
+
+void PieceFollower::let_go(ComparedPiece::Part part) {
+  for (ComparedPiece& piece : waiting_) piece.part = part, told_(piece);
+  waiting_.clear();
+}
+
+void PieceFollower::take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b) {
+  if (!told_) return;
+  const bool act = item.kind != CourseItem::Kind::move;
+  if (act && now_.part == ComparedPiece::Part::together) return;
+  ComparedPiece piece = now_;
+  piece.of_b = of_b, piece.act = act;
+  piece.move = item.state.move;
+  piece.from = from, piece.to = to;
+  piece.origin = item.origin;
+  if (item.origin.file != 0) files(of_b)[item.origin.file];
+  if (!waits_) return told_(piece);
+  waiting_.push_back(piece);
+  if (!of_b && space_.distance(here_, to) > tolerance_) {
+    let_go(ComparedPiece::Part::changed);
+    waits_ = false;
+  } else if (waiting_.size() > most_waiting) {
+    let_go(ComparedPiece::Part::together);
+  }
+}
+
+}  // namespace kadr

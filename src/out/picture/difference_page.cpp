@@ -1,0 +1,166 @@
+// The page of two programs side by side. For compare/difference_plot; tested by tests/diff_plot.py.
+
+#include "out/picture/difference_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "out/picture/legend_row.h"
+#include "out/picture/text_width.h"
+#include "out/text/page_file.h"
+#include "out/text/source_line.h"
+
+namespace kadr {
+namespace {
+
+constexpr double page_wide = 1600, views_height = 1082, edge_room = 28, room_between = 26;
+constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 560;
+constexpr double line_height = 21, line_size = 13, caption_room = 24;
+constexpr double most_large = 4, most_flat = 1.5;  // as of any plot: what is shown of rapid motion
+constexpr std::size_t few_lines = 5;               // that have a row each
+constexpr std::size_t most_line_length = 300;
+constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
+
+struct PageWords {
+  const char *control, *nothing, *both, *changed, *acts, *rapid, *zero, *start, *end, *stop, *thinned, *told;
+};
+constexpr PageWords page_english = {"control",
+                                    "no motion",
+                                    "both",
+                                    "both, with another feed, tool, spindle or coolant",
+                                    "done between motions",
+                                    "rapid",
+                                    "work zero",
+                                    "start",
+                                    "end",
+                                    "stopped by an alarm: {}:{}",
+                                    "thinned: points closer than {} mm are left out",
+                                    "Strokes have the line of their program (data-line; data-file: the second program, or a called file)."};
+constexpr PageWords page_russian = {"УЧПУ",
+                                    "нет движений",
+                                    "обе",
+                                    "обе, но с другой подачей, инструментом, шпинделем или охлаждением",
+                                    "делается между движениями",
+                                    "быстрый ход",
+                                    "нуль детали",
+                                    "начало",
+                                    "конец",
+                                    "останов по ошибке: {}:{}",
+                                    "прорежено: не показаны точки, что ближе {} мм",
+                                    "У линий есть номер строки их программы (data-line; data-file — вторая программа или вызванный файл)."};
+
+const PageWords& words_of(const DifferencePage& page) { return page.scene.title.lang == Lang::ru ? page_russian : page_english; }
+
+std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= few_lines ? page.lines.size() : (page.lines.size() + 1) / 2; }
+
+double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
+
+constexpr double bold = 1.16, most_name = 420;  // times as wide; of the page
+
+/// What of it has room.
+std::string fitting(std::string text, double width, double size) {
+  text = shortened_line(text, most_line_length);
+  if (text_width(text, size) <= width) return text;
+  while (!text.empty() && text_width(text + "…", size) > width) {
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  }
+  return text + "…";
+}
+
+void draw_head(Canvas& canvas, const DifferencePage& page) {
+  const PlotTitle& title = page.scene.title;
+  const double room = page_wide - 2 * edge_room - 90;
+  canvas.text({edge_room, 42}, fitting(title.file, room, 24 * bold), {24, colour(0x20262E), Align::left, true});
+  canvas.text({page_wide - edge_room, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+  const std::string control = fmt::format("{}: {}", words_of(page).control, title.control);
+  canvas.text({edge_room, 64}, page.summary, {14, page.equal ? fine : warns, Align::left, true});
+  canvas.text({page_wide - edge_room, 64}, control, {14, faint, Align::right, false});
+}
+
+void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
+  const PageWords& w = words_of(page);
+  const PlotScene& scene = page.scene;
+  canvas.begin("legend");
+  LegendRow strokes(canvas, edge_room + 4, y - key_row);
+  if (const PlotDifferences& d = *scene.differences; !d.a.points().empty() || !d.b.points().empty()) {
+    strokes.sample(way_of_a, fitting(page.a, most_name, line_size));
+    strokes.sample({way_of_b.ink, 2}, fitting(page.b, most_name, line_size));
+  }
+  strokes.sample({same_way.ink, 1.4}, w.both);
+  if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, w.changed);
+  LegendRow signs(canvas, edge_room + 4, y);
+  canvas.dashes(5, 4);
+  signs.sample({same_way.ink, 1.2}, w.rapid);
+  canvas.solid();
+  if (!scene.zeros.empty()) signs.zero(w.zero);
+  for (const PlotMark& mark : scene.marks) {
+    if (mark.what == PlotMark::What::stop)
+      signs.mark(mark.what, fmt::format(fmt::runtime(w.stop), scene.title.file_of(mark.line), mark.line.line));
+    else signs.mark(mark.what, mark.what == PlotMark::What::start ? w.start : w.end);
+  }
+  const auto stands = [](const PlotNumber& number) { return number.stands; };
+  if (const auto& numbers = scene.differences->numbers; std::any_of(numbers.begin(), numbers.end(), stands)) signs.ring(number_ink, w.acts);
+  if (const double tolerance = scene.path.tolerance(); tolerance > 0)
+    canvas.text({page_wide - edge_room, y}, fmt::format(fmt::runtime(w.thinned), length_text(tolerance, LengthUnit::mm)),
+                {13, warns, Align::right, false});
+  canvas.end();
+}
+
+/// The flat views: in plan, close up, and from the sides as far as there is room.
+void draw_right(Canvas& canvas, const DifferencePage& page, const Area& area, const Box& box) {
+  constexpr double gap = 8;
+  const double plan = area.height * (page.closeups.empty() ? 0.46 : 0.36), side = (area.height - plan - 2 * gap) / 2;
+  draw_plane(canvas, {area.x, area.y, area.width, plan}, View::xy, page.scene, box);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Area at{area.x, area.y + plan + gap + double(i) * (side + gap), area.width, side};
+    if (i >= page.closeups.size()) {
+      draw_plane(canvas, at, i == 0 || !page.closeups.empty() ? View::xz : View::yz, page.scene, box);
+      continue;
+    }
+    const DifferenceCloseup& closeup = page.closeups[i];
+    canvas.begin(i == 0 ? "closeup-1" : "closeup-2");
+    canvas.text({at.x + 48, at.y + caption_room - 7}, fitting(closeup.caption, at.width - 48, line_size * bold),
+                {line_size, colour(0x20262E), Align::left, true});
+    draw_field(canvas, {at.x, at.y + caption_room, at.width, at.height - caption_room}, closeup.view, closeup.scene, closeup.box);
+    canvas.end();
+  }
+}
+
+void draw_lines_of(Canvas& canvas, const DifferencePage& page) {
+  constexpr double number_room = 34;
+  const std::size_t rows = rows_of(page);
+  const double columns = page.lines.size() > rows ? 2 : 1, width = (page_wide - 2 * edge_room - (columns - 1) * room_between) / columns;
+  canvas.begin("differences");
+  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    const DifferenceLine& line = page.lines[i];
+    const Vec2 at{edge_room + double(i / rows) * (width + room_between), views_height + 8 + double(i % rows) * line_height};
+    if (line.number > 0)
+      canvas.text({at.x + number_room - 10, at.y}, std::to_string(line.number), {line_size, number_ink, Align::right, true});
+    canvas.text({at.x + number_room, at.y}, fitting(line.text, width - number_room, line_size), legend_style);
+  }
+  canvas.end();
+}
+
+void draw_both(Canvas& canvas, const DifferencePage& page) {
+  canvas.fill({0, 0, page_wide, height_of(page)}, colour(0xFFFFFF));
+  draw_head(canvas, page);
+  draw_lines_of(canvas, page);
+  if (page.scene.path.box().empty)
+    return canvas.text({page_wide / 2, views_height / 2}, words_of(page).nothing, {22, faint, Align::centre, false});
+  draw_key(canvas, page, views_height - edge_room / 2 - 6);
+  const double top = head_height + 12, bottom = views_height - edge_room - key_height + 8;
+  const Area large{edge_room, top, page_wide - 2 * edge_room - room_between - right_width, bottom - top};
+  draw_isometric(canvas, large, page.scene, shown_box(page.scene, most_large));
+  draw_right(canvas, page, {large.right() + room_between, top, right_width, bottom - top + 24}, shown_box(page.scene, most_flat));
+}
+
+}  // namespace
+
+tl::expected<void, std::string> draw_difference_page(const ResultFile& file, const DifferencePage& page) {
+  const PageText says{page.scene.title.file, page.summary + ". " + words_of(page).told, page.scene.title.lang};
+  return write_page(file, page_wide, height_of(page), says, [&](Canvas& canvas) { draw_both(canvas, page); });
+}
+
+}  // namespace kadr

@@ -1,0 +1,31 @@
+#pragma once
+// A row of a legend: its entries from left to right.
+
+#include <string_view>
+
+#include "out/picture/plot_differences.h"
+
+namespace kadr {
+
+const TextStyle legend_style{13, colour(0x20262E), Align::left, false};
+
+class LegendRow {
+ public:
+  static constexpr double swatch = 32, behind_swatch = 8, between = 26;
+
+  LegendRow(Canvas& canvas, double x, double y) : canvas_(canvas), x_(x), y_(y) {}
+
+  /// A piece of line.
+  void sample(const WayStyle& style, std::string_view name);
+  void sample(Colour of, std::string_view name) { sample({of, 3}, name); }
+  void words(std::string_view text, double behind = between);
+  void zero(std::string_view name);
+  void mark(PlotMark::What what, std::string_view name);
+  void ring(Colour ink, std::string_view name);
+
+ protected:
+  Canvas& canvas_;
+  double x_, y_;
+};
+
+}  // namespace kadr
