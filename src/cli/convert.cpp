@@ -82,8 +82,8 @@ class ConvertCommand {
       if (session->channels().size() > 1) return tl::unexpected(told("programs of several channels are not converted", "программы нескольких каналов не переводятся"));
       return session;
     };
-    spec.target = [this](const std::string& text, bool plain) -> tl::expected<std::unique_ptr<Session>, std::string> {
-      auto session = Session::open({to_, job_->profile, corresponding_setup(job_->setup, *job_->def, *to_, plain), {job_->file, text_source(text), Encoding::utf8}, o_.run.limits});
+    spec.target = [this](const std::string& text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto session = Session::open({to_, job_->profile, setup, {job_->file, text_source(text), Encoding::utf8}, o_.run.limits});
       if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
       (*session)->control().set_waiting(Control::Waiting::pass);
       return std::move(*session);
@@ -102,12 +102,14 @@ class ConvertCommand {
     if (forced) fmt::print(outputs_.stream("--out"), "({})\n", told("NOT PROVEN EQUAL: SEE kadr convert", "НЕ ДОКАЗАНО: СМ. kadr convert"));
     std::fwrite(one.text.data(), 1, one.text.size(), outputs_.stream("--out"));
     if (!o_.setup_out.empty()) {
-      const std::string setup = setup_text(corresponding_setup(job_->setup, *job_->def, *to_, one.as == ConvertedAs::plain));
+      const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
     }
     if (!outputs_.keep()) return wrong_usage;
     if (!forced) {
       say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+      if (one.proof.passed_messages > 0)
+        say(fmt::format("  {}\n", told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями")));
       explain(one, lang);
       for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], lang);
     }

@@ -300,8 +300,10 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   const std::vector<std::string> frame = common_frame(*a, *b);
   const double chord = rules.tolerance * chord_of_tolerance;
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
+  if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
   made.axes = frame;
+  made.passed_messages = course_a.passed_messages();
   return made;
 }
 

@@ -30,6 +30,7 @@ struct ComparedPiece {
 
 struct CompareRules {
   double tolerance = 0.001;      // mm; degrees of rotary axes
+  bool messages = true;          // what is shown to the operator counts
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along
@@ -64,6 +65,7 @@ struct Comparison {
   std::vector<std::string> read_a, read_b;                    // files that they have called
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: those that pieces stand in, but for the programs
   Vec3 zero;                                                  // of the work system of the first cut, machine coordinates
+  std::size_t passed_messages = 0;                            // of a, that do not count by the rules
   bool lost = false;                                          // from the last difference on they have no place in common that was found
 
   bool equal() const { return !cancelled && differences.empty(); }

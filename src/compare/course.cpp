@@ -88,7 +88,8 @@ void Course::take(const Step& step) {
   } else if (const auto* const stop = std::get_if<Stop>(&what)) {
     take_act(step, stop->optional ? Kind::optional_stop : Kind::stop, 0);
   } else if (const auto* const message = std::get_if<Message>(&what)) {
-    take_act(step, Kind::message, message->number, message->text);
+    if (!messages_) ++passed_messages_;
+    else take_act(step, Kind::message, message->number, message->text);
   } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
     take_act(step, Kind::function, function->code);
   } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {

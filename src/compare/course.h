@@ -58,6 +58,9 @@ class Course {
   ///   chord  mm that a piece may be off a way that is no line
   Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop);
 
+  /// What is shown to the operator is passed over.
+  void pass_messages() { messages_ = false; }
+  std::size_t passed_messages() const { return passed_messages_; }
   /// Where its axes stand before the first item.
   const Axes& start() const { return start_; }
   /// After an end it is the end again and again.
@@ -90,6 +93,8 @@ class Course {
   CourseItem end_;
   std::optional<AlarmReport> stopped_;
   bool over_ = false;
+  bool messages_ = true;
+  std::size_t passed_messages_ = 0;
 };
 
 }  // namespace kadr

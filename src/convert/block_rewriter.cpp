@@ -48,7 +48,7 @@ struct BlockRewriter::Kinds {
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(to), motion_group_(group_of_motions(from)) {}
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), motion_group_(group_of_motions(from)) {}
 
 const CodeRow* BlockRewriter::row_of(const Word& word) const {
   if (word.code < 0) return nullptr;
@@ -96,7 +96,6 @@ double BlockRewriter::value_of(const Word& word) const { return word.value * fro
 
 /// An expression and what is given its value: variables with names become numbers where the other control has none.
 Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
-  if (!from_.grammar.o_words || to_.grammar.o_words) return out.text(text), Status();
   const auto made = flow_.expression(text);
   if (!made) return fail(made.error());
   out.text(*made);

@@ -48,7 +48,7 @@ constexpr std::array<std::array<Meaning, 4>, 34> families = {{
     {{{Function::rotation_off, any_argument}, {Function::plane_rotation_off, any_argument}}},
     {{{Function::scale_on, any_argument}, {Function::scaling_on, any_argument}}},
     {{{Function::scale_off, any_argument}, {Function::scaling_off, any_argument}}},
-    {{{Function::set_data, any_argument}, {Function::table_data, any_argument}, {Function::stored_offsets, any_argument}}},
+    {{{Function::set_data, any_argument}, {Function::table_data, any_argument}, {Function::stored_offsets, any_argument}, {Function::set_tables, any_argument}}},
     {{{Function::home_through, any_argument}, {Function::reference_return, any_argument}, {Function::reference_move, any_argument}, {Function::stored_move, any_argument}}},
     {{{Function::polar_on, any_argument}, {Function::polar_data_on, any_argument}}},
     {{{Function::polar_off, any_argument}, {Function::polar_data_off, any_argument}}},

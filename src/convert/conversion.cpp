@@ -25,7 +25,7 @@ class Writing {
     const FlatWay way = made_.as == ConvertedAs::contours ? FlatWay::contours : made_.as == ConvertedAs::lengths ? FlatWay::lengths : FlatWay::plain;
     Control& control = session_->control();
     control.hand_over_each_block();
-    FlatProgram flat(blocks_, flat_source_of(*session_), way);
+    FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), way);
     flat_ = &flat;
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
@@ -78,8 +78,8 @@ class Writing {
   OffsetsInForce now_;
 };
 
-tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const CompareRules& rules) {
-  if (as == ConvertedAs::words) return word_by_word(spec);
+tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) {
+  if (as == ConvertedAs::words) return word_by_word(spec, setup, shape, rules);
   ConversionTry one;
   one.as = as;
   if (as == ConvertedAs::as_it_stands) {
@@ -92,7 +92,7 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
   if (one.cannot_say || spec.stop.asked()) return one;
   auto a = spec.source();
   if (!a) return tl::unexpected(a.error());
-  auto b = spec.target(one.text, as == ConvertedAs::plain);
+  auto b = spec.target(one.text, setup);
   if (!b) return tl::unexpected(b.error());
   one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
   return one;
@@ -106,21 +106,25 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to) {
 
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   Converted all;
+  auto session = spec.source();
+  if (!session) return tl::unexpected(session.error());
+  const std::unique_ptr<Session> opened = std::move(*session);
+  const ProgramShape shape(text_source(spec.source_text), opened->def());
+  all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
+  all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
+  rules.messages = shows_same_messages(opened->def(), *spec.to);
   for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
     if (spec.only && as != *spec.only) continue;
-    auto one = one_try(spec, as, rules);
+    auto one = one_try(spec, as, all.setup_of(as), shape, rules);
     if (!one) return tl::unexpected(one.error());
-    const bool is_proven = !one->cannot_say && one->proof.equal() && !one->proof.stopped_a && !one->proof.stopped_b;
+    const bool is_proven = one->is_proven(), never = one->proof.stopped_a.has_value();
     all.tries.push_back(std::move(*one));
-    if (spec.stop.asked()) break;
-    if (is_proven) {
-      all.taken = all.tries.size() - 1;
-      break;
-    }
+    if (is_proven) all.taken = all.tries.size() - 1;
+    if (is_proven || never || spec.stop.asked()) break;
   }
   return all;
 }

@@ -27,9 +27,9 @@ enum class ConvertedAs : std::uint8_t {
 /// What is converted: how sessions of it are made.
 struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
-  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::string& text, bool plain)>;
+  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::string& text, const Setup& setup)>;
   Opens source;               // of the program under its own control
-  OpensText target;           // of a text under the other control, from corresponding_setup(…, plain)
+  OpensText target;           // of a text under the other control, from that set-up
   std::string source_text;    // UTF-8
   const ControlDef* to = nullptr;
   bool flat = false;          // calls, loops and cycles are written out even where the other control has them
@@ -53,10 +53,14 @@ struct ConversionTry {
   Origin at;                        // … this block
   Comparison proof;                 // where it could be said
   std::string text;
+  bool is_proven() const { return !cannot_say && !text.empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };
 
 struct Converted {
+  /// From which each of the tries was run: corresponding_setup().
+  Setup setup, plain_setup;
+  const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
   std::optional<std::size_t> taken;  // of `tries`; nothing: refused
   std::vector<ConversionTry> tries;
   double tolerance = 0;

@@ -14,7 +14,7 @@ namespace {
 class PlaceWriter {
  public:
   PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres)
-      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session), centres ? FlatWay::centres : FlatWay::places), centres_(centres) {}
+      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres) {}
 
   Status run(const StopToken& stop) {
     control_.hand_over_each_block();

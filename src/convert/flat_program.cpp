@@ -86,12 +86,17 @@ Status FlatProgram::take(const Action& action, const Step* step, const OffsetsIn
     return blocks_.code({{by[std::size_t(coolant->what)], any_argument}});
   }
   if (const auto* const stop = std::get_if<Stop>(&what)) {
-    if (stop->reason == StopReason::single_block || stop->reason == StopReason::message) return {};
+    if (stop->reason == StopReason::single_block || (stop->reason == StopReason::message && source_.same_messages)) return {};
     KADR_TRY(end_block());
     KADR_TRY(blocks_.code({{stop->optional ? Function::optional_stop : Function::program_stop, any_argument}}));
     return blocks_.end();
   }
-  if (std::holds_alternative<Message>(what)) return no_code("message");
+  if (const auto* const message = std::get_if<Message>(&what)) {
+    if (source_.same_messages || message->asks) return no_code("message");
+    KADR_TRY(end_block());
+    blocks_.comment(message->text);
+    return blocks_.end();
+  }
   if (std::holds_alternative<Couple>(what) || std::holds_alternative<Uncouple>(what)) return no_code("gear_on");
   if (std::holds_alternative<ZoneChange>(what)) return no_code("work_area_on");
   if (std::holds_alternative<AuxiliaryFunction>(what)) return no_code("auxiliary_word");
@@ -113,6 +118,7 @@ Status FlatProgram::finish() {
 void FlatProgram::pass(const Action& action) {
   if (const auto* const m = std::get_if<Motion>(&action.what)) {
     at_ = m->machine;
+    has_probed_ = has_probed_ || m->kind == MotionKind::probe;
     system_ = m->system, side_ = m->side;
     if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = m->unit;
     if (is_arc(m->kind) || m->side != 0) plane_ = plane_of(*m, axes_);
@@ -160,7 +166,8 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
-  KADR_TRY(blocks_.code({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}));
+  if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty()) blocks_.text(source_.systems[std::size_t(system)]);
+  else KADR_TRY(blocks_.code({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}));
   system_ = motion.system;
   said_origin_ = placement_.origin;
   return blocks_.end();
@@ -187,6 +194,7 @@ Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
 
 Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInForce& now) {
   if (has_acts_) KADR_TRY(end_block());
+  if (std::exchange(has_probed_, has_probed_ || motion.kind == MotionKind::probe)) return no_code("probe");
   KADR_TRY(said_before(motion, now));
   KADR_TRY(said_with(motion, now));
   const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;

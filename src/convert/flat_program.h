@@ -34,6 +34,8 @@ struct FlatSource {
   std::vector<std::string> axes;  // names
   std::map<int, Axes> zeros;      // of its set-up, by number of the work system
   bool has_systems = true;        // its control has work systems at all
+  bool same_messages = true;      // the other control shows messages in the same way: they cannot be said by codes; else they are comments
+  std::vector<std::string> systems{};  // of the other control, by number: "G54", "G54.1 P1"
 };
 
 class FlatProgram {
@@ -107,6 +109,7 @@ class FlatProgram {
   std::uint32_t selected_ = 0;
   std::size_t motions_ = 0;
   Axes said_origin_{};      // of the work system, with the shifts that the other blocks have put in force
+  bool has_probed_ = false;  // what follows may depend on what was touched: figures of this run would not
   bool system_is_said_ = true;
   bool relative_ = false;   // increments are programmed
   double rpm_ = -1;

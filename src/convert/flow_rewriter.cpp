@@ -232,9 +232,11 @@ Result<std::uint32_t> FlowRewriter::variable_of(std::string_view name) {
 }
 
 Result<std::string> FlowRewriter::expression(std::string_view text) {
+  const bool has_names = to_.grammar.named_variables != nullptr, raises = from_.grammar.o_words && !to_.grammar.o_words;
   std::string made;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '<' && !made.empty() && made.back() == '#') {
+    const bool is_variable = !made.empty() && made.back() == '#';
+    if (is_variable && text[i] == '<' && !has_names) {
       const std::size_t end = std::min(text.find('>', i), text.size());
       std::string name;
       for (const char c : text.substr(i + 1, end - i - 1))
@@ -243,10 +245,18 @@ Result<std::string> FlowRewriter::expression(std::string_view text) {
       if (!number) return fail(number.error());
       made += std::to_string(*number);
       i = end;
-    } else if (text.substr(i, 2) == "**") {
+    } else if (is_variable && std::isdigit(static_cast<unsigned char>(text[i])) != 0) {
+      const std::size_t end = std::min(text.find_first_not_of("0123456789", i), text.size());
+      constexpr std::size_t most_digits = 8;
+      const std::string digits(text.substr(i, end - i));
+      const auto number = digits.size() > most_digits ? std::nullopt : numbers_.of(static_cast<std::uint32_t>(std::stoul(digits)));
+      if (!number) return fail(alarm(AlarmId::function_has_no_code, {}, "#" + digits));
+      made += std::to_string(*number);
+      i = end - 1;
+    } else if (text.substr(i, 2) == "**" && to_.grammar.macro) {
       return fail(alarm(AlarmId::function_has_no_code, {}, "**"));
     } else {
-      made += static_cast<char>(std::toupper(static_cast<unsigned char>(text[i])));
+      made += raises ? static_cast<char>(std::toupper(static_cast<unsigned char>(text[i]))) : text[i];
     }
   }
   return made;

@@ -10,21 +10,22 @@
 #include <vector>
 
 #include "convert/block_maker.h"
+#include "convert/variable_numbers.h"
 #include "lang/block/block.h"
 
 namespace kadr {
 
 class FlowRewriter {
  public:
-  /// `to` has macros, or subprograms under labels at least.
-  explicit FlowRewriter(const ControlDef& to) : to_(to) {}
+  /// Of O lines: `to` has macros, or subprograms under labels at least.
+  FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to) {}
 
   /// Numbers of variables that the program uses itself.
   void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
   /// An O line.
   ///   alarms  function_has_no_code
   Status write(const Block& block, BlockMaker& out);
-  /// An expression, an assignment, a word with one: names as numbers, in capitals.
+  /// An expression, an assignment, a word with one: system variables by the other control's numbers, names as numbers where it has none.
   ///   alarms  function_has_no_code  there is no number left
   Result<std::string> expression(std::string_view text);
   /// The line begins a subprogram, and the next ones belong to it; or it ends it.
@@ -50,7 +51,9 @@ class FlowRewriter {
   Result<std::uint32_t> variable_of(std::string_view name);
   std::uint32_t free_variable(std::uint32_t from, std::uint32_t to, int step);
 
+  const ControlDef& from_;
   const ControlDef& to_;
+  const VariableNumbers numbers_;
   std::vector<Open> open_;
   std::map<std::string, std::uint32_t> labels_;     // of subprograms with names
   std::map<std::string, std::uint32_t> variables_;  // by scope and name

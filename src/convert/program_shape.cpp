@@ -24,6 +24,7 @@ bool returns(Function function) {
 }
 
 constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
+constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  // of UTF-8
 
@@ -116,6 +117,8 @@ void ProgramShape::close_subprogram() {
 
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
+  names_of_words_.letters |= block.letters;
+  if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool) names_of_words_.tools.insert(static_cast<std::uint32_t>(def.behaviour.tool_and_corrector && t->value >= hundred ? t->value / hundred : t->value));
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
     if (def.address(word.address).function == Function::call_word && !word.expression) {

@@ -22,6 +22,12 @@ struct TextLines {
   friend bool operator==(const TextLines&, const TextLines&) = default;
 };
 
+/// What a program names.
+struct ProgramNames {
+  std::set<std::uint32_t> tools;
+  std::uint64_t letters = 0;  // bit (address - 'A') of its words
+};
+
 class ProgramShape {
  public:
   ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def);
@@ -42,6 +48,7 @@ class ProgramShape {
   const std::vector<TextLines>& contours() const { return contours_; }
   /// Lines that call what stands in other files.
   std::vector<std::uint32_t> calls_outside() const;
+  const ProgramNames& names() const { return names_of_words_; }
   /// Variables that its text names by numbers.
   const std::set<std::uint32_t>& variables() const { return variables_; }
   /// Comments or messages are Russian.
@@ -63,6 +70,7 @@ class ProgramShape {
   std::map<std::uint32_t, TextLines> subprograms_;       // by label
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
   std::set<std::uint32_t> variables_;
+  ProgramNames names_of_words_;
   // while it is read
   std::map<std::string, std::uint32_t> names_;  // of subprograms → label
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/setup_check.h"
+#include "config/setup_names.h"
 
 namespace kadr {
 namespace {
@@ -20,13 +21,55 @@ bool is_system(const CodeRow& row) { return row.function == Function::fixture ||
 /// Rows of the work zeros by number, whatever the control calls them.
 std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   std::map<int, AxisValues> zeros = setup.zeros;
-  for (const CodeRow& row : def.codes)
-    if (is_system(row) && row.arg > 0)
-      if (const auto found = setup.work_offsets.find(row.code); found != setup.work_offsets.end()) zeros[row.arg] = found->second;
+  for (const WorkSystem& system : work_systems(def))
+    if (const auto found = setup.work_offsets.find(system.name); found != setup.work_offsets.end()) zeros[static_cast<int>(system.row)] = found->second;
   return zeros;
 }
 
 bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
+
+/// Axes by name that the other machine has.
+class KnownAxes {
+ public:
+  KnownAxes(const ControlDef& to, const std::vector<std::string>& axes) : names_(axes.empty() ? to.axes : axes) {}
+  AxisValues of(const AxisValues& all) const {
+    AxisValues known;
+    for (const auto& [axis, value] : all)
+      if (std::find(names_.begin(), names_.end(), axis) != names_.end()) known[axis] = value;
+    return known;
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// A machine whose axes the set-up says has those that are asked for.
+std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names) {
+  if (!to.machine_axes()) return {};
+  if (from.machine_axes()) return setup.axes;
+  std::vector<std::string> axes = {"X", "Y", "Z"};
+  for (const std::string& axis : from.axes)
+    if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+  return axes.size() > 3 ? axes : std::vector<std::string>();
+}
+
+void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to, const KnownAxes& axes, const ProgramNames& names) {
+  if (has_key(to, "offsets")) made.offsets = setup.offsets;
+  if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
+    for (const std::uint32_t tool : names.tools) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
+  const SetupNamesOf known(&to, to.axes, to.axes);
+  if (has_key(to, "variables"))
+    for (const auto& [name, value] : setup.variables)
+      if (known.allows(SetupNames::variable, name)) made.variables[name] = value;
+  const std::map<int, AxisValues> zeros = zeros_of(setup, from);
+  if (has_key(to, "zeros")) {
+    for (const auto& [number, values] : zeros)
+      if (known.allows(SetupNames::zero, std::to_string(number))) made.zeros[number] = axes.of(values);
+    return;
+  }
+  for (const WorkSystem& system : work_systems(to))
+    if (const auto found = zeros.find(static_cast<int>(system.row)); found != zeros.end() && system.works) made.work_offsets[system.name] = axes.of(found->second);
+}
 
 }  // namespace
 
@@ -43,34 +86,52 @@ OffsetsInForce offsets_of(const Control& control) {
   return now;
 }
 
-FlatSource flat_source_of(const Session& session) {
-  FlatSource source{session.control().axes(), {}, has_systems(session.def())};
+FlatSource flat_source_of(const Session& session, const ControlDef& to) {
+  FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to), system_names(to)};
   for (const auto& [number, values] : zeros_of(session.setup(), session.def()))
     for (std::size_t a = 0; a < source.axes.size() && a < max_axes; ++a)
       if (const auto found = values.find(source.axes[a]); found != values.end()) source.zeros[number][a] = found->second;
   return source;
 }
 
-Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, bool plain) {
+bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
+  const auto kind = [](const ControlDef& def) { return def.grammar.macro ? 1 : def.grammar.expressions ? 2 : 0; };
+  return kind(from) == kind(to) && kind(from) != 0;
+}
+
+Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain) {
   Setup made;
-  made.start = setup.start, made.start_in_work = setup.start_in_work;
-  made.machine = setup.machine, made.axis_limits = setup.axis_limits;
+  made.axes = axes_for(setup, from, to, names);
+  const KnownAxes axes(to, made.axes);
+  made.start = axes.of(setup.start), made.start_in_work = setup.start_in_work;
+  for (const auto& [axis, limits] : setup.machine)
+    if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits;
+  made.axis_limits = setup.axis_limits;
   made.skip = setup.skip, made.optional_stop = setup.optional_stop;
-  made.spindles = setup.spindles;
+  if (has_key(to, "spindle")) made.spindles = setup.spindles;
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;
-  made.clock = setup.clock;
-  if (has_key(to, "probe")) made.probe = setup.probe;
-  if (plain) return made;
-  if (has_key(to, "offsets")) made.offsets = setup.offsets;
-  const std::map<int, AxisValues> zeros = zeros_of(setup, from);
-  if (has_key(to, "zeros")) made.zeros = zeros;
-  else
-    for (const CodeRow& row : to.codes)
-      if (is_system(row) && row.arg > 0)
-        if (const auto found = zeros.find(row.arg); found != zeros.end()) made.work_offsets[row.code] = found->second;
+  if (has_key(to, "clock")) made.clock = setup.clock;
+  if (has_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
+  if (!plain) take_tables(made, setup, from, to, axes, names);
   return made;
 }
+
+namespace {
+
+void put_probe(nlohmann::ordered_json& all, const Setup& setup) {
+  for (const auto& [input, at] : setup.probe) {
+    nlohmann::ordered_json& one = all["probe"][std::to_string(input)];
+    if (at)
+      for (const auto& [axis, value] : *at) one[axis] = value;
+  }
+  if (!setup.probe_hole) return;
+  const ProbeHole& hole = *setup.probe_hole;
+  all["probe_workpiece"] = {{"tip_radius", hole.tip_radius},
+                            {"hole", {{"center", {{"X", hole.center_x}, {"Y", hole.center_y}}}, {"diameter", hole.diameter}, {"top", hole.top}, {"depth", hole.depth}}}};
+}
+
+}  // namespace
 
 std::string setup_text(const Setup& setup) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
@@ -78,6 +139,7 @@ std::string setup_text(const Setup& setup) {
     to = nlohmann::ordered_json::object();
     for (const auto& [axis, value] : values) to[axis] = value;
   };
+  if (!setup.axes.empty()) all["axes"] = setup.axes;
   if (!setup.start.empty()) put_axes(all["start"], setup.start);
   for (const auto& [name, values] : setup.work_offsets) put_axes(all["work_offsets"][name], values);
   for (const auto& [number, values] : setup.zeros) put_axes(all["zeros"][std::to_string(number)], values);
@@ -87,6 +149,8 @@ std::string setup_text(const Setup& setup) {
     for (const auto& [name, value] : {std::pair{"length", offset.length}, {"length_wear", offset.length_wear}, {"radius", offset.radius}, {"radius_wear", offset.radius_wear}})
       if (value != 0) row[name] = value;
   }
+  for (const auto& [name, value] : setup.variables) all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  put_probe(all, setup);
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;
   if (setup.optional_stop) all["optional_stop"] = true;

@@ -16,20 +16,19 @@ constexpr std::size_t most_work = 20'000'000;  // lines gone through in all
 
 class WordByWord {
  public:
-  explicit WordByWord(const ConversionSpec& spec) : spec_(spec) { made_.as = ConvertedAs::words; }
+  WordByWord(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) : spec_(spec), setup_(setup), shape_(shape), rules_(rules) { made_.as = ConvertedAs::words; }
 
   tl::expected<ConversionTry, std::string> write() {
     auto session = spec_.source();
     if (!session) return tl::unexpected(session.error());
     from_ = &(*session)->def();
     opened_ = std::move(*session);
-    shape_.emplace(text(), *from_);
     write_out_calls();
     for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
       auto grown = one_round();
       if (!grown) return tl::unexpected(grown.error());
-      work_ += shape_->lines() + 1;
-      if (work_ > most_work || (!*grown && (is_proven() || !begin_anew()))) break;
+      work_ += shape_.lines() + 1;
+      if (work_ > most_work || (!*grown && (made_.is_proven() || made_.proof.stopped_a || !begin_anew()))) break;
     }
     return std::move(made_);
   }
@@ -53,7 +52,7 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_->variables(), shape_->is_russian()};
+    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.is_russian()};
     const Rewritten written = rewrite(rewriting, [this](std::string_view line) { made_.text += line; });
     if (!written.unsaid.empty()) return write_out_unsaid(written);
     return prove(written);
@@ -77,13 +76,10 @@ class WordByWord {
   tl::expected<bool, std::string> prove(const Rewritten& written) {
     auto a = spec_.source();
     if (!a) return tl::unexpected(a.error());
-    auto b = spec_.target(made_.text, false);
+    auto b = spec_.target(made_.text, setup_);
     if (!b) return tl::unexpected(b.error());
-    CompareRules rules;
-    rules.stop = spec_.stop;
-    rules.tolerance = spec_.tolerance;
-    made_.proof = compare_sessions(std::move(*a), std::move(*b), rules);
-    if (is_proven()) return false;
+    made_.proof = compare_sessions(std::move(*a), std::move(*b), rules_);
+    if (made_.is_proven() || made_.proof.stopped_a) return false;
     why_.reset(), varies_ = false;
     const auto line = place_of_failure(written);
     return line && write_out({*line, *line});
@@ -103,15 +99,13 @@ class WordByWord {
     return line == 0 ? std::nullopt : std::optional(line);
   }
 
-  bool is_proven() const { return !made_.cannot_say && made_.proof.equal() && !made_.proof.cancelled && !made_.proof.stopped_a && !made_.proof.stopped_b && !made_.text.empty(); }
-
   void write_out_calls() {
-    for (const std::uint32_t line : shape_->calls_outside()) add({line, line});
+    for (const std::uint32_t line : shape_.calls_outside()) add({line, line});
   }
 
   /// What is known to fail is calculated in from the beginning: contours, then frames that turn, mirror or scale as well.
   bool begin_anew() {
-    const bool has_contours = !shape_->contours().empty(), has_transforms = !shape_->transforms().empty();
+    const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
       centres_ = has_contours && stage_ != 2;
       const bool frames = has_transforms && stage_ >= 2;
@@ -120,10 +114,10 @@ class WordByWord {
       why_.reset(), varies_ = false, made_.proof = {};
       write_out_calls();
       if (frames)
-        for (const std::uint32_t line : shape_->transforms())
+        for (const std::uint32_t line : shape_.transforms())
           if (!is_in_place(line)) add({line, line});
       if (centres_)
-        for (const TextLines& contour : shape_->contours()) add(contour);
+        for (const TextLines& contour : shape_.contours()) add(contour);
       return true;
     }
     return false;
@@ -143,15 +137,15 @@ class WordByWord {
 
   /// These lines and what they touch; false: they are as large already as can be.
   bool write_out(TextLines lines) {
-    if (shape_->is_edge(lines.first)) return grow(lines);
+    if (shape_.is_edge(lines.first)) return grow(lines);
     for (const TextLines& place : places_)
       if (place.holds(lines.first)) return grow_back(place) || grow(place);
-    if (const auto subprogram = shape_->subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
+    if (const auto subprogram = shape_.subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
       constexpr int most_deep = 16;  // subprograms that call each other
       if (deep_ >= most_deep) return false;
       ++deep_;
       bool any = false;
-      for (const std::uint32_t caller : shape_->callers_of(*subprogram)) any = (!subprogram->holds(caller) && write_out({caller, caller})) || any;
+      for (const std::uint32_t caller : shape_.callers_of(*subprogram)) any = (!subprogram->holds(caller) && write_out({caller, caller})) || any;
       --deep_;
       return any;
     }
@@ -159,7 +153,7 @@ class WordByWord {
     return true;
   }
 
-  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_->block_before(lines.first)); }
+  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first)); }
 
   /// What is wrong there may come from blocks before: one, then twice as many each time.
   bool grow_back(TextLines lines) {
@@ -169,9 +163,9 @@ class WordByWord {
     bool any = false;
     std::uint32_t line = lines.first;
     for (int left = 1 << steps++; left > 0; --left) {
-      do line = shape_->block_before(line);
+      do line = shape_.block_before(line);
       while (line != 0 && is_in_place(line));
-      if (line == 0 || shape_->is_edge(line) || shape_->subprogram_of(line) != shape_->subprogram_of(lines.first)) break;
+      if (line == 0 || shape_.is_edge(line) || shape_.subprogram_of(line) != shape_.subprogram_of(lines.first)) break;
       add({line, line});
       any = true;
     }
@@ -180,13 +174,13 @@ class WordByWord {
 
   /// A place that does not do: its loop, then the calls of its subprogram.
   bool grow(TextLines lines) {
-    if (const auto loop = shape_->loop_around(lines)) {
+    if (const auto loop = shape_.loop_around(lines)) {
       add(*loop);
       return true;
     }
-    const auto subprogram = shape_->subprogram_of(lines.first);
+    const auto subprogram = shape_.subprogram_of(lines.first);
     if (!subprogram) return false;
-    const std::vector<std::uint32_t> callers = shape_->callers_of(*subprogram);
+    const std::vector<std::uint32_t> callers = shape_.callers_of(*subprogram);
     if (callers.empty()) return false;
     std::erase_if(places_, [&](const TextLines& place) { return subprogram->holds(place.first); });
     left_out_.push_back(*subprogram);
@@ -203,9 +197,11 @@ class WordByWord {
   }
 
   const ConversionSpec& spec_;
+  const Setup& setup_;
+  const ProgramShape& shape_;
+  const CompareRules& rules_;
   const ControlDef* from_ = nullptr;
   std::unique_ptr<Session> opened_;  // it owns the control's definition
-  std::optional<ProgramShape> shape_;
   std::vector<TextLines> places_;    // written out, in their order
   std::vector<TextLines> left_out_;  // subprograms whose calls are
   std::map<std::uint32_t, int> steps_back_;  // by first line of a place
@@ -220,6 +216,8 @@ class WordByWord {
 
 }  // namespace
 
-tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec) { return WordByWord(spec).write(); }
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) {
+  return WordByWord(spec, setup, shape, rules).write();
+}
 
 }  // namespace kadr

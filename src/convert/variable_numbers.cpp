@@ -1,0 +1,57 @@
+// Variables of two controls by what they are. For convert/flow_rewriter; tested by tests/convert.
+
+#include "convert/variable_numbers.h"
+
+namespace kadr {
+namespace {
+
+/// Where a number stands in a row.
+struct VariablePlace {
+  const VariableRow* row;
+  std::uint32_t repeat, index;
+};
+
+std::optional<VariablePlace> place_of(const ControlDef& def, std::uint32_t number) {
+  for (const VariableRow& row : def.variables)
+    for (const VariableRange& range : row.ranges)
+      for (std::uint32_t repeat = 0; repeat < range.repeat; ++repeat) {
+        const std::uint32_t first = range.from + repeat * range.stride;
+        if (number >= first && number - first < range.count && row.bit < 0) return VariablePlace{&row, repeat, number - first};
+      }
+  return std::nullopt;
+}
+
+/// Kinds of both families that are the same: the point where a probe touched, in work coordinates; work zeros.
+VariableKind kind_of(VariableKind kind) {
+  if (kind == VariableKind::probe_position) return VariableKind::probe_point;
+  return kind == VariableKind::zero ? VariableKind::fixture : kind;
+}
+
+/// Which of its kind: zeros of one family are one row of many, of the other a row each.
+std::uint32_t place_in_kind(const VariablePlace& place) {
+  constexpr std::uint32_t a_system = 1000;
+  const bool row_each = place.row->kind == VariableKind::zero;
+  const std::uint32_t nth = row_each ? static_cast<std::uint32_t>(place.row->arg > 0 ? place.row->arg - 1 : 0) + place.repeat : place.repeat;
+  return nth * a_system + place.index;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> VariableNumbers::of(std::uint32_t number) const {
+  if (const auto found = known_.find(number); found != known_.end()) return found->second;
+  std::optional<std::uint32_t>& answer = known_[number];
+  const auto here = place_of(from_, number), there = place_of(to_, number);
+  const auto is_free = [](const std::optional<VariablePlace>& place) { return !place || place->row->kind == VariableKind::free; };
+  if (is_free(here)) return answer = is_free(there) ? std::optional(number) : std::nullopt;
+  if (there && there->row->kind == here->row->kind && there->row->arg == here->row->arg && there->index == here->index) return answer = number;
+  for (const VariableRow& row : to_.variables) {
+    if (kind_of(row.kind) != kind_of(here->row->kind) || row.ranges.empty() || row.bit >= 0) continue;
+    const VariableRange& range = row.ranges.front();
+    for (std::uint32_t repeat = 0; repeat < range.repeat; ++repeat)
+      if (const std::uint32_t wanted = place_in_kind(*here), first = place_in_kind({&row, repeat, 0}); wanted >= first && wanted - first < range.count)
+        return answer = range.from + repeat * range.stride + (wanted - first);
+  }
+  return answer;
+}
+
+}  // namespace kadr
