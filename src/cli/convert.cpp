@@ -65,6 +65,17 @@ class ConvertCommand {
   }
 
  private:
+  ConversionSpec::Opens opens(Setup setup) const {
+    return [this, setup = std::move(setup)]() -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto program = open_program(*job_);
+      if (!program) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
+      auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
+      if (!opened) return tl::unexpected(opened.error().fault.key + ": " + told(opened.error().fault.en, opened.error().fault.ru));
+      std::unique_ptr<Session> session = std::move(*opened);
+      if (session->channels().size() > 1) return tl::unexpected(told("programs of several channels are not converted", "программы нескольких каналов не переводятся"));
+      return session;
+    };
+  }
   std::optional<ConversionSpec> spec_of() {
     const auto check = open_program(*job_);
     if (!check) return std::nullopt;
@@ -75,13 +86,8 @@ class ConvertCommand {
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
     spec.source_text = SourceText(open_text(job_->file, job_->encoding)).whole();
-    spec.source = [this]() -> tl::expected<std::unique_ptr<Session>, std::string> {
-      auto program = open_program(*job_);
-      auto session = program ? make_session(*job_, std::move(*program), o_.run.limits) : nullptr;
-      if (!session) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
-      if (session->channels().size() > 1) return tl::unexpected(told("programs of several channels are not converted", "программы нескольких каналов не переводятся"));
-      return session;
-    };
+    spec.source = opens(job_->setup);
+    if (Setup elsewhere = job_->setup; probe_elsewhere(elsewhere)) spec.elsewhere = opens(std::move(elsewhere));
     spec.target = [this](const std::string& text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto session = Session::open({to_, job_->profile, setup, {job_->file, text_source(text), Encoding::utf8}, o_.run.limits});
       if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));

@@ -98,6 +98,19 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
   return one;
 }
 
+/// A program that probes must do the same wherever what it touches lies: once more, elsewhere.
+tl::expected<void, std::string> prove_elsewhere(const ConversionSpec& spec, ConversionTry& one, Setup setup, const CompareRules& rules) {
+  probe_elsewhere(setup);
+  auto a = spec.elsewhere();
+  if (!a) return tl::unexpected(a.error());
+  auto b = spec.target(one.text, setup);
+  if (!b) return tl::unexpected(b.error());
+  Comparison proof = compare_sessions(std::move(*a), std::move(*b), rules);
+  // A source that finds nothing there and stops tells nothing.
+  if (!proof.equal() && !proof.stopped_a) one.proof = std::move(proof);
+  return {};
+}
+
 }  // namespace
 
 double usual_tolerance(const ControlDef& from, const ControlDef& to) {
@@ -121,6 +134,9 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     if (spec.only && as != *spec.only) continue;
     auto one = one_try(spec, as, all.setup_of(as), shape, rules);
     if (!one) return tl::unexpected(one.error());
+    if (one->is_proven() && spec.elsewhere) {
+      if (const auto told = prove_elsewhere(spec, *one, all.setup_of(as), rules); !told) return tl::unexpected(told.error());
+    }
     const bool is_proven = one->is_proven(), never = one->proof.stopped_a.has_value();
     all.tries.push_back(std::move(*one));
     if (is_proven) all.taken = all.tries.size() - 1;

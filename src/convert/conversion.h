@@ -29,6 +29,7 @@ struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
   using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::string& text, const Setup& setup)>;
   Opens source;               // of the program under its own control
+  Opens elsewhere{};          // the same with what a probe touches at another place (probe_elsewhere); empty: nothing is probed
   OpensText target;           // of a text under the other control, from that set-up
   std::string source_text;    // UTF-8
   const ControlDef* to = nullptr;

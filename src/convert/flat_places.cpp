@@ -17,6 +17,7 @@ class PlaceWriter {
       : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres) {}
 
   Status run(const StopToken& stop) {
+    flat_.allow_after_probe();
     control_.hand_over_each_block();
     control_.watch_calls();
     Outlets& outlets = session_.outlets();
@@ -93,6 +94,7 @@ class PlaceWriter {
     FlatPlace& place = places_[open_];
     // A line that is read over, as subprograms are before they are called, is not carried out.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
+    place.probed = place.probed || flat_.has_probed();
     if (place.times++ == 0) place.text = text_, place.motions = flat_.motions() - begun_at_;
     else place.differs = place.differs || place.text != text_;
     text_.clear();

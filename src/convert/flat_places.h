@@ -22,6 +22,7 @@ struct FlatPlace {
   std::size_t motions = 0;       // of one time
   bool differs = false;          // not each time the same
   std::optional<Alarm> cannot{};  // the other control cannot say it
+  bool probed = false;           // the program has probed before: its figures may be those of this run
   bool settled() const { return !differs && !cannot; }
 };
 

@@ -194,7 +194,7 @@ Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
 
 Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInForce& now) {
   if (has_acts_) KADR_TRY(end_block());
-  if (std::exchange(has_probed_, has_probed_ || motion.kind == MotionKind::probe)) return no_code("probe");
+  if (std::exchange(has_probed_, has_probed_ || motion.kind == MotionKind::probe) && !after_probe_allowed_) return no_code("probe");
   KADR_TRY(said_before(motion, now));
   KADR_TRY(said_with(motion, now));
   const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;

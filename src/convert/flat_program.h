@@ -61,6 +61,9 @@ class FlatProgram {
   void system_changes() { system_is_said_ = false; }
   /// … and end before such.
   Status close(bool inch);
+  /// Motions behind a probe motion may be said: whoever asks looks whether their figures depend on it.
+  void allow_after_probe() { after_probe_allowed_ = true; }
+  bool has_probed() const { return has_probed_; }
   /// Motions that have been said.
   std::size_t motions() const { return motions_; }
 
@@ -109,6 +112,7 @@ class FlatProgram {
   std::uint32_t selected_ = 0;
   std::size_t motions_ = 0;
   Axes said_origin_{};      // of the work system, with the shifts that the other blocks have put in force
+  bool after_probe_allowed_ = false;
   bool has_probed_ = false;  // what follows may depend on what was touched: figures of this run would not
   bool system_is_said_ = true;
   bool relative_ = false;   // increments are programmed

@@ -180,7 +180,7 @@ class Rewriter {
     if (is_long) {
       std::string_view text = block_.text_of(block_.where);
       comment((spec_.russian ? "РАСПИСАНО: " : "WRITTEN OUT: ") + std::string(beginning_of(text)));
-    } else {
+    } else if (block_.statement.kind != StatementKind::message) {
       for (const Span one : block_.comments) comment(std::string(block_.text_of(one)));
     }
     std::string_view rest = place.text;

@@ -94,6 +94,15 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   return source;
 }
 
+bool probe_elsewhere(Setup& setup) {
+  constexpr double apart = 0.0937;  // mm
+  for (auto& [input, at] : setup.probe)
+    if (at)
+      for (auto& [axis, value] : *at) value += apart;
+  if (setup.probe_hole) setup.probe_hole->center_x += apart, setup.probe_hole->center_y -= apart, setup.probe_hole->diameter += apart;
+  return !setup.probe.empty() || setup.probe_hole;
+}
+
 bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
   const auto kind = [](const ControlDef& def) { return def.grammar.macro ? 1 : def.grammar.expressions ? 2 : 0; };
   return kind(from) == kind(to) && kind(from) != 0;

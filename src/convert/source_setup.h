@@ -17,6 +17,9 @@ namespace kadr {
 ///   plain  no tables: all of them are calculated in
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
+/// What a probe touches lies a little elsewhere: figures that change with it must not be written out. False: nothing is probed.
+bool probe_elsewhere(Setup& setup);
+
 /// The control shows messages in the way of the other one: (MSG,…) of RS274/NGC and Mach3, #3006 of macros.
 bool shows_same_messages(const ControlDef& from, const ControlDef& to);
 

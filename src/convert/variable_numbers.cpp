@@ -2,6 +2,8 @@
 
 #include "convert/variable_numbers.h"
 
+#include <vector>
+
 namespace kadr {
 namespace {
 
@@ -11,12 +13,30 @@ struct VariablePlace {
   std::uint32_t repeat, index;
 };
 
+/// The point of the last probe motion of RS274/NGC, which its dialect knows and no row says (spec/linuxcnc 4.1).
+const VariableRow& probe_row() {
+  static const VariableRow row = [] {
+    VariableRow made;
+    made.kind = VariableKind::probe_point;
+    made.ranges = {{5061, 9, 0, 1}};
+    return made;
+  }();
+  return row;
+}
+
+std::vector<const VariableRow*> rows_of(const ControlDef& def) {
+  std::vector<const VariableRow*> rows;
+  for (const VariableRow& row : def.variables) rows.push_back(&row);
+  if (def.has_parameter_file()) rows.push_back(&probe_row());
+  return rows;
+}
+
 std::optional<VariablePlace> place_of(const ControlDef& def, std::uint32_t number) {
-  for (const VariableRow& row : def.variables)
-    for (const VariableRange& range : row.ranges)
+  for (const VariableRow* const row : rows_of(def))
+    for (const VariableRange& range : row->ranges)
       for (std::uint32_t repeat = 0; repeat < range.repeat; ++repeat) {
         const std::uint32_t first = range.from + repeat * range.stride;
-        if (number >= first && number - first < range.count && row.bit < 0) return VariablePlace{&row, repeat, number - first};
+        if (number >= first && number - first < range.count && row->bit < 0) return VariablePlace{row, repeat, number - first};
       }
   return std::nullopt;
 }
@@ -44,7 +64,8 @@ std::optional<std::uint32_t> VariableNumbers::of(std::uint32_t number) const {
   const auto is_free = [](const std::optional<VariablePlace>& place) { return !place || place->row->kind == VariableKind::free; };
   if (is_free(here)) return answer = is_free(there) ? std::optional(number) : std::nullopt;
   if (there && there->row->kind == here->row->kind && there->row->arg == here->row->arg && there->index == here->index) return answer = number;
-  for (const VariableRow& row : to_.variables) {
+  for (const VariableRow* const one : rows_of(to_)) {
+    const VariableRow& row = *one;
     if (kind_of(row.kind) != kind_of(here->row->kind) || row.ranges.empty() || row.bit >= 0) continue;
     const VariableRange& range = row.ranges.front();
     for (std::uint32_t repeat = 0; repeat < range.repeat; ++repeat)

@@ -45,6 +45,7 @@ class WordByWord {
       auto source = spec_.source();
       if (!source) return tl::unexpected(source.error());
       if (const Status begun = write_flat_places(**source, *spec_.to, places, centres_, spec_.stop); !begun) return unsayable(begun.error(), 0), false;
+      if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
       for (const FlatPlace& place : places)
         if (!place.settled()) {
           why_ = place.cannot, varies_ = place.differs;
@@ -56,6 +57,19 @@ class WordByWord {
     const Rewritten written = rewrite(rewriting, [this](std::string_view line) { made_.text += line; });
     if (!written.unsaid.empty()) return write_out_unsaid(written);
     return prove(written);
+  }
+
+  /// Figures that change with what a probe touches are not those of the program.
+  tl::expected<void, std::string> look_elsewhere(std::vector<FlatPlace>& places) const {
+    if (!spec_.elsewhere || std::none_of(places.begin(), places.end(), [](const FlatPlace& place) { return place.probed; })) return {};
+    std::vector<FlatPlace> others;
+    for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
+    auto source = spec_.elsewhere();
+    if (!source) return tl::unexpected(source.error());
+    if (const Status begun = write_flat_places(**source, *spec_.to, others, centres_, spec_.stop); !begun) return {};
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].probed && places[i].text != others[i].text) places[i].cannot = alarm(AlarmId::function_has_no_code, {}, "probe");
+    return {};
   }
 
   bool write_out_unsaid(const Rewritten& written) {
