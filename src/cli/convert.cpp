@@ -114,6 +114,7 @@ class ConvertCommand {
     if (!outputs_.keep()) return wrong_usage;
     if (!forced) {
       say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
+      if (made.tools_by_hand) say(fmt::format("  {}\n", told("tools are changed by hand, at M0", "инструмент меняют вручную, на M0")));
       if (one.proof.passed_messages > 0)
         say(fmt::format("  {}\n", told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями")));
       explain(one, lang);

@@ -301,6 +301,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   const double chord = rules.tolerance * chord_of_tolerance;
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
+  if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
   made.axes = frame;
   made.passed_messages = course_a.passed_messages();

@@ -31,6 +31,7 @@ struct ComparedPiece {
 struct CompareRules {
   double tolerance = 0.001;      // mm; degrees of rotary axes
   bool messages = true;          // what is shown to the operator counts
+  bool tools_by_hand = false;    // a change of the tool is the same as a stop
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along

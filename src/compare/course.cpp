@@ -81,7 +81,7 @@ void Course::take(const Step& step) {
   } else if (const auto* const coolant = std::get_if<CoolantSwitch>(&what)) {
     state_.coolant = coolant->what;
   } else if (const auto* const change = std::get_if<ToolChange>(&what)) {
-    state_.tool = change->tool;
+    if (!tools_by_hand_) state_.tool = change->tool;
     take_act(step, Kind::tool, change->tool);
   } else if (const auto* const dwell = std::get_if<Dwell>(&what)) {
     take_act(step, Kind::dwell, dwell->seconds);
@@ -115,6 +115,7 @@ void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std:
   if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for the change is the machine's own affair
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;
+    if (tools_by_hand_) item.act = {CourseAct::Kind::stop, 0, {}};
   }
   item.origin = step.action.origin;
   item.begins = step.begins;

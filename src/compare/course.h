@@ -61,6 +61,8 @@ class Course {
   /// What is shown to the operator is passed over.
   void pass_messages() { messages_ = false; }
   std::size_t passed_messages() const { return passed_messages_; }
+  /// A change of the tool is a stop, and which one it is does not count: it is changed by hand.
+  void change_tools_by_hand() { tools_by_hand_ = true; }
   /// Where its axes stand before the first item.
   const Axes& start() const { return start_; }
   /// After an end it is the end again and again.
@@ -93,7 +95,7 @@ class Course {
   CourseItem end_;
   std::optional<AlarmReport> stopped_;
   bool over_ = false;
-  bool messages_ = true;
+  bool messages_ = true, tools_by_hand_ = false;
   std::size_t passed_messages_ = 0;
 };
 

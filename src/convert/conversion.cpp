@@ -128,6 +128,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
+  rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
   rules.messages = shows_same_messages(opened->def(), *spec.to);
   for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;

@@ -61,6 +61,7 @@ struct ConversionTry {
 struct Converted {
   /// From which each of the tries was run: corresponding_setup().
   Setup setup, plain_setup;
+  bool tools_by_hand = false;  // the other control cannot change tools: it stops there
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
   std::optional<std::size_t> taken;  // of `tries`; nothing: refused
   std::vector<ConversionTry> tries;

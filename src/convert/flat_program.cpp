@@ -81,10 +81,7 @@ Status FlatProgram::take(const Action& action, const Step* step, const OffsetsIn
   if (const auto* const change = std::get_if<ToolChange>(&what)) return tool(change->tool, 0, true);
   if (const auto* const pause = std::get_if<Dwell>(&what)) return dwell(pause->seconds);
   if (const auto* const function = std::get_if<MachineFunction>(&what)) return machine_code(function->code);
-  if (const auto* const coolant = std::get_if<CoolantSwitch>(&what)) {
-    constexpr Function by[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
-    return blocks_.code({{by[std::size_t(coolant->what)], any_argument}});
-  }
+  if (const auto* const switched = std::get_if<CoolantSwitch>(&what)) return coolant(coolant_ = switched->what);
   if (const auto* const stop = std::get_if<Stop>(&what)) {
     if (stop->reason == StopReason::single_block || (stop->reason == StopReason::message && source_.same_messages)) return {};
     KADR_TRY(end_block());
@@ -128,6 +125,8 @@ void FlatProgram::pass(const Action& action) {
   } else if (const auto* const turned = std::get_if<Spindle>(&action.what)) {
     turns_ = turned->dir;
     if (turned->rpm > 0) rpm_ = turned->rpm;
+  } else if (const auto* const switched = std::get_if<CoolantSwitch>(&action.what)) {
+    coolant_ = switched->what;
   } else if (const auto* const of = std::get_if<Speed>(&action.what)) {
     surface_ = of->surface, rpm_ = of->value;
   } else if (const auto* const selected = std::get_if<ToolSelect>(&action.what)) {
@@ -151,7 +150,7 @@ Status FlatProgram::close(bool inch) {
 }
 
 /// In blocks of their own: plane and work zero.
-Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
+Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now) {
   if (is_arc(motion.kind) || motion.side != 0) {
     const int plane = plane_of(motion, axes_);
     if (plane == 0) return no_code("select_plane");
@@ -162,6 +161,7 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce&) {
       KADR_TRY(blocks_.end());
     }
   }
+  KADR_TRY(length_by_word(now));
   if (is_between() && system_is_said_) system_ = motion.system;
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
   const int system = motion.system;
@@ -183,7 +183,7 @@ Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
     side_ = motion.side;
   }
   const bool same = now.length_sign == said_.length_sign && (now.length_sign == 0 || now.length_number == said_.length_number);
-  if (way_ == FlatWay::plain || same) return {};
+  if (way_ == FlatWay::plain || same || is_length_by_word()) return {};
   if (now.length_sign == 0) KADR_TRY(blocks_.code({{Function::length_off, any_argument}, {Function::length_comp, 0}, {Function::tool_length_off, any_argument}, {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
   else if (now.length_sign > 0) KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
   else KADR_TRY(blocks_.code({{Function::length_minus, any_argument}, {Function::length_comp, 2}}));

@@ -84,6 +84,10 @@ class FlatProgram {
   Status spindle_on();
   Status speed(const Speed& speed);
   Status tool(std::uint32_t number, std::uint32_t corrector, bool change);
+  Status tool_by_hand(std::uint32_t number);
+  Status coolant(Coolant what);
+  bool is_length_by_word() const;
+  Status length_by_word(const OffsetsInForce& now);
   Status dwell(double seconds);
   Status machine_code(std::uint32_t code);
   std::optional<char> letter_of(std::size_t axis) const;
@@ -118,6 +122,8 @@ class FlatProgram {
   bool relative_ = false;   // increments are programmed
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
+  Coolant coolant_ = Coolant::off;
+  double said_length_ = 0;  // mm, by word
   bool surface_ = false, has_acts_ = false;
   bool wants_direction_ = false;  // S stands in the block, and M3 or M4 must beside it
 };

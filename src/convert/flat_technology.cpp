@@ -1,6 +1,8 @@
 // Spindle, tool, dwells and M functions of a flat program. For convert/flat_program; tested by tests/convert.
 
-#include "convert/flat_program.h"
+#include <algorithm>
+
+#include "convert/source_setup.h"
 #include "out/program/words.h"
 
 namespace kadr {
@@ -45,8 +47,51 @@ Status FlatProgram::speed(const Speed& speed) {
   return {};
 }
 
+Status FlatProgram::coolant(Coolant what) {
+  constexpr Function by[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
+  return blocks_.code({{by[std::size_t(what)], any_argument}});
+}
+
+/// A control that has no table of tools, but a code that says a length (spec/grbl 4.15).
+bool FlatProgram::is_length_by_word() const {
+  const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
+  return has({{Function::length_by_word, any_argument}}) && !has({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}});
+}
+
+Status FlatProgram::length_by_word(const OffsetsInForce& now) {
+  if (way_ == FlatWay::plain || !is_length_by_word()) return {};
+  const auto z = std::find(axes_.begin(), axes_.end(), "Z");
+  const double length = now.length_sign == 0 || z == axes_.end() ? 0 : placement_.length[std::size_t(z - axes_.begin())];
+  if (length == said_length_) return {};
+  said_length_ = length;
+  KADR_TRY(end_block());
+  if (length == 0) KADR_TRY(blocks_.code({{Function::length_by_word_off, any_argument}, {Function::length_off, any_argument}}));
+  else {
+    KADR_TRY(blocks_.code({{Function::length_by_word, any_argument}}));
+    KADR_TRY(blocks_.word('Z', length));
+  }
+  return blocks_.end();
+}
+
+/// With the spindle stopped.
+Status FlatProgram::tool_by_hand(std::uint32_t number) {
+  KADR_TRY(end_block());
+  const SpindleDir turned = turns_;
+  if (turned == SpindleDir::cw || turned == SpindleDir::ccw) KADR_TRY(blocks_.code({{Function::spindle_stop, any_argument}}));
+  if (coolant_ != Coolant::off) KADR_TRY(coolant(Coolant::off));
+  KADR_TRY(blocks_.end());
+  KADR_TRY(blocks_.code({{Function::program_stop, any_argument}}));
+  blocks_.comment("T" + std::to_string(number));
+  KADR_TRY(blocks_.end());
+  selected_ = number;
+  KADR_TRY(spindle_on());
+  if (coolant_ != Coolant::off) KADR_TRY(coolant(coolant_));
+  return blocks_.end();
+}
+
 Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool change) {
   constexpr std::uint32_t corrector_digits = 100;
+  if (change && !changes_tools(blocks_.def())) return tool_by_hand(number);
   const bool together = blocks_.def().behaviour.tool_and_corrector;
   if (!change || number != selected_) {
     if (!blocks_.has_word('T')) return not_there("tool_word");

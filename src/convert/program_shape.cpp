@@ -118,6 +118,7 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
+  if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression) names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool) names_of_words_.tools.insert(static_cast<std::uint32_t>(def.behaviour.tool_and_corrector && t->value >= hundred ? t->value / hundred : t->value));
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];

@@ -26,6 +26,7 @@ struct TextLines {
 struct ProgramNames {
   std::set<std::uint32_t> tools;
   std::uint64_t letters = 0;  // bit (address - 'A') of its words
+  double most_speed = 0;      // S, rev/min
 };
 
 class ProgramShape {

@@ -7,6 +7,7 @@
 
 #include "config/setup_check.h"
 #include "config/setup_names.h"
+#include "out/program/codes.h"
 
 namespace kadr {
 namespace {
@@ -94,6 +95,10 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   return source;
 }
 
+bool changes_tools(const ControlDef& def) {
+  return row_that_does(def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) != nullptr;
+}
+
 bool probe_elsewhere(Setup& setup) {
   constexpr double apart = 0.0937;  // mm
   for (auto& [input, at] : setup.probe)
@@ -122,6 +127,8 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.tool = setup.tool;
   if (has_key(to, "clock")) made.clock = setup.clock;
   if (has_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
+  constexpr double usual_speed = 1000;  // $30 of Grbl as it comes: S above is cut down to it (spec/grbl 8)
+  if (to.has_lines_alone() && names.most_speed > usual_speed) made.parameters[{"0030", "", ""}] = names.most_speed;
   if (!plain) take_tables(made, setup, from, to, axes, names);
   return made;
 }
@@ -159,6 +166,8 @@ std::string setup_text(const Setup& setup) {
       if (value != 0) row[name] = value;
   }
   for (const auto& [name, value] : setup.variables) all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  for (const auto& [key, value] : setup.parameters)
+    if (const double* const number = std::get_if<double>(&value)) all["parameters"][text_of(key)] = *number;
   put_probe(all, setup);
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;

@@ -17,6 +17,9 @@ namespace kadr {
 ///   plain  no tables: all of them are calculated in
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
+/// It has a code for that; else it stops, and the tool is changed by hand.
+bool changes_tools(const ControlDef& def);
+
 /// What a probe touches lies a little elsewhere: figures that change with it must not be written out. False: nothing is probed.
 bool probe_elsewhere(Setup& setup);
 
