@@ -85,11 +85,11 @@ class ConvertCommand {
     if (!o_.way.empty()) spec.only = ConvertedAs(std::find(ways.begin(), ways.end(), o_.way) - ways.begin());
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
-    spec.source_text = SourceText(open_text(job_->file, job_->encoding)).whole();
+    spec.source_text = std::make_shared<const std::string>(SourceText(open_text(job_->file, job_->encoding)).whole());
     spec.source = opens(job_->setup);
     if (Setup elsewhere = job_->setup; probe_elsewhere(elsewhere)) spec.elsewhere = opens(std::move(elsewhere));
-    spec.target = [this](const std::string& text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
-      auto session = Session::open({to_, job_->profile, setup, {job_->file, text_source(text), Encoding::utf8}, o_.run.limits});
+    spec.target = [this](std::shared_ptr<const std::string> text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto session = Session::open({to_, job_->profile, setup, {job_->file, shared_text_source(std::move(text)), Encoding::utf8}, o_.run.limits});
       if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
       (*session)->control().set_waiting(Control::Waiting::pass);
       return std::move(*session);
@@ -106,7 +106,7 @@ class ConvertCommand {
     const ConversionTry& one = made.taken ? made.tries[*made.taken] : *could_be_said;
     if (!outputs_.open()) return wrong_usage;
     if (forced) fmt::print(outputs_.stream("--out"), "({})\n", told("NOT PROVEN EQUAL: SEE kadr convert", "НЕ ДОКАЗАНО: СМ. kadr convert"));
-    std::fwrite(one.text.data(), 1, one.text.size(), outputs_.stream("--out"));
+    std::fwrite(one.text->data(), 1, one.text->size(), outputs_.stream("--out"));
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));

@@ -70,9 +70,9 @@ class Comparer {
 
   Comparison all() {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
-    while (!out_.lost && !rules_.stop.asked() && (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
+    while (!out_.lost && !is_enough() && !rules_.stop.asked() && (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
       go_on();
-    if (!out_.lost && a_.item(0).fault != b_.item(0).fault) ends_differ();
+    if (!out_.lost && !is_enough() && a_.item(0).fault != b_.item(0).fault) ends_differ();
     out_.cancelled = rules_.stop.asked();
     out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
     out_.stopped_a = course_a_.stopped(), out_.stopped_b = course_b_.stopped();
@@ -83,6 +83,8 @@ class Comparer {
 
  private:
   using ItemKind = CourseItem::Kind;
+
+  bool is_enough() const { return rules_.first_only && !out_.differences.empty(); }
 
   void go_on() {
     const ItemKind a = a_.item(0).kind, b = b_.item(0).kind;
@@ -166,7 +168,8 @@ class Comparer {
   /// Both go different ways, or do different things: the nearest place ahead from which they do the same.
   void meet_again() {
     std::size_t da = 0, db = 0;
-    if (!search(da, db)) out_.lost = true, da = db = most_ahead;
+    if (rules_.first_only) da = items_ahead(a_), db = items_ahead(b_);
+    else if (!search(da, db)) out_.lost = true, da = db = most_ahead;
     CourseDifference d;
     d.a = spot(a_), d.b = spot(b_);
     describe(d, da, db);
@@ -175,6 +178,14 @@ class Comparer {
     follower_.end();
     d.a_to = spot(a_), d.b_to = spot(b_);
     add(d);
+  }
+
+  /// Some, up to the end: whether it comes by an alarm.
+  static std::size_t items_ahead(Lane& lane) {
+    constexpr std::size_t most_looked_at = 50;
+    std::size_t count = 0;
+    while (count < most_looked_at && lane.item(count).kind != ItemKind::end) ++count;
+    return count;
   }
 
   bool search(std::size_t& da, std::size_t& db) {

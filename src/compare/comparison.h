@@ -32,6 +32,7 @@ struct CompareRules {
   double tolerance = 0.001;      // mm; degrees of rotary axes
   bool messages = true;          // what is shown to the operator counts
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
+  bool first_only = false;       // it is over with the first difference
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along

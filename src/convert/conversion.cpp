@@ -16,7 +16,7 @@ namespace {
 /// One way of saying it.
 class Writing {
  public:
-  Writing(const ConversionSpec& spec, ConvertedAs as) : spec_(spec), blocks_(*spec.to, [this](std::string_view line) { made_.text += line; }), comments_(spec.source_text) { made_.as = as; }
+  Writing(const ConversionSpec& spec, ConvertedAs as) : spec_(spec), blocks_(*spec.to, [this](std::string_view line) { text_->append(line); }), comments_(*spec.source_text) { made_.as = as; }
 
   tl::expected<ConversionTry, std::string> write() {
     auto opened = spec_.source();
@@ -39,6 +39,7 @@ class Writing {
     while (!made_.cannot_say && session_->go_on() == Session::State::running) {}
     if (!made_.cannot_say) note(flat.finish());
     for (const std::string& comment : comments_.rest()) blocks_.comment(comment), (void)blocks_.end();
+    made_.text = text_;
     return std::move(made_);
   }
 
@@ -68,6 +69,7 @@ class Writing {
 
   const ConversionSpec& spec_;
   ConversionTry made_;
+  std::shared_ptr<std::string> text_ = std::make_shared<std::string>();
   BlockMaker blocks_;
   SourceComments comments_;
   std::unique_ptr<Session> session_;
@@ -122,13 +124,14 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   auto session = spec.source();
   if (!session) return tl::unexpected(session.error());
   const std::unique_ptr<Session> opened = std::move(*session);
-  const ProgramShape shape(text_source(spec.source_text), opened->def());
+  const ProgramShape shape(shared_text_source(spec.source_text), opened->def());
   all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
   all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
+  rules.first_only = true;
   rules.messages = shows_same_messages(opened->def(), *spec.to);
   for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;

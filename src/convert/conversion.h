@@ -27,11 +27,11 @@ enum class ConvertedAs : std::uint8_t {
 /// What is converted: how sessions of it are made.
 struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
-  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::string& text, const Setup& setup)>;
+  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<const std::string> text, const Setup& setup)>;
   Opens source;               // of the program under its own control
   Opens elsewhere{};          // the same with what a probe touches at another place (probe_elsewhere); empty: nothing is probed
   OpensText target;           // of a text under the other control, from that set-up
-  std::string source_text;    // UTF-8
+  std::shared_ptr<const std::string> source_text;  // UTF-8
   const ControlDef* to = nullptr;
   bool flat = false;          // calls, loops and cycles are written out even where the other control has them
   std::optional<ConvertedAs> only{};  // this way and no other
@@ -53,8 +53,8 @@ struct ConversionTry {
   std::optional<Alarm> cannot_say;  // the other control has nothing for …
   Origin at;                        // … this block
   Comparison proof;                 // where it could be said
-  std::string text;
-  bool is_proven() const { return !cannot_say && !text.empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
+  std::shared_ptr<const std::string> text = std::make_shared<std::string>();
+  bool is_proven() const { return !cannot_say && !text->empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };
 

@@ -34,11 +34,11 @@ class WordByWord {
   }
 
  private:
-  std::shared_ptr<ByteSource> text() const { return text_source(spec_.source_text); }
+  std::shared_ptr<ByteSource> source_text() const { return shared_text_source(spec_.source_text); }
 
   /// True: more must be written out.
   tl::expected<bool, std::string> one_round() {
-    made_.text.clear(), made_.cannot_say.reset(), made_.proof = {};
+    made_.text = std::make_shared<std::string>(), made_.cannot_say.reset(), made_.proof = {};
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
       for (const TextLines& lines : places_) places.push_back({lines, follows(lines, places)});
@@ -53,8 +53,11 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.is_russian()};
-    const Rewritten written = rewrite(rewriting, [this](std::string_view line) { made_.text += line; });
+    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.lines(), shape_.is_russian()};
+    const auto text = std::make_shared<std::string>();
+    text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
+    const Rewritten written = rewrite(rewriting, [&text](std::string_view line) { text->append(line); });
+    made_.text = text;
     if (!written.unsaid.empty()) return write_out_unsaid(written);
     return prove(written);
   }

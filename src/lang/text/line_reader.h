@@ -34,6 +34,8 @@ class ByteSource {
 /// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond). Through a door only a regular file.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
+/// Text that others hold too.
+std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text);
 
 /// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.
 /// A UTF-8 byte order mark at the beginning is passed over; nothing after the last end of line is no line.

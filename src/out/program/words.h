@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <string>
 
 #include "base/result.h"
@@ -23,24 +25,31 @@ class Words {
     if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
     return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
   }
-  double increment() const { return row_.scale * std::pow(10.0, -decimals()); }
+  double increment() const { return row_.scale / ten_to(decimals()); }
   double rounded(double value) const { return std::round(value / increment()) * increment(); }
 
   /// The word of a value in mm, mm/min, …
   Result<std::string> word(double value) const {
     const double counts = std::round(value / increment());
-    const double most = format_.whole_digits > 0 ? std::pow(10.0, format_.whole_digits + decimals()) - 1 : 1e15;
+    const double most = format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals()) - 1 : most_counts;
     if (!known() || !(std::abs(counts) <= most) || (counts < 0 && !format_.sign))
       return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
-    std::string digits = fmt::format("{:.0f}", std::abs(counts));
+    std::string digits = fmt::format_int(static_cast<std::uint64_t>(std::abs(counts))).str();
     const auto fraction = static_cast<std::size_t>(decimals());
     if (format_.point && !format_.implied) digits = with_point(digits, fraction);
     else if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction)
       digits.insert(0, format_.whole_digits + fraction - digits.size(), '0');
-    return fmt::format("{}{}{}", letter_, counts < 0 ? "-" : "", digits);
+    std::string text(1, letter_);
+    if (counts < 0) text += '-';
+    return text += digits;
   }
 
  private:
+  static constexpr double most_counts = 1e15;
+  static double ten_to(int power) {
+    constexpr double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    return static_cast<std::size_t>(power) < std::size(powers) ? powers[power] : std::pow(10.0, power);
+  }
   static constexpr int free_decimals = 3;  // of a word with any number of digits: the controls' increment of 0.001 mm
 
   /// Lengths keep their point, so that no control takes them for increments.
