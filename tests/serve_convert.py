@@ -28,7 +28,7 @@ def by_command(kadr, folder, question, lang='en'):
     out, setup = folder / 'by_command.out', folder / 'by_command.json'
     words = [kadr, 'convert', question['file'], '--from', question['control'], '--to', question['to'], '--out', out.name, '--setup-out', setup.name, '--lang', lang]
     words += ['--setup', question['setup']] if question.get('setup') else []
-    words += [f'--{key}' for key in ('flat', 'force') if question.get(key)]
+    words += ['--explain'] + [f'--{key}' for key in ('flat', 'force') if question.get(key)]
     run = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120, check=False)
     made = run.returncode, *(p.read_text() if p.exists() else None for p in (out, setup)), run.stderr
     for p in (out, setup):
@@ -56,16 +56,20 @@ def same_as_the_command(kadr, page, folder):
                 expect(False, what)
                 continue
             written = answer['written']
+            lines = told.splitlines()
             if status == 0:
                 proven += 1
                 expect(written['proven'] and written['program'] == program and written['setup'] == setup, what)
-                expect(told == f'{answer["text"]}\n{told.splitlines()[1].split(": ")[0]}: {written["way"]}\n', what)
+                expect(lines[0] == answer['text'] and lines[1].endswith(f': {written["way"]}'), what)
+                for out in written['written_out']:
+                    expect(any(f':{out["from"]}{"-" + str(out["to"]) if out["to"] > out["from"] else ""}: ' in line and line.endswith(f': {out["text"]}') for line in lines[2:]), f'{what}\n{out}')
+            else:
+                refused += 1
+                expect(status == 1 and lines[0] == f'kadr: {answer["text"]}', what)
+            for one in answer['tries']:
+                expect(any(f' {one["way"]}: ' in line and str(place(one, question['file'])) in line and line.endswith(f': {one["text"]}') for line in lines[1:]), f'{what}\n{one}')
+            if status == 0:
                 continue
-            refused += 1
-            lines = told.splitlines()
-            expect(status == 1 and lines[0] == f'kadr: {answer["text"]}' and len(lines) == 1 + len(answer['tries']), what)
-            for line, one in zip(lines[1:], answer['tries']):
-                expect(line.startswith(f'  {one["way"]}: ') and str(place(one, question['file'])) in line and line.endswith(f': {one["text"]}'), f'{what}\n{line}\n{one}')
             if program is None:
                 expect(written is None, what)
             else:

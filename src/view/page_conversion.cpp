@@ -64,6 +64,7 @@ class PageConversion {
 namespace {
 
 constexpr std::size_t most_converted = std::size_t{8} << 20;  // bytes of a program, before and after
+constexpr std::size_t most_written_out = 1000;                // stretches of lines
 constexpr std::size_t most_line = 200;                        // bytes of a line that is told with its place
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
@@ -126,6 +127,16 @@ std::string name_for(const std::string& file, const ControlDef& to) {
   return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
 }
 
+/// Of a program that is rewritten word by word: what is not.
+PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
+  PageJson list = PageJson::array();
+  for (const WrittenOut& out : one.written_out) {
+    if (list.size() == most_written_out) break;
+    list.push_back({{"from", out.lines.first}, {"to", out.lines.last}, {"text", why_written_out(out, sides)}});
+  }
+  return list;
+}
+
 PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& setup, std::string name) {
   return {{"proven", is_proven},         {"as", name_of(one.as)},
           {"way", way_in_words(one.as)}, {"program", is_proven ? one.text : unproven_mark() + one.text},
@@ -160,11 +171,10 @@ PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageCon
                                                                    const SourceText& text, const PageJson& question) const {
   const auto of_target = AlarmTexts::load(&conversion.to());
   if (!of_target) return not_converted(of_target.error());
+  const ConversionSides sides{conversion.from(), conversion.texts(), *of_target};
   PageJson tries = PageJson::array();
   for (std::size_t i = 0; i < made.tries.size(); ++i)
-    if (i != made.taken)
-      tries.push_back(
-          refusal_json(made.tries[i], refusal_of(made.tries[i], {conversion.from(), conversion.texts(), *of_target}), text, server.folder));
+    if (i != made.taken) tries.push_back(refusal_json(made.tries[i], refusal_of(made.tries[i], sides), text, server.folder));
   const auto taken = made.taken || !question.value("force", false) ? made.taken : best_unproven(made);
   PageJson written;
   if (taken) {
@@ -172,6 +182,7 @@ PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageCon
     if (one.text.size() > most_converted) return not_converted(too_long_for_the_page());
     const std::string name = name_for(value_in<std::string>(question, "file", ""), conversion.to());
     written = written_json(one, made.taken.has_value(), conversion.setup(one.as), free_name(name, ".nc"));
+    written["written_out"] = written_out_json(one, sides);
   }
   return PageJson{{"text", made.taken ? summary_of(made.tries[*made.taken].proof, lang) : nothing_proven()},
                   {"tolerance", made.tolerance},

@@ -39,20 +39,20 @@ export function convert_steps({ kadr, page, pictures }) {
     },
     async "convert: proven, kept with its set-up, opened by that control"() {
       await page.uncheck(".convert [name=force]");
-      await begin("fanuc");
+      await begin("linuxcnc");
       must(/equal: \d+ motions/.test(await told()), `told: ${await told()}`);
       const file = await page.locator(".convert-written input").first().inputValue();
-      must(file.endsWith("plate-fanuc.nc"), `the name: ${file}`);
+      must(file.endsWith("plate-linuxcnc.nc"), `the name: ${file}`);
       must((await page.locator(".convert-written pre").first().textContent()).includes("G1"), "no program is shown");
-      await page.locator(".convert details summary").first().click();
+      for (const more of await page.locator(".convert details summary").all()) await more.click();
       await page.screenshot({ path: join(pictures, "convert.png") });
       await page.click(".convert-written button:has-text('Save'):not(.main)");
-      await until("it is in the list", () => count('.file-row .file-name:text-is("plate-fanuc.nc")'));
+      await until("it is in the list", () => count('.file-row .file-name:text-is("plate-linuxcnc.nc")'));
       must(await count("dialog .convert"), "the dialogue has gone");
       await page.click(".convert-written button.main");
       await until("its name", async () => !(await count("dialog")) && (await text(".topbar .file")) === file, 20_000);
       await ended();
-      must((await page.locator(".topbar select").first().inputValue()) === "fanuc", "another control");
+      must((await page.locator(".topbar select").first().inputValue()) === "linuxcnc", "another control");
       must(!(await count(".run-told.stopped")), "it does not run");
     },
   };

@@ -509,6 +509,8 @@ export const en = {
   convert_written_line: "line {line} of what was written:",
   convert_called: "a called file",
   convert_called_line: "line {line} of {file}",
+  convert_written_out: "Written out, and why: {count}",
+  convert_lines: "lines {from} – {to}",
   convert_setup: "The set-up that belongs to it",
   convert_setup_name: "Its set-up as",
   convert_more: "… {count} more lines",

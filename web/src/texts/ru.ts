@@ -511,6 +511,8 @@ export const ru: Record<TextKey, string> = {
   convert_written_line: "строка {line} записанного:",
   convert_called: "вызванный файл",
   convert_called_line: "строка {line}, {file}",
+  convert_written_out: "Расписано, и почему: {count}",
+  convert_lines: "строки {from} – {to}",
   convert_setup: "Наладка к ней",
   convert_setup_name: "Наладку как",
   convert_more: "… ещё строк: {count}",

@@ -112,6 +112,8 @@ export class ConvertDialog {
     return h("div", { class: "convert-written" },
       h("pre", { class: "block-text", tabindex: "0", "aria-label": t("source") }, program.text, program.more > 0 && h("span", { class: "dim" }, t("convert_more", { count: program.more }))),
       has_setup && h("details", null, h("summary", null, t("convert_setup")), h("pre", { class: "block-text", tabindex: "0", "aria-label": t("convert_setup") }, beginning_of(w.setup, most_shown).text)),
+      w.written_out.length > 0 && h("details", null, h("summary", null, t("convert_written_out", { count: w.written_out.length })), h("ol", { class: "convert-tries" }, ...w.written_out.map((o) =>
+        h("li", null, button(o.to > o.from ? t("convert_lines", { from: o.from, to: o.to }) : t("line_n", { line: o.from }), () => this.line(o.from, 0), { class: "link" }), o.text)))),
       h("label", { class: "mill-row" }, h("span", null, t("save_as")), this.name),
       has_setup && h("label", { class: "mill-row" }, h("span", null, t("convert_setup_name")), this.setup),
       this.fault, h("div", { class: "row end" }, button(t("save"), () => void this.keep(w), can), button(t("save_and_open"), () => void this.keep_and_open(w), { ...can, class: "main" })));
