@@ -61,6 +61,7 @@ def same_as_the_command(kadr, page, folder):
                 proven += 1
                 expect(written['proven'] and written['program'] == program and written['setup'] == setup, what)
                 expect(lines[0] == answer['text'] and lines[1].endswith(f': {written["way"]}'), what)
+                expect(not written['note'] or f'  {written["note"]}' in lines, what)
                 for out in written['written_out']:
                     expect(any(f':{out["from"]}{"-" + str(out["to"]) if out["to"] > out["from"] else ""}: ' in line and line.endswith(f': {out["text"]}') for line in lines[2:]), f'{what}\n{out}')
             else:

@@ -25,31 +25,34 @@ class PageConversion {
     spec.stop = stop_;
     spec.tolerance = usual_tolerance(*from_.def, *to_);
     spec.source_text = std::move(text);
-    spec.source = [this] { return source(); };
-    spec.target = [this](const std::string& made, bool plain) { return target(made, plain); };
+    spec.source = [this] { return source(from_.setup); };
+    if (Setup elsewhere = from_.setup; probe_elsewhere(elsewhere))
+      spec.elsewhere = [this, elsewhere = std::move(elsewhere)] { return source(elsewhere); };
+    spec.target = [this](const std::string& made, const Setup& setup) { return target(made, setup); };
     return converted(spec);
   }
   const ControlDef& from() const { return *from_.def; }
   const ControlDef& to() const { return *to_; }
   const AlarmTexts& texts() const { return *from_.texts; }
-  Setup setup(ConvertedAs as) const { return corresponding_setup(from_.setup, *from_.def, *to_, as == ConvertedAs::plain); }
 
  private:
   using Side = tl::expected<std::unique_ptr<Session>, std::string>;
 
-  Side source() const {
+  Side source(const Setup& setup) const {
     auto program = from_.program();
     if (!program) return tl::unexpected(program.error());
-    auto session = Session::open(from_.spec(std::move(*program), stop_));
+    SessionSpec spec = from_.spec(std::move(*program), stop_);
+    spec.setup = setup;
+    auto session = Session::open(std::move(spec));
     if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
     if ((*session)->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
     return std::move(*session);
   }
 
-  Side target(const std::string& text, bool plain) const {
+  Side target(const std::string& text, const Setup& setup) const {
     SessionSpec spec = from_.spec({from_.path, text_source(text), Encoding::utf8}, stop_);
     spec.control = to_;
-    spec.setup = corresponding_setup(from_.setup, *from_.def, *to_, plain);
+    spec.setup = setup;
     auto session = Session::open(std::move(spec));
     if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
     (*session)->control().set_waiting(Control::Waiting::pass);
@@ -181,7 +184,8 @@ PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageCon
     const ConversionTry& one = made.tries[*taken];
     if (one.text.size() > most_converted) return not_converted(too_long_for_the_page());
     const std::string name = name_for(value_in<std::string>(question, "file", ""), conversion.to());
-    written = written_json(one, made.taken.has_value(), conversion.setup(one.as), free_name(name, ".nc"));
+    written = written_json(one, made.taken.has_value(), made.setup_of(one.as), free_name(name, ".nc"));
+    written["note"] = made.taken ? note_on(one) : std::string();
     written["written_out"] = written_out_json(one, sides);
   }
   return PageJson{{"text", made.taken ? summary_of(made.tries[*made.taken].proof, lang) : nothing_proven()},

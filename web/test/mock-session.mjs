@@ -77,7 +77,7 @@ export function session(send) {
       const tries = ["as it stands", "with offsets and radius compensation as codes", "with the path of the tool's centre", "with all offsets calculated in"].map((way, i) =>
         ({ as: ["as_it_stands", "contours", "lengths", "plain"][i], way, text: "This control has no code for change_tool", line, file: 0, file_name: "", line_text: lines[line - 1], written_line: 0, written_text: "" }));
       if (q.to === "grbl") return { text: "not converted: no way of writing it for that control could be proven equal", tolerance: 0.0009, written: null, tries };
-      return { text: "equal: 12 motions, greatest distance 0.0000 mm", tolerance: 0.0009, tries: tries.slice(0, 1), written: { proven: true, as: "contours", way: tries[1].way, program: "G21 G90\nG1 X10 F100\nM30\n", setup: "{}\n", written_out: [], name: `plate-${q.to}.nc` } };
+      return { text: "equal: 12 motions, greatest distance 0.0000 mm", tolerance: 0.0009, tries: tries.slice(0, 1), written: { proven: true, as: "contours", way: tries[1].way, program: "G21 G90\nG1 X10 F100\nM30\n", setup: "{}\n", note: "", written_out: [], name: `plate-${q.to}.nc` } };
     },
     stop: () => { stopped = true; return {}; },
   };

@@ -135,7 +135,7 @@ export interface TapeRead { text: string; code: TapeCode; lies: string; faults: 
 export type ConvertQuestion = OpenQuestion & { to: string; flat?: boolean; force?: boolean };
 /// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself; `written_line` of what was written for the other control, 0: of none.
 export interface ConversionTry { as: string; way: string; text: string; line: number; file: number; file_name: string; line_text: string; written_line: number; written_text: string }
-export interface Converted { text: string; tolerance: number; written: { proven: boolean; as: string; way: string; program: string; setup: string; name: string; written_out: { from: number; to: number; text: string }[] } | null; tries: ConversionTry[] }
+export interface Converted { text: string; tolerance: number; written: { proven: boolean; as: string; way: string; program: string; setup: string; name: string; note: string; written_out: { from: number; to: number; text: string }[] } | null; tries: ConversionTry[] }
 
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];

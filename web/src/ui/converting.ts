@@ -86,7 +86,7 @@ export class ConvertDialog {
 
   private sentences(a: Converted): HTMLElement[] {
     const w = a.written;
-    if (w?.proven) return [h("p", { class: "good" }, a.text), h("p", null, t("convert_written", { way: w.way, by: a.tolerance.toFixed(5) }))];
+    if (w?.proven) return [h("p", { class: "good" }, a.text), h("p", null, t("convert_written", { way: w.way, by: a.tolerance.toFixed(5) })), ...(w.note ? [h("p", { class: "mill-warning" }, w.note)] : [])];
     return [h("p", { class: "hint error" }, a.text), ...(w ? [h("p", { class: "mill-warning" }, t("convert_unproven", { way: w.way }))] : this.asked?.force ? [h("p", { class: "note" }, t("convert_cannot"))] : [])];
   }
 
