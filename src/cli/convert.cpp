@@ -16,8 +16,7 @@
 #include "compare/comparison_text.h"
 #include "config/control_file.h"
 #include "config/told.h"
-#include "convert/conversion.h"
-#include "out/text/alarm_print.h"
+#include "convert/conversion_text.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -26,17 +25,6 @@ namespace {
 constexpr double least_apart = 1e-5, most_apart = 10;  // mm
 
 constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // in the order of ConvertedAs
-
-std::string name_of(ConvertedAs as) {
-  switch (as) {
-    case ConvertedAs::as_it_stands: return told("as it stands", "как есть");
-    case ConvertedAs::words: return told("word by word", "слово за словом");
-    case ConvertedAs::contours: return told("with offsets and radius compensation as codes", "с коррекциями и эквидистантой кодами");
-    case ConvertedAs::lengths: return told("with the path of the tool's centre", "с рассчитанной эквидистантой");
-    case ConvertedAs::plain: return told("with all offsets calculated in", "со всеми коррекциями в координатах");
-  }
-  return {};
-}
 
 class ConvertCommand {
  public:
@@ -72,7 +60,7 @@ class ConvertCommand {
       auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
       if (!opened) return tl::unexpected(opened.error().fault.key + ": " + told(opened.error().fault.en, opened.error().fault.ru));
       std::unique_ptr<Session> session = std::move(*opened);
-      if (session->channels().size() > 1) return tl::unexpected(told("programs of several channels are not converted", "программы нескольких каналов не переводятся"));
+      if (session->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
       return session;
     };
   }
@@ -98,57 +86,52 @@ class ConvertCommand {
   }
 
   int tell(const Converted& made) {
-    const Lang lang = language(o_.run);
-    const auto could_be_said = std::find_if(made.tries.begin(), made.tries.end(), [](const ConversionTry& one) { return !one.cannot_say && one.as != ConvertedAs::as_it_stands; });
-    const bool forced = !made.taken && o_.force && could_be_said != made.tries.end();
-    if (!made.taken) tell_why(made, lang);
-    if (!made.taken && !forced) return alarms;
-    const ConversionTry& one = made.taken ? made.tries[*made.taken] : *could_be_said;
+    const auto of_target = AlarmTexts::load(to_.get());
+    if (!of_target) return complain(of_target.error()), wrong_usage;
+    const ConversionSides sides{*job_->def, job_->texts(), *of_target};
+    if (!made.taken) {
+      complain(nothing_proven());
+      for (const ConversionTry& one : made.tries) tell_why(one, sides);
+    }
+    const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
+    if (!made.taken && !unproven) return alarms;
+    const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
     if (!outputs_.open()) return wrong_usage;
-    if (forced) fmt::print(outputs_.stream("--out"), "({})\n", told("NOT PROVEN EQUAL: SEE kadr convert", "НЕ ДОКАЗАНО: СМ. kadr convert"));
+    if (unproven) fmt::print(outputs_.stream("--out"), "{}", unproven_mark());
     std::fwrite(one.text->data(), 1, one.text->size(), outputs_.stream("--out"));
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
     }
     if (!outputs_.keep()) return wrong_usage;
-    if (!forced) {
-      say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, lang), told("written", "записано"), name_of(one.as)));
-      if (made.tools_by_hand) say(fmt::format("  {}\n", told("tools are changed by hand, at M0", "инструмент меняют вручную, на M0")));
-      if (one.proof.passed_messages > 0)
-        say(fmt::format("  {}\n", told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями")));
-      explain(one, lang);
-      for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], lang);
-    }
-    return forced ? alarms : ok;
+    if (unproven) return alarms;
+    say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, language(o_.run)), told("written", "записано"), way_in_words(one.as)));
+    for (const std::string& note : notes_on(made, one)) say(fmt::format("  {}\n", note));
+    explain(one, sides);
+    for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], sides);
+    return ok;
   }
 
-  void tell_why(const Converted& made, Lang lang) const {
-    complain(told("not converted: no way of writing it for that control could be proven equal", "не переведено: ни одна запись для этой системы не доказана"));
-    for (const ConversionTry& one : made.tries) tell_why(one, lang);
-  }
-  void explain(const ConversionTry& one, Lang lang) const {
+  void explain(const ConversionTry& one, const ConversionSides& sides) const {
     if (!o_.explain) return;
     for (const WrittenOut& out : one.written_out) {
       const std::string lines = out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
-      const std::string why = out.cannot_say ? job_->texts().sentence(*out.cannot_say, lang)
-                              : out.differs  ? sentence_of(*out.differs, lang)
-                              : out.varies   ? told("not the same each time", "каждый раз по-разному")
-                                             : told("calculated in", "рассчитано");
-      say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why));
+      say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
     }
   }
   /// Why this way was not taken.
-  void tell_why(const ConversionTry& one, Lang lang) const {
-    explain(one, lang);
-    say(fmt::format("  {} {}: ", told("not", "не"), name_of(one.as)));
-    if (one.cannot_say) say(fmt::format("{}:{}: {}\n", job_->file, one.at.line, job_->texts().sentence(*one.cannot_say, lang)));
-    else if (one.proof.stopped_a) say(fmt::format("{}\n", told("the program is stopped by an alarm under its own control", "программа останавливается ошибкой у своей системы")));
-    else if (one.proof.stopped_b) say(fmt::format("{}: {}\n", one.proof.stopped_b->line_text, job_->texts().sentence(one.proof.stopped_b->alarm, lang)));
-    else if (!one.proof.differences.empty()) {
-      const CourseDifference& d = one.proof.differences.front();
-      say(fmt::format("{}:{} | {}: {}\n", job_->file, d.a.origin.line, d.b.origin.line, sentence_of(d, lang)));
-    }
+  void tell_why(const ConversionTry& one, const ConversionSides& sides) const {
+    explain(one, sides);
+    const ConversionRefusal why = refusal_of(one, sides);
+    say(fmt::format("  {} {}: {}{}\n", told("not", "не"), way_in_words(one.as), place_of(why), why.text));
+  }
+
+  /// "flange.nc:12 | 14: "; the second line is of what was written.
+  std::string place_of(const ConversionRefusal& why) const {
+    if (why.at.line == 0 && why.written_line == 0) return {};
+    if (why.at.line == 0) return fmt::format("{} {}: {}: ", told("line of what was written", "строка записанного"), why.written_line, why.written_text);
+    const std::string file = why.at.file == 0 ? job_->file : why.file.empty() ? told("a called file", "вызванный файл") : why.file;
+    return why.written_line == 0 ? fmt::format("{}:{}: ", file, why.at.line) : fmt::format("{}:{} | {}: ", file, why.at.line, why.written_line);
   }
 
   const ConvertOptions& o_;

@@ -18,6 +18,9 @@
 
 namespace kadr {
 
+class PageConversion;
+struct Converted;
+
 /// An answer that is none: why.
 struct Refusal {
   std::string text;
@@ -82,6 +85,9 @@ struct PageSession::Inside {
   Answer tape(const PageJson& question);
   Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
   Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
+  // page_conversion.cpp
+  Answer convert(const PageJson& question);
+  Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
   // page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);

@@ -77,6 +77,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"go_there", &Inside::go_there, false}, {"lead", &Inside::lead, false}, {"tables", &Inside::tables, false}, {"edit", &Inside::edit, false},
       {"keep_tables", &Inside::keep_tables, false}, {"shift", &Inside::shift, false}, {"answer", &Inside::answer_to_machine, false},
       {"watch", &Inside::watch, false},  {"mill", &Inside::mill, false},          {"tape", &Inside::tape, false},
+      {"convert", &Inside::convert, false},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});

@@ -10,6 +10,7 @@ export function making_steps({ kadr, page, pictures }) {
       await page.reload(); // the same address with another token is no new page
       await until("the files", () => count(".file-row"));
       await page.click(".crumbs button >> nth=0");
+      await until("the folder that is served", async () => (await count(".crumbs button")) === 1); // what was open before brings its own folder
       const folder = (await count('.file-row.folder .file-name:text-is("mill")')) ? "mill/" : "";
       const focused = () => page.evaluate(() => document.activeElement?.name ?? "");
       const told = () => text(".mill-told");

@@ -4,6 +4,7 @@ import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
+import { convert_steps } from "./convert_steps.mjs";
 import { making_steps } from "./making_steps.mjs";
 import { finger_steps, panel_steps } from "./panel_steps.mjs";
 import { server } from "./server.mjs";
@@ -382,6 +383,7 @@ const steps = {
   },
   ...panel_steps({ kadr, page, pictures, only }),
   ...making_steps({ kadr, page, pictures }),
+  ...convert_steps({ kadr, page, pictures }),
   ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
 };
 

@@ -19,6 +19,7 @@ import { apply_fix } from "./source/problems";
 import { language, set_language, t } from "./texts/texts";
 import { banner } from "./ui/banner";
 import { show_compare } from "./ui/compare";
+import { ConvertDialog } from "./ui/converting";
 import { CutPanel } from "./ui/cut_panel";
 import { FilesDrawer } from "./ui/files";
 import { show_help } from "./ui/help";
@@ -72,6 +73,7 @@ const files = new FilesDrawer(app, {
   from_drawing: (folder, drawing) => { new MakingDialog(app, () => new WebSocket(address) as unknown as Socket, folder, drawing); },
   to_tape: () => show_to_tape(app),
   from_tape: (folder) => show_from_tape(app, folder),
+  convert: () => { new ConvertDialog(app, () => new WebSocket(address) as unknown as Socket, (line, file) => { if (file === 0) source.show(line); void go_to_line(line, file); }); },
 });
 const top = new Topbar(app, {
   files: () => { files.element.hidden = !files.element.hidden; remember("files_hidden", files.element.hidden); },

@@ -40,7 +40,7 @@ export function session(send) {
   }
 
   const answers = {
-    hello: (q) => { lang = q.lang; return { version: "0.9", folder: "examples", may_change: true, last: null, controls: [{ id: "mach3", name: "Mach3" }, { id: "fanuc", name: "Fanuc 0i" }, { id: "linuxcnc", name: "LinuxCNC" }], machines: ["mill3"] }; },
+    hello: (q) => { lang = q.lang; return { version: "0.9", folder: "examples", may_change: true, last: null, controls: [{ id: "mach3", name: "Mach3" }, { id: "fanuc", name: "Fanuc 0i" }, { id: "linuxcnc", name: "LinuxCNC" }, { id: "grbl", name: "Grbl 1.1" }], machines: ["mill3"] }; },
     language: (q) => { lang = q.lang; return {}; },
     files: (q) => ({ entries: q.folder ? [{ name: "inner.nc", kind: "program", size: 512, modified: 0 }] : [{ name: "fixtures", kind: "folder", size: 0, modified: 0 }, { name: "long.nc", kind: "program", size: 104857600, modified: 0 }, { name: "plate.nc", kind: "program", size: 733, modified: 0 }, { name: "plate_2.nc", kind: "program", size: 735, modified: 0 }, { name: "plate.json", kind: "setup", size: 96, modified: 0 }, { name: "notes.txt", kind: "other", size: 20, modified: 0 }, { name: "cover.txt", kind: "program", size: 200, modified: 0 }, { name: "lever.dxf", kind: "other", size: 900, modified: 0 }, ...[...saved.keys()].map((name) => ({ name, kind: "program", size: 99, modified: 0 }))] }),
     open: (q) => { open = q.file; text = q.text ?? program; path = path_frame(); setTimeout(run, 10); const long = open === "long.nc"; return { file: q.file, size: text.length, digest: "d1", encoding: "utf-8", control: { id: q.control ?? "mach3", name: "Mach3", guessed: !q.control, why: "%" }, machine: q.machine ?? null, setup: q.setup ?? null, editable: !long, lines: long ? long_lines : text.split("\n").length, ...(long ? {} : { text }) }; },
@@ -72,6 +72,13 @@ export function session(send) {
       return { text: program, picture: svg, summary: [{ name: "zone", value: "closed; islands: 2" }, { name: "path", value: `2779.3 mm, ${layers} × Z, lifts: 0` }], warning: "", name: saved.has("cover.nc") ? "cover_2.nc" : "cover.nc" };
     },
     tape: (q) => (q.way === "out" ? { bytes: btoa(q.text ?? text), rows: text.length, name: "cover.tape" } : saved.get(q.file) ? { text: atob(saved.get(q.file)), code: "iso", lies: "", faults: [], more: 0, name: "cover_2.nc" } : (() => { throw { text: `${q.file}: is no image of a punched tape` }; })()),
+    convert: (q) => {
+      const lines = text.split("\n"), line = lines.findIndex((l) => l.includes("G1")) + 1;
+      const tries = ["as it stands", "with offsets and radius compensation as codes", "with the path of the tool's centre", "with all offsets calculated in"].map((way, i) =>
+        ({ as: ["as_it_stands", "contours", "lengths", "plain"][i], way, text: "This control has no code for change_tool", line, file: 0, file_name: "", line_text: lines[line - 1], written_line: 0, written_text: "" }));
+      if (q.to === "grbl") return { text: "not converted: no way of writing it for that control could be proven equal", tolerance: 0.0009, written: null, tries };
+      return { text: "equal: 12 motions, greatest distance 0.0000 mm", tolerance: 0.0009, tries: tries.slice(0, 1), written: { proven: true, as: "contours", way: tries[1].way, program: "G21 G90\nG1 X10 F100\nM30\n", setup: "{}\n", note: "", written_out: [], name: `plate-${q.to}.nc` } };
+    },
     stop: () => { stopped = true; return {}; },
   };
   const state_of_line = (line) => { let number = 5, last = 0; for (const m of path.all) { if (m[0] !== last || m[2] !== 4) number++; last = m[0]; if (m[0] === line) return number; } return 0; };

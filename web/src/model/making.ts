@@ -1,59 +1,11 @@
-// Programs out of drawings, by a line of its own to the server: a long one keeps nothing else waiting, and is stopped when something else is wanted.
-import { Client, Lost, Refused, type Socket } from "../protocol/client";
-import { token } from "../protocol/token";
-import type { Milled, MillQuestion, NotMilled } from "../protocol/types";
-import { language } from "../texts/texts";
-import { Latest } from "./latest";
-import { Signal } from "./signal";
+// Programs out of drawings: the one that is asked for now.
+import type { Socket } from "../protocol/client";
+import type { Milled } from "../protocol/types";
+import { LongQuestion } from "./long_question";
 
-export class Making {
-  answer: Milled | NotMilled | null = null; // the last one; of what is asked for now only where `busy` is false
-  refusal = "";
-  busy = false;
-  readonly on_change = new Signal<void>();
-  private wanted: MillQuestion | null = null;
-  private client: Client;
-  private wishes = new Latest<MillQuestion>((q) => this.fetch(q));
-  private under_way = false;
-
-  constructor(make: () => Socket) {
-    this.client = new Client(make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
-    this.client.line.on((l) => { if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted); });
-    this.client.connect();
-  }
+export class Making extends LongQuestion<"mill"> {
+  constructor(make: () => Socket) { super(make, "mill"); }
 
   /// The program that is asked for now, verified; null: there is none.
   get program(): Milled | null { return !this.busy && !this.refusal && this.answer && "text" in this.answer ? this.answer : null; }
-
-  /// null: what is typed makes no question. `again`: the drawing may be another one by now.
-  want(question: MillQuestion | null, again = false): void {
-    if (!again && question && JSON.stringify(question) === JSON.stringify(this.wanted)) return;
-    this.wanted = question;
-    this.busy = question !== null;
-    this.refusal = "";
-    if (!question) this.answer = null;
-    if (this.under_way) this.client.ask("stop", {}).catch(() => undefined);
-    this.on_change.emit();
-    if (question) this.wishes.want(question);
-  }
-
-  close(): void { this.client.close(); }
-
-  private async fetch(question: MillQuestion): Promise<void> {
-    if (question !== this.wanted) return;
-    this.under_way = true;
-    try {
-      const answer = await this.client.ask("mill", question);
-      if (question === this.wanted) this.take(answer, "");
-    } catch (e) {
-      if (question === this.wanted && !(e instanceof Lost)) this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
-    } finally { this.under_way = false; }
-  }
-
-  private take(answer: Milled | NotMilled | null, refusal: string): void {
-    this.answer = answer;
-    this.refusal = refusal;
-    this.busy = false;
-    this.on_change.emit();
-  }
 }

@@ -131,6 +131,12 @@ export interface Punched { bytes: string; rows: number; name: string }
 export type TapeCode = "iso" | "eia";
 export interface TapeRead { text: string; code: TapeCode; lies: string; faults: string[]; more: number; name: string }
 
+/// A program with what goes with it as of `open`; `to` the control that it is to be for.
+export type ConvertQuestion = OpenQuestion & { to: string; flat?: boolean; force?: boolean };
+/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself; `written_line` of what was written for the other control, 0: of none.
+export interface ConversionTry { as: string; way: string; text: string; line: number; file: number; file_name: string; line_text: string; written_line: number; written_text: string }
+export interface Converted { text: string; tolerance: number; written: { proven: boolean; as: string; way: string; program: string; setup: string; name: string; note: string; written_out: { from: number; to: number; text: string }[] } | null; tries: ConversionTry[] }
+
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
   language: [{ lang: Language }, object];
@@ -150,6 +156,7 @@ export interface Questions {
   save: [{ file: string; digest: string | null } & ({ text: string } | { bytes: string }), { digest: string }];
   mill: [MillQuestion, Milled | NotMilled];
   tape: [{ way: "out"; file: string; text?: string; code?: TapeCode; leader?: number } | { way: "in"; file: string; code?: TapeCode }, Punched | TapeRead];
+  convert: [ConvertQuestion, Converted];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
   machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean; stood: Stood | null; lasts: boolean }];

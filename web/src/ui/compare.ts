@@ -14,7 +14,7 @@ export interface CompareVerbs { begin(): void; line(line: number): void }
 
 /// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
 export function show_compare(app: App, verbs: CompareVerbs): void {
-  if (document.querySelector("dialog.docked")) return;
+  if (document.querySelector("dialog.docked .compare")) return;
   const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), list = h("ol", { class: "differences" }), host = h("div", { class: "merge" });
   let merge: MergeView | null = null;
   const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
@@ -34,7 +34,7 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
     if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
     else merge = new MergeView({ a: side(other), b: side(app.text, (n) => verbs.line(n)), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
   };
-  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), list, host), { docked: true, closed: () => { merge?.destroy(); verbs.begin(); } });
+  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), list, host), { docked: "left", closed: () => { merge?.destroy(); verbs.begin(); } });
   void fill_files(app, folder, here, file);
 }
 

@@ -1,4 +1,4 @@
-// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs from; tape.
+// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs from; tape, other controls.
 import type { App } from "../model/app";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -11,7 +11,7 @@ const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastI
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
 
 /// `folder`: the one that is shown.
-export interface FilesVerbs { from_drawing(folder: string, drawing?: string): void; to_tape(): void; from_tape(folder: string): void }
+export interface FilesVerbs { from_drawing(folder: string, drawing?: string): void; to_tape(): void; from_tape(folder: string): void; convert(): void }
 
 export class FilesDrawer {
   readonly element = h("nav", { class: "pane files", "aria-label": "" });
@@ -51,7 +51,8 @@ export class FilesDrawer {
       ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]));
     fill(this.list, ...entries.map((e) => this.row(e)), more && h("li", { class: "note" }, t("more_files")), !entries.length && h("li", { class: "note" }, t("empty_folder")));
     this.names = new Set(entries.map((e) => (this.folder ? `${this.folder}/${e.name}` : e.name)));
-    fill(this.verbs_row, button(t("new_from_drawing"), () => this.verbs.from_drawing(this.folder)), button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }), button(t("from_tape"), () => this.verbs.from_tape(this.folder)));
+    fill(this.verbs_row, button(t("new_from_drawing"), () => this.verbs.from_drawing(this.folder)), button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }), button(t("from_tape"), () => this.verbs.from_tape(this.folder)),
+      button(t("convert"), () => this.verbs.convert(), { "data-needs": "program" }));
     this.mark();
   }
 
@@ -77,7 +78,6 @@ export class FilesDrawer {
       if (b.dataset.path === this.app.opened?.file) b.setAttribute("aria-current", "true"); else b.removeAttribute("aria-current");
       if (b.classList.contains("setup")) (b as HTMLButtonElement).disabled = this.app.opened === null;
     }
-    const to_tape = this.verbs_row.querySelector<HTMLButtonElement>("[data-needs=program]");
-    if (to_tape) to_tape.disabled = this.app.opened === null;
+    for (const b of this.verbs_row.querySelectorAll<HTMLButtonElement>("[data-needs=program]")) b.disabled = this.app.opened === null;
   }
 }

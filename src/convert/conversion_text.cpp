@@ -1,0 +1,116 @@
+// Names of the ways, and why one was not taken. For cli/convert, view/page_conversion; tested by tests/convert.py, tests/serve_convert.py.
+
+#include "convert/conversion_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "compare/comparison_text.h"
+#include "config/told.h"
+#include "out/text/alarm_print.h"
+
+namespace kadr {
+namespace {
+
+/// "M6 (tool change)", where one code alone of the control does it, "T" of a word; else as the engine calls it.
+std::string function_in_words(std::string_view name, const ControlDef& def) {
+  const Function function = function_named(name);
+  if (function == Function::count) return std::string(name);
+  const auto does = [&](const auto& row) { return row.function == function; };
+  if (std::count_if(def.codes.begin(), def.codes.end(), does) == 1) {
+    const CodeRow& row = *std::find_if(def.codes.begin(), def.codes.end(), does);
+    return fmt::format("{} ({})", row.code, told(row.text.en, row.text.ru));
+  }
+  const auto word = std::find_if(def.addresses.begin(), def.addresses.end(), does);
+  return word == def.addresses.end() ? std::string(name) : std::string(1, word->letter);
+}
+
+std::string cannot_say(const Alarm& alarm, const ConversionSides& sides) {
+  const Lang lang = told_lang();
+  if (alarm.id != AlarmId::function_has_no_code) return sides.of_target.sentence(alarm, lang);
+  std::string sentence = sides.of_target.pattern(alarm.id, lang);
+  constexpr std::string_view argument = "{0}";
+  if (const auto at = sentence.find(argument); at != sentence.npos)
+    sentence.replace(at, argument.size(), function_in_words(alarm.args[0].text(), sides.from));
+  return sentence;
+}
+
+}  // namespace
+
+std::string way_in_words(ConvertedAs as) {
+  switch (as) {
+    case ConvertedAs::as_it_stands: return told("as it stands", "как есть");
+    case ConvertedAs::words: return told("word by word", "слово за словом");
+    case ConvertedAs::contours: return told("with offsets and radius compensation as codes", "с коррекциями и эквидистантой кодами");
+    case ConvertedAs::lengths: return told("with the path of the tool's centre", "с рассчитанной эквидистантой");
+    case ConvertedAs::plain: return told("with all offsets calculated in", "со всеми коррекциями в координатах");
+  }
+  return {};
+}
+
+const char* name_of(ConvertedAs as) {
+  switch (as) {
+    case ConvertedAs::as_it_stands: return "as_it_stands";
+    case ConvertedAs::words: return "words";
+    case ConvertedAs::contours: return "contours";
+    case ConvertedAs::lengths: return "lengths";
+    case ConvertedAs::plain: return "plain";
+  }
+  return "";
+}
+
+ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& sides) {
+  const Lang lang = told_lang();
+  if (one.cannot_say) return {cannot_say(*one.cannot_say, sides), one.at};
+  if (one.proof.stopped_a)
+    return {
+        fmt::format("{}: {}", told("an alarm stops the program under its own control", "программу останавливает ошибка у своей системы"),
+                    sentence_of(*one.proof.stopped_a, sides.of_source, lang)),
+        one.proof.stopped_a->origin};
+  if (one.proof.stopped_b) {
+    const AlarmReport& alarm = *one.proof.stopped_b;
+    const std::string sentence = sentence_of(alarm, sides.of_target, lang);
+    if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};  // it is the program itself
+    if (alarm.origin.file != 0) return {sentence, {}};
+    return {sentence, {}, {}, alarm.origin.line, alarm.line_text};
+  }
+  if (one.proof.differences.empty()) return {told("interrupted", "прервано"), {}};
+  const CourseDifference& first = one.proof.differences.front();
+  return {sentence_of(first, lang), first.a.origin, first.a.file, first.b.origin.file == 0 ? first.b.origin.line : 0};
+}
+
+std::string why_written_out(const WrittenOut& lines, const ConversionSides& sides) {
+  if (lines.cannot_say) return cannot_say(*lines.cannot_say, sides);
+  if (lines.differs) return sentence_of(*lines.differs, told_lang());
+  return lines.varies ? told("not the same each time", "каждый раз по-разному") : told("calculated in", "рассчитано");
+}
+
+std::vector<std::string> notes_on(const Converted& made, const ConversionTry& one) {
+  std::vector<std::string> notes;
+  if (made.tools_by_hand) notes.push_back(told("tools are changed by hand, at M0", "инструмент меняют вручную, на M0"));
+  if (one.proof.passed_messages != 0) notes.push_back(told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями"));
+  return notes;
+}
+
+std::optional<std::size_t> best_unproven(const Converted& made) {
+  const auto could_be_said = [](const ConversionTry& one) {
+    return !one.cannot_say && !one.text->empty() && one.as != ConvertedAs::as_it_stands;
+  };
+  const auto found = std::find_if(made.tries.begin(), made.tries.end(), could_be_said);
+  if (found == made.tries.end()) return std::nullopt;
+  return std::size_t(found - made.tries.begin());
+}
+
+std::string unproven_mark() { return fmt::format("({})\n", told("NOT PROVEN EQUAL: SEE kadr convert", "НЕ ДОКАЗАНО: СМ. kadr convert")); }
+
+std::string nothing_proven() {
+  return told("not converted: no way of writing it for that control could be proven equal",
+              "не переведено: ни одна запись для этой системы не доказана");
+}
+
+std::string no_conversion_of_channels() {
+  return told("programs of several channels are not converted", "программы нескольких каналов не переводятся");
+}
+
+}  // namespace kadr
