@@ -42,13 +42,15 @@ struct BlockRewriter::Kinds {
   const CodeRow* motion = nullptr;  // code of the group of motions
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
+  const CodeRow* macro = nullptr;  // G65
+  bool returns = false;            // M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code that its axis words belong to, other than a motion
   bool drills = false;      // a canned cycle is in force or named
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), motion_group_(group_of_motions(from)) {}
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {}
 
 const CodeRow* BlockRewriter::row_of(const Word& word) const {
   if (word.code < 0) return nullptr;
@@ -68,6 +70,8 @@ void BlockRewriter::look(const Block& block, Kinds& kinds) const {
       else if (traits_of(row->function).takes_axes()) kinds.takes_axes = true;
       if (row->function == Function::dwell || row->function == Function::dwell_or_turns) kinds.dwell = row;
       if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered) kinds.call = row;
+      if (row->function == Function::macro_call) kinds.macro = row;
+      kinds.returns = kinds.returns || row->function == Function::return_program;
       continue;
     }
     const AddressRow& row = from_.address(word.address);
@@ -94,6 +98,16 @@ void BlockRewriter::pass(const Block& block) {
 
 double BlockRewriter::value_of(const Word& word) const { return word.value * from_.address(word.address).scale; }
 
+/// RS274/NGC wants a value with operators in brackets; macros need none.
+std::string BlockRewriter::assignment(std::string_view text) const {
+  const std::size_t equals = text.find('=');
+  if (!from_.grammar.macro || to_.grammar.macro || equals == std::string_view::npos) return std::string(text);
+  std::string_view value = text.substr(equals + 1);
+  while (!value.empty() && value.front() == ' ') value.remove_prefix(1);
+  const bool has_operators = value.find_first_of("+-*/ABCDEFGHIJKLMNOPQRSTUVWXYZ", 1) != std::string_view::npos;
+  return has_operators ? fmt::format("{}[{}]", text.substr(0, equals + 1), value) : std::string(text);
+}
+
 /// An expression and what is given its value: variables with names become numbers where the other control has none.
 Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   const auto made = flow_.expression(text);
@@ -115,10 +129,11 @@ Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
     if (const std::size_t comment = text.find_first_of("(;"); comment != std::string_view::npos) text = text.substr(0, comment);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  return slice(text, out);
+  return slice(is_assignment ? assignment(text) : std::string(text), out);
 }
 
-Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) const {
+Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
+  if (is_to_o_lines() && o_lines_.begins(label)) return o_lines_.begin(label, out);
   if (to_.grammar.label_address == 0 && !to_.grammar.programs_by_label && !to_.grammar.o_words) return cannot("O");
   out.text(fmt::format("O{}", label));
   return {};
@@ -230,17 +245,56 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   if (block.marker == Marker::program_start || block.marker == Marker::section) return {};
   if (block.marker != Marker::none) return block.marker == Marker::label ? write_label(block.label, out) : cannot(block.text_of(block.where));
   out.set_skip(block.skip);
+  if (is_to_o_lines() && block.has_number) KADR_TRY(o_lines_.number(block.number, out));
   if (block.has_number) out.set_number(block.number);
-  if (block.statement.kind != StatementKind::none) return statement(block, out);
+  if (block.statement.kind != StatementKind::none) {
+    const bool is_plain = block.statement.kind == StatementKind::assign && !block.statement.with_if;
+    return is_to_o_lines() && !is_plain ? o_line(block, out) : statement(block, out);
+  }
   Kinds kinds;
   look(block, kinds);
   KADR_TRY(said_again(kinds, out));
   pass(block);
+  if (is_to_o_lines() && kinds.macro != nullptr) return macro_call(block, out);
+  if (is_to_o_lines() && kinds.returns && o_lines_.is_in_macro()) {
+    if (block.word_count != 1) return cannot("M99");
+    return o_lines_.end(block.position.line, out);
+  }
+  return words_of(block, kinds, out);
+}
+
+/// What stands behind a condition is a block of its own there.
+Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
+  return o_lines_.write(block, [&]() -> Status {
+    if (block.statement.kind == StatementKind::assign) {
+      const std::string_view text = block.text_of(block.where);
+      const std::size_t then = text.find("THEN");
+      if (then == std::string_view::npos) return cannot("THEN");
+      constexpr std::size_t behind = 4;
+      return slice(assignment(text.substr(then + behind, text.find('(') - then - behind)), out);
+    }
+    Kinds kinds;
+    look(block, kinds);
+    pass(block);
+    return words_of(block, kinds, out);
+  }, out);
+}
+
+Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
+  return o_lines_.call(block, [&](const Word& word, std::string& value) -> Status {
+    if (!word.expression) return value = fmt::format("{}", value_of(word)), Status();
+    auto text = flow_.expression(block.text_of(word.where).substr(1));
+    if (!text) return fail(text.error());
+    return value = std::move(*text), Status();
+  }, out);
+}
+
+Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
   std::size_t next = 0;  // assignment
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address) return cannot(block.text_of(block.assignments[next].where));
-      KADR_TRY(slice(block.text_of(block.assignments[next].where), out));
+      KADR_TRY(slice(assignment(block.text_of(block.assignments[next].where)), out));
     }
     return {};
   };

@@ -8,6 +8,7 @@
 #include "convert/block_maker.h"
 #include "convert/code_match.h"
 #include "convert/flow_rewriter.h"
+#include "convert/o_line_rewriter.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -22,8 +23,9 @@ class BlockRewriter {
   Status write(const Block& block, BlockMaker& out);
   /// Numbers of variables that the program uses.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
+  void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
   /// The first block of a subprogram.
-  Status write_label(std::uint32_t label, BlockMaker& out) const;
+  Status write_label(std::uint32_t label, BlockMaker& out);
   /// Ends of a program end nothing there: a section of subprograms (spec/s2c42 6).
   void set_in_section(bool is) { in_section_ = is; }
   /// A block that is not written in this way: what it puts in force in the text counts all the same.
@@ -42,10 +44,15 @@ class BlockRewriter {
   Status said_again(const Kinds& kinds, BlockMaker& out);
   Status code(const CodeRow& row, BlockMaker& out) const;
   std::optional<char> letter_of(const Word& word, const Kinds& kinds) const;
+  bool is_to_o_lines() const { return from_.grammar.macro && to_.grammar.o_words; }
+  Status o_line(const Block& block, BlockMaker& out);
+  Status macro_call(const Block& block, BlockMaker& out);
+  Status words_of(const Block& block, const Kinds& kinds, BlockMaker& out);
   Status word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out);
   Status section_call(const Word& word, BlockMaker& out) const;
   Status dwell_word(const Word& word, const CodeRow& dwell, BlockMaker& out) const;
   Status number(const Word& word, char letter, BlockMaker& out) const;
+  std::string assignment(std::string_view text) const;
   Status slice(std::string_view text, BlockMaker& out);
   double seconds(const Word& word) const;
   double value_of(const Word& word) const;
@@ -54,6 +61,7 @@ class BlockRewriter {
   const ControlDef& to_;
   const CodeMatch match_;
   FlowRewriter flow_;
+  OLineRewriter o_lines_;
   std::uint8_t motion_group_ = 0;         // of the codes of `from`
   const CodeRow* motion_ = nullptr;       // in force in the text
   bool motion_is_cycle_ = false;

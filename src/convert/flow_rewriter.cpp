@@ -17,9 +17,6 @@ constexpr int most_nested = 3;                                               // 
 constexpr std::uint32_t first_named = 8000;                                  // subprograms with names
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // variables (spec/fanuc 5.1)
 
-/// Letters of the arguments for #1, #2 … (spec/fanuc 9.3); '\0': there is none.
-constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
-
 Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
 std::string_view trimmed(std::string_view text) {

@@ -15,6 +15,9 @@
 
 namespace kadr {
 
+/// Letters of the arguments of a macro call for #1, #2 … (spec/fanuc 9.3); '\0': there is none.
+inline constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
+
 class FlowRewriter {
  public:
   /// Of O lines: `to` has macros, or subprograms under labels at least.

@@ -42,6 +42,46 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     last_block_ = block.position.line;
   }
   close_subprogram();
+  const std::vector<TextLines> own = loops_;
+  for (const auto& [line, number] : jumps_) {  // what a jump passes over, or goes through again, is written out together
+    const auto at = numbers_.find(number);
+    if (at == numbers_.end()) continue;
+    TextLines passed{std::min(line, at->second), std::max(line, at->second)};
+    if (passed.first == line) passed.last = block_before(passed.last);
+    if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
+    for (const TextLines& loop : own)  // with whole loops
+      if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
+        passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
+    if (passed.first < passed.last) loops_.push_back(passed);
+  }
+}
+
+MacroShape ProgramShape::macros() const {
+  MacroShape made;
+  made.leaves = leaves_;
+  for (const auto& [line, number] : jumps_)
+    if (const auto at = numbers_.find(number); at != numbers_.end() && at->second < line) made.jumped_back.insert(number);
+  for (const std::uint32_t label : macro_labels_)
+    if (const auto found = subprograms_.find(label); found != subprograms_.end()) made.macros[label] = last_return(found->second);
+  return made;
+}
+
+std::uint32_t ProgramShape::last_return(TextLines lines) const {
+  const auto after = std::upper_bound(edges_.begin(), edges_.end(), lines.last);
+  return after == edges_.begin() || *std::prev(after) < lines.first ? lines.last : *std::prev(after);
+}
+
+void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
+  constexpr std::size_t most_numbers = 100'000;
+  if (!def.grammar.macro) return;
+  if (block.has_number && numbers_.size() < most_numbers) numbers_.emplace(block.number, block.position.line);
+  if (block.statement.kind != StatementKind::go_to) return;
+  const std::string_view text = block.text_of(block.where);
+  const std::size_t digits = text.find_last_not_of("0123456789 ");
+  std::uint32_t number = 0;
+  for (const char c : text.substr(digits + 1))
+    if (c != ' ' && number < most_variable) number = 10 * number + static_cast<std::uint32_t>(c - '0');
+  if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
 void ProgramShape::take(const Block& block, const ControlDef& def) {
@@ -55,6 +95,7 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
   }
   take_section(block);
   take_o_line(block);
+  take_jump(block, def);
   take_variables(block.text_of(block.where));
   const std::string label(block.statement.kind == StatementKind::o_word ? block.text_of(block.statement.label_where) : std::string_view());
   const bool ends_do = block.statement.o_word == OWord::while_ && !open_loops_.empty() && !label.empty() && open_loops_.back().second == label;
@@ -131,6 +172,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     if (row < 0) continue;
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     is_call = is_call || calls(function);
+    if (function == Function::macro_call && block.has('P') && !block.find('P')->expression) macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));
     take_side(def.codes[static_cast<std::size_t>(row)], block.position.line);
     if (returns(function)) edges_.push_back(block.position.line);
     if (traits_of(function).phase == Phase::transform) transforms_.push_back(block.position.line);

@@ -12,6 +12,7 @@
 
 #include "lang/block/block_reader.h"
 #include "config/control_def.h"
+#include "convert/o_line_rewriter.h"
 
 namespace kadr {
 
@@ -49,6 +50,8 @@ class ProgramShape {
   const std::vector<TextLines>& contours() const { return contours_; }
   /// Lines that call what stands in other files.
   std::vector<std::uint32_t> calls_outside() const;
+  /// Jumps back, and subprograms that are called with arguments.
+  MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
   /// Variables that its text names by numbers.
   const std::set<std::uint32_t>& variables() const { return variables_; }
@@ -62,6 +65,8 @@ class ProgramShape {
   void take_side(const CodeRow& row, std::uint32_t line);
   void take_o_line(const Block& block);
   void take_variables(std::string_view text);
+  void take_jump(const Block& block, const ControlDef& def);
+  std::uint32_t last_return(TextLines lines) const;
   void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
@@ -72,6 +77,10 @@ class ProgramShape {
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
   std::set<std::uint32_t> variables_;
   ProgramNames names_of_words_;
+  std::map<std::uint32_t, std::uint32_t> numbers_;           // N → line, of macro programs that are not very long
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N
+  std::set<std::uint32_t> leaves_;
+  std::set<std::uint32_t> macro_labels_;                     // called by G65
   // while it is read
   std::map<std::string, std::uint32_t> names_;  // of subprograms → label
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line

@@ -39,6 +39,7 @@ class Rewriter {
 
   Rewritten write() {
     words_.set_used(spec_.used_variables);
+    words_.set_macros(spec_.macros);
     made_.lines.reserve(spec_.lines + 8);
     blocks_.begin();
     bool has_begun = false;

@@ -28,6 +28,7 @@ struct RewriteSpec {
   const std::vector<FlatPlace>* places = nullptr;     // in their order, settled
   const std::vector<TextLines>* left_out = nullptr;   // subprograms that nobody calls any more
   std::set<std::uint32_t> used_variables{};           // by their numbers
+  MacroShape macros{};
   std::size_t lines = 0;                              // of the source, about
   bool russian = false;                               // what is said about it
 };
