@@ -43,6 +43,7 @@ struct BlockRewriter::Kinds {
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
   const CodeRow* macro = nullptr;  // G65
+  const CodeRow* path_mode = nullptr;  // that the other control has not
   bool returns = false;            // M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code that its axis words belong to, other than a motion
@@ -71,6 +72,7 @@ void BlockRewriter::look(const Block& block, Kinds& kinds) const {
       if (row->function == Function::dwell || row->function == Function::dwell_or_turns) kinds.dwell = row;
       if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered) kinds.call = row;
       if (row->function == Function::macro_call) kinds.macro = row;
+      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) kinds.path_mode = row;
       kinds.returns = kinds.returns || row->function == Function::return_program;
       continue;
     }
@@ -305,10 +307,11 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     if (one.code >= 0) {
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
+      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // told: conversion_text
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       KADR_TRY(code(*row, out));
       KADR_TRY(implied_number(block, *row, out));
-    } else {
+    } else if (kinds.path_mode == nullptr || (kinds.path_mode->takes >> (one.address - 'A') & 1U) == 0) {
       KADR_TRY(word(block, one, kinds, out));
     }
   }

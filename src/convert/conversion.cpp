@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convert/code_match.h"
 #include "convert/flat_program.h"
 #include "convert/source_comments.h"
 #include "convert/word_by_word.h"
@@ -127,6 +128,12 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   const ProgramShape shape(shared_text_source(spec.source_text), opened->def());
   all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
   all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
+  const CodeMatch match(opened->def(), *spec.to);
+  for (const std::size_t row : shape.path_modes()) {
+    const CodeRow& code = opened->def().codes[row];
+    all.path_modes.push_back(code.code);
+    if (match.of(code) == nullptr) all.path_modes_unknown.push_back(code.code);
+  }
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;

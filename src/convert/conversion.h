@@ -61,6 +61,8 @@ struct ConversionTry {
 struct Converted {
   /// From which each of the tries was run: corresponding_setup().
   Setup setup, plain_setup;
+  /// Codes of exact stop, smoothing and the like that the program names; those that the other control has not. They are not compared.
+  std::vector<std::string> path_modes, path_modes_unknown;
   bool tools_by_hand = false;  // the other control cannot change tools: it stops there
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
   std::optional<std::size_t> taken;  // of `tries`; nothing: refused

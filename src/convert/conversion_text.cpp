@@ -2,7 +2,7 @@
 
 #include "convert/conversion_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -90,6 +90,10 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   std::vector<std::string> notes;
   if (made.tools_by_hand) notes.push_back(told("tools are changed by hand, at M0", "инструмент меняют вручную, на M0"));
   if (one.proof.passed_messages != 0) notes.push_back(told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями"));
+  const auto& lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>() : one.as == ConvertedAs::words ? made.path_modes_unknown : made.path_modes;
+  if (!lost.empty())
+    notes.push_back(told(fmt::format("not carried over: {} (how corners are gone round)", fmt::join(lost, ", ")),
+                         fmt::format("не перенесено: {} (как проходятся углы)", fmt::join(lost, ", "))));
   return notes;
 }
 

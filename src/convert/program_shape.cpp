@@ -171,6 +171,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     const std::int32_t row = def.row_of(word.address, word.code);
     if (row < 0) continue;
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
+    if (traits_of(function).phase == Phase::path_mode) path_modes_.insert(static_cast<std::size_t>(row));
     is_call = is_call || calls(function);
     if (function == Function::macro_call && block.has('P') && !block.find('P')->expression) macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));
     take_side(def.codes[static_cast<std::size_t>(row)], block.position.line);

@@ -1,11 +1,9 @@
 // A program for another control, proven equal: convert. Nothing is written; the page saves what is wanted. For view/page_session; tested by
 // tests/serve_convert.py.
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
-
-#include <fmt/format.h>
 
 #include "compare/comparison_text.h"
 #include "config/control_file.h"
