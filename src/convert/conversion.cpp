@@ -125,7 +125,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   auto session = spec.source();
   if (!session) return tl::unexpected(session.error());
   const std::unique_ptr<Session> opened = std::move(*session);
-  const ProgramShape shape(shared_text_source(spec.source_text), opened->def());
+  const ProgramShape shape(shared_text_source(spec.source_text), opened->def(), spec.stop);
   all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
   all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   const CodeMatch match(opened->def(), *spec.to);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double same_value = 1e-9;
 constexpr int most_turns = 1000;
+constexpr int first_system = 53;  // G54 is number 1
 
 Status no_code(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
@@ -167,7 +168,8 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty()) blocks_.text(source_.systems[std::size_t(system)]);
-  else KADR_TRY(blocks_.code({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}));
+  else if (!blocks_.code_if_there({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}))
+    return no_code(("G" + std::to_string(first_system + system)).c_str());
   system_ = motion.system;
   said_origin_ = placement_.origin;
   return blocks_.end();

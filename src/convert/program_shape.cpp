@@ -30,10 +30,10 @@ constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  
 
 }  // namespace
 
-ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def) {
+ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop) {
   BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
   Block block;
-  for (;;) {
+  while (!stop.asked()) {
     const auto got = reader.next(block);
     if (got && *got == BlockReader::Got::end) break;
     lines_ = block.position.line;

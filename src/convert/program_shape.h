@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/block/block_reader.h"
+#include "base/stop.h"
 #include "config/control_def.h"
 #include "convert/o_line_rewriter.h"
 
@@ -32,7 +33,7 @@ struct ProgramNames {
 
 class ProgramShape {
  public:
-  ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def);
+  ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop = {});
 
   /// The smallest loop around these lines that is larger than they; nothing: none.
   std::optional<TextLines> loop_around(TextLines lines) const;

@@ -43,7 +43,7 @@ class Rewriter {
     made_.lines.reserve(spec_.lines + 8);
     blocks_.begin();
     bool has_begun = false;
-    for (;;) {
+    while (!spec_.stop.asked()) {
       const auto got = reader_.next(block_);
       if (got && *got == BlockReader::Got::end) break;
       const std::uint32_t line = block_.position.line;

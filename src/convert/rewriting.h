@@ -30,6 +30,7 @@ struct RewriteSpec {
   std::set<std::uint32_t> used_variables{};           // by their numbers
   MacroShape macros{};
   std::size_t lines = 0;                              // of the source, about
+  StopToken stop{};
   bool russian = false;                               // what is said about it
 };
 

@@ -53,7 +53,7 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), shape_.is_russian()};
+    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), spec_.stop, shape_.is_russian()};
     const auto text = std::make_shared<std::string>();
     text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
     const Rewritten written = rewrite(rewriting, [&text](std::string_view line) { text->append(line); });
