@@ -60,8 +60,8 @@ class Comparer {
         space_(axes),
         course_a_(a),
         course_b_(b),
-        a_([&a] { return a.next(); }, a.start(), space_),
-        b_([&b] { return b.next(); }, b.start(), space_),
+        a_([&a](ItemRing& to) { a.more(to); }, a.start(), space_),
+        b_([&b](ItemRing& to) { b.more(to); }, b.start(), space_),
         follower_(rules.on_piece, space_, rules.tolerance) {
     if (!rules_.on_piece) return;
     a_.on_pass = [this](const CourseItem& item, const Axes& from, const Axes& to) { follower_.take(item, from, to, false); };
@@ -91,7 +91,7 @@ class Comparer {
     if (a == ItemKind::move && b == ItemKind::move) return move();
     if (a == ItemKind::move && pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
     if (b == ItemKind::move && pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
-    if (a == ItemKind::act && b == ItemKind::act && is_same(a_.item(0).act, b_.item(0).act)) return act();
+    if (a == ItemKind::act && b == ItemKind::act && is_same(*a_.item(0).act, *b_.item(0).act)) return act();
     meet_again();
   }
 
@@ -159,7 +159,7 @@ class Comparer {
 
   CourseSpot spot(Lane& lane) {
     const CourseItem& item = lane.item(0);
-    CourseSpot spot{item.origin.line == 0 ? lane.last().origin : item.origin, {}, item.begins, lane.at()};
+    CourseSpot spot{item.origin.line == 0 ? lane.last_origin() : item.origin, {}, item.begins, lane.at()};
     Course& course = &lane == &a_ ? course_a_ : course_b_;
     if (spot.origin.file != 0) spot.file = course.session().settled_control().file_name(spot.origin.file);
     return spot;
@@ -207,7 +207,7 @@ class Comparer {
     const CourseItem& b = b_.item(j);
     if (a.kind != b.kind || !is_near(a_.begin(i), b_.begin(j)) || is_behind_end(a_, i) || is_behind_end(b_, j)) return false;
     if (a.kind == ItemKind::end) return a.fault == b.fault || !strictly;
-    if (a.kind == ItemKind::act) return is_same(a.act, b.act);
+    if (a.kind == ItemKind::act) return is_same(*a.act, *b.act);
     if (!strictly) return a.state.move == b.state.move && space_.distance(a_.begin(i), a.to) > rules_.tolerance;
     return is_near(a.to, b.to) && !first_difference(a.state, b.state);
   }
@@ -224,7 +224,7 @@ class Comparer {
       for (std::size_t i = 0; i < count && i < most_measured; ++i) {
         const CourseItem& item = lane.item(i);
         only = only && item.kind == ItemKind::act;
-        if (item.kind == ItemKind::act && text.size() < 100) text += (text.empty() ? "" : " ") + text_of(item.act);
+        if (item.kind == ItemKind::act && text.size() < 100) text += (text.empty() ? "" : " ") + text_of(*item.act);
       }
       return std::pair(text, only);
     };

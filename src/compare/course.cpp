@@ -21,6 +21,11 @@ CourseMove move_of(MotionKind kind) {
   }
 }
 
+/// Its path is the line to where it ends: MachinePath would say the same.
+bool is_plain_line(const Step& step, const Motion& motion) {
+  return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !leads_tip(step.from, motion);
+}
+
 }  // namespace
 
 Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop)
@@ -37,7 +42,7 @@ Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>&
   state_.tool = std::uint32_t(std::max(own.setup.tool, 0));
   rpm_ = own.setup.spindle().rpm;
   clock_ = std::make_unique<TimeEstimate>(AxisRoles::of(axes, own.control->rotary()), rates_of(session_->machine(), own.setup, axes));
-  start_ = in_frame(session_->stand().machine);
+  put_in_frame(start_, session_->stand().machine);
   Outlets& outlets = session_->outlets();
   outlets.step = [this](const Step& step) { take(step); };
   outlets.warning = [](const AlarmReport&) {};
@@ -51,19 +56,18 @@ Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>&
   outlets.stop = stop_;
 }
 
-CourseItem Course::next() {
-  while (ahead_.empty() && !over_) over_ = stop_.asked() || session_->go_on() != Session::State::running;
-  if (ahead_.empty()) return end_;
-  CourseItem item = std::move(ahead_.front());
-  ahead_.pop_front();
-  return item;
+void Course::more(ItemRing& to) {
+  const std::size_t before = to.size();
+  ahead_ = &to;
+  while (to.size() == before && !over_) {
+    over_ = stop_.asked() || session_->go_on() != Session::State::running;
+    if (over_) to.add() = end_;
+  }
 }
 
-Axes Course::in_frame(const Axes& machine) const {
-  Axes all{};
-  for (std::size_t i = 0; i < axis_of_.size(); ++i)
-    if (axis_of_[i] >= 0) all[i] = machine[std::size_t(axis_of_[i])];
-  return all;
+/// The others stay as they are: 0.
+void Course::put_in_frame(Axes& to, const Axes& machine) const {
+  for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] : 0;
 }
 
 void Course::take(const Step& step) {
@@ -107,39 +111,42 @@ void Course::take(const Step& step) {
 }
 
 void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std::string text) {
-  CourseItem item;
+  CourseItem& item = ahead_->add();
   item.kind = CourseItem::Kind::act;
-  item.to = in_frame(step.from.machine);
+  put_in_frame(item.to, step.from.machine);
   item.state = state_;
-  item.act = {kind, value, std::move(text)};
   if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for the change is the machine's own affair
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;
-    if (tools_by_hand_) item.act = {CourseAct::Kind::stop, 0, {}};
+    if (tools_by_hand_) kind = CourseAct::Kind::stop, value = 0;
   }
+  item.act = std::make_shared<const CourseAct>(CourseAct{kind, value, std::move(text)});
   item.origin = step.action.origin;
   item.begins = step.begins;
   item.ends = step.begins + step.pause;
-  ahead_.push_back(std::move(item));
 }
 
 void Course::take_motion(const Step& step, const Motion& motion) {
-  CourseItem item;
-  item.kind = CourseItem::Kind::move;
-  item.state = state_;
-  item.state.move = move_of(motion.kind);
-  if (item.state.move == CourseMove::feed || item.state.move == CourseMove::probe)
-    item.state.unit = motion.unit, item.state.feed = motion.feed;
-  if (item.state.move == CourseMove::thread && motion.detail) item.state.lead = motion.detail->lead.value_or(0);
-  if (!zero_ && item.state.move == CourseMove::feed) zero_ = frame_zero_;
-  item.origin = step.action.origin;
+  CourseState state = state_;
+  state.move = move_of(motion.kind);
+  if (state.move == CourseMove::feed || state.move == CourseMove::probe) state.unit = motion.unit, state.feed = motion.feed;
+  if (state.move == CourseMove::thread && motion.detail) state.lead = motion.detail->lead.value_or(0);
+  if (!zero_ && state.move == CourseMove::feed) zero_ = frame_zero_;
+  const auto add = [&](double begins, double ends) -> Axes& {
+    CourseItem& item = ahead_->add();
+    item.kind = CourseItem::Kind::move;
+    item.state = state;
+    item.act.reset();
+    item.origin = step.action.origin;
+    item.begins = begins, item.ends = ends;
+    return item.to;
+  };
+  if (is_plain_line(step, motion)) return put_in_frame(add(step.begins, step.begins + step.time.seconds), motion.machine);
   const MachinePath path(step);
   const int pieces = path.straight() ? 1 : std::clamp(path.pieces(chord_), 1, most_pieces);
   for (int i = 1; i <= pieces; ++i) {
-    item.begins = step.begins + step.time.seconds * (i - 1) / pieces;
-    item.ends = step.begins + step.time.seconds * i / pieces;
-    item.to = in_frame(i == pieces ? path.end() : path.at(double(i) / pieces));
-    ahead_.push_back(item);
+    Axes& to = add(step.begins + step.time.seconds * (i - 1) / pieces, step.begins + step.time.seconds * i / pieces);
+    put_in_frame(to, i == pieces ? path.end() : path.at(double(i) / pieces));
   }
 }
 

@@ -2,54 +2,16 @@
 // Course: what a program makes the machine do, in the order of time, such that two programs can be compared: straight pieces of the axes'
 // way with what is in force along them, and acts between them.
 
-#include <cstdint>
-#include <deque>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/item_ring.h"
 #include "kinematics/chain.h"
 #include "session/session.h"
 
 namespace kadr {
-
-enum class CourseMove : std::uint8_t { rapid, feed, thread, probe };
-
-/// In force while the machine moves or acts.
-struct CourseState {
-  CourseMove move = CourseMove::rapid;
-  FeedUnit unit = FeedUnit::mm_per_min;
-  double feed = 0;  // in that unit, as commanded; 0 at rapid
-  double lead = 0;  // of a thread, mm
-  std::uint32_t tool = 0;
-  SpindleDir spindle = SpindleDir::stop;
-  bool surface = false;  // the speed is m/min
-  double speed = 0;      // of a spindle that turns
-  Coolant coolant = Coolant::off;
-  friend bool operator==(const CourseState&, const CourseState&) = default;
-};
-
-/// What happens while the axes stand, but for what is in force afterwards.
-struct CourseAct {
-  enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, other };
-  Kind kind = Kind::other;
-  double value = 0;  // tool; s; number of a message or function
-  std::string text;  // of a message; which other
-  friend bool operator==(const CourseAct&, const CourseAct&) = default;
-};
-
-struct CourseItem {
-  enum class Kind : std::uint8_t { move, act, end };
-  Kind kind = Kind::end;
-  Axes to{};  // machine coordinates at its end, in the order of the frame's axes
-  CourseState state;
-  CourseAct act;
-  Origin origin;
-  double begins = 0, ends = 0;   // s since the start, as programmed
-  std::optional<AlarmId> fault;  // of an end: the alarm that it came by
-};
 
 /// Runs a program alone in its channel, as far as it is asked for.
 class Course {
@@ -65,8 +27,8 @@ class Course {
   void change_tools_by_hand() { tools_by_hand_ = true; }
   /// Where its axes stand before the first item.
   const Axes& start() const { return start_; }
-  /// After an end it is the end again and again.
-  CourseItem next();
+  /// Adds what comes next, one or more; after its end nothing.
+  void more(ItemRing& to);
   Session& session() { return *session_; }
   /// Zero of the work system of the first cut so far, machine coordinates.
   const std::optional<Vec3>& zero() const { return zero_; }
@@ -77,7 +39,7 @@ class Course {
   void take(const Step& step);
   void take_motion(const Step& step, const Motion& motion);
   void take_act(const Step& step, CourseAct::Kind kind, double value, std::string text = {});
-  Axes in_frame(const Axes& machine) const;
+  void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
   std::vector<int> axis_of_;  // of the frame → of the control; -1: it has none
@@ -87,7 +49,7 @@ class Course {
   std::unique_ptr<TimeEstimate> clock_;
   Vec3 frame_zero_;
   std::optional<Vec3> zero_;
-  std::deque<CourseItem> ahead_;
+  ItemRing* ahead_ = nullptr;  // where they are wanted
   CourseState state_;
   double rpm_ = 0;
   bool surface_ = false;

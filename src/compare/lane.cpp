@@ -19,6 +19,20 @@ double CourseSpace::distance(const Axes& a, const Axes& b) const {
   return std::sqrt(sum);
 }
 
+bool CourseSpace::is_off(const Axes& point, const Axes& from, const Axes& to, double most) const {
+  double way = 0, along = 0, sum = 0;
+  for (std::size_t i = 0; i < axes_; ++i) {
+    const double w = to[i] - from[i];
+    way += w * w, along += w * (point[i] - from[i]);
+  }
+  const double foot = along >= way ? 1 : along <= 0 ? 0 : along / way;
+  for (std::size_t i = 0; i < axes_; ++i) {
+    const double d = point[i] - from[i] - foot * (to[i] - from[i]);
+    sum += d * d;
+  }
+  return sum > most * most;
+}
+
 Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
   Axes at = b;
   for (std::size_t i = 0; i < axes_; ++i) at[i] = a[i] + part * (b[i] - a[i]);
@@ -44,27 +58,36 @@ double CourseSpace::nearest(const Axes& point, const Axes& from, const Axes& to,
   return way <= no_length ? in.last : std::clamp(along / way, in.first, in.last);
 }
 
-const CourseItem& Lane::item(std::size_t i) {
-  while (ahead_.size() <= i) {
-    CourseItem item = next_();
-    const bool over = item.kind == CourseItem::Kind::end;
-    const Axes& before = ahead_.empty() ? at_ : ahead_.back().to;
+void Lane::look_ahead(std::size_t i) {
+  while (ahead_.size() <= i && (ahead_.empty() || ahead_.back().kind != CourseItem::Kind::end)) {
+    const std::size_t before = ahead_.size();
+    more_(ahead_);
+    tidy(before);
+  }
+}
+
+/// Of those that came: moves without a way are left out.
+void Lane::tidy(std::size_t from) {
+  std::size_t kept = from;
+  for (std::size_t k = from; k < ahead_.size(); ++k) {
+    CourseItem& item = ahead_[k];
+    const Axes& before = kept == 0 ? at_ : ahead_[kept - 1].to;
     if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may have changed; the axes stand
     else if (item.to == before) continue;
-    ahead_.push_back(std::move(item));
-    if (over) break;
+    if (kept != k) ahead_[kept] = std::move(item);
+    ++kept;
   }
-  return i < ahead_.size() ? ahead_[i] : ahead_.back();
+  ahead_.cut(kept);
 }
 
 void Lane::pass(std::size_t count) {
   for (; count > 0 && item(0).kind != CourseItem::Kind::end; --count) {
-    CourseItem& first = ahead_.front();
-    if (first.kind == CourseItem::Kind::move && (first.origin.number != last_.origin.number || last_.kind != CourseItem::Kind::move))
+    const CourseItem& first = ahead_.front();
+    if (first.kind == CourseItem::Kind::move && (first.origin.number != last_origin_.number || last_kind_ != CourseItem::Kind::move))
       ++moves_;
     if (on_pass) on_pass(first, at_, first.to);
     at_ = first.to;
-    last_ = std::move(first);
+    last_origin_ = first.origin, last_kind_ = first.kind;
     ahead_.pop_front();
   }
 }

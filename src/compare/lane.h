@@ -1,10 +1,9 @@
 #pragma once
 // Lane: a course with as much of it ahead as is looked at, and where it stands. Pieces can be cut in two.
 
-#include <deque>
 #include <functional>
 
-#include "compare/course.h"
+#include "compare/item_ring.h"
 
 namespace kadr {
 
@@ -13,6 +12,8 @@ class CourseSpace {
  public:
   explicit CourseSpace(std::size_t axes) : axes_(axes) {}
   double distance(const Axes& a, const Axes& b) const;
+  /// A point is farther than `most` from all of the way from `from` to `to`.
+  bool is_off(const Axes& point, const Axes& from, const Axes& to, double most) const;
   Axes between(const Axes& a, const Axes& b, double part) const;
   /// Parts of the way from `from` to `to` that are within `most` of a point; empty: first > last.
   struct Interval {
@@ -29,11 +30,14 @@ class CourseSpace {
 
 class Lane {
  public:
-  /// `next`: the items of a course in their order; `start`: where it begins.
-  Lane(std::function<CourseItem()> next, const Axes& start, const CourseSpace& space) : next_(std::move(next)), space_(space), at_(start) {}
+  /// `more`: adds the next items of a course in their order, one or more, up to its end; `start`: where it begins.
+  Lane(std::function<void(ItemRing&)> more, const Axes& start, const CourseSpace& space) : more_(std::move(more)), space_(space), at_(start) {}
 
   /// Of those that have not been passed; the end again and again behind it.
-  const CourseItem& item(std::size_t i);
+  const CourseItem& item(std::size_t i) {
+    if (i >= ahead_.size()) look_ahead(i);
+    return ahead_[i < ahead_.size() ? i : ahead_.size() - 1];
+  }
   /// Where the i-th begins.
   const Axes& begin(std::size_t i) { return i == 0 ? at_ : item(i - 1).to; }
   const Axes& at() const { return at_; }
@@ -42,17 +46,22 @@ class Lane {
   void pass_part(double part);
   /// Moves that have been passed, each once.
   std::size_t moves() const { return moves_; }
-  const CourseItem& last() const { return last_; }
+  /// Of the last one that has been passed.
+  const Origin& last_origin() const { return last_origin_; }
 
   /// Where set: called with each item that is passed, or a part of it, and where that begins and ends.
   std::function<void(const CourseItem& item, const Axes& from, const Axes& to)> on_pass;
 
  private:
-  std::function<CourseItem()> next_;
+  void look_ahead(std::size_t i);
+  void tidy(std::size_t from);
+
+  std::function<void(ItemRing&)> more_;
   const CourseSpace& space_;
   Axes at_;
-  std::deque<CourseItem> ahead_;
-  CourseItem last_;
+  ItemRing ahead_;
+  Origin last_origin_;
+  CourseItem::Kind last_kind_ = CourseItem::Kind::end;
   std::size_t moves_ = 0;
 };
 

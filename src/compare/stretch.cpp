@@ -11,6 +11,9 @@ namespace {
 using Interval = CourseSpace::Interval;
 constexpr std::size_t most_open = 20'000;  // pieces of one that lie near a single place of the other
 
+constexpr std::size_t most_lag = 4, most_alike = 16;  // pieces
+constexpr double same_place = 1e-12;                  // mm
+
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 
 class FreeSpace {
@@ -35,6 +38,7 @@ class FreeSpace {
   StretchResult go_on() {
     begin();
     while (goes_on(a_, state_a_, 0)) {
+      if (pass_alike()) continue;
       if (column_.size() > most_open) return part();
       if (!advance()) {
         if (!ends_.empty()) return cut_a();
@@ -60,6 +64,62 @@ class FreeSpace {
       if (free.last < 1) break;
     }
     if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both stand together
+  }
+
+  // Pieces that are the same ones need not be searched. Let both stand at v0, on the diagonal of the free space, and let the next pieces of
+  // both be the same, v0 v1 … vE. Then (v1, v1) can be reached, and whatever can be reached can be reached by way of it, if
+  //   - vE is farther than the tolerance from all of v0 v1, and
+  //   - v2 … vE-1 are within it of v1.
+  // For a way through the free space on which one (a, say) is ahead has b come to v1 while a has not passed vE, as it could not pass vE
+  // while b was between v0 and v1. So a is between v1 and vE then, and all that lies there within the tolerance of v1 hangs together: a gets
+  // there while b stands in v1. Where b has lagged behind v0 the same is true if vE is farther than the tolerance from all of that, too.
+  // Near a place where both differ there is no such vE within the pieces that are the same: there the free space decides as ever.
+
+  /// Passes such pieces. False: there are none, and nothing has changed.
+  bool pass_alike() {
+    std::size_t lag = 0;  // pieces of b to where a stands
+    while (b_.begin(lag) != a_.at())
+      if (++lag > most_lag || lag > column_.size()) return false;
+    if (!is_reached(lag) || !are_alike(lag)) return false;
+    pass_b(lag);
+    do {
+      a_.pass(), b_.pass();
+      note_reach(result_);
+    } while (are_alike(0));
+    column_.clear(), near_.clear();
+    begin();
+    return true;
+  }
+
+  /// Both can stand where a does, from there on b is ahead of it only by what hangs together with that place, and no vertex that is left
+  /// behind has a distance to tell of.
+  bool is_reached(std::size_t lag) const {
+    if (lag > 0) {
+      if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
+      for (std::size_t j = 0; j < lag; ++j)
+        if (near_[j] > same_place) return false;
+    } else if (column_.empty() || column_.front().first > 0) {
+      return false;
+    }
+    for (std::size_t j = lag; j < column_.size(); ++j)
+      if (column_[j].first > 0 || column_[j].empty() || (column_[j].last < 1 && j + 1 < column_.size())) return false;
+    return true;
+  }
+
+  /// v0 v1 … vE of both are the same, with the pieces of b from `lag` on.
+  bool are_alike(std::size_t lag) {
+    for (std::size_t i = 0; i < most_alike; ++i) {
+      const CourseItem &a = a_.item(i), &b = b_.item(lag + i);
+      if (a.kind != CourseItem::Kind::move || b.kind != CourseItem::Kind::move || a.to != b.to || a.state != state_a_ || b.state != state_b_) return false;
+      if (i == 0) continue;
+      const bool is_off = space_.is_off(a.to, a_.at(), a_.item(0).to, tolerance_);
+      if (!is_off && space_.distance(a.to, a_.item(0).to) > tolerance_) return false;
+      if (!is_off) continue;
+      for (std::size_t j = 0; j < lag; ++j)
+        if (!space_.is_off(a.to, b_.begin(j), b_.item(j).to, tolerance_)) return false;
+      return true;
+    }
+    return false;
   }
 
   /// A piece of a: from the reachable intervals of b at its beginning to those at its end.

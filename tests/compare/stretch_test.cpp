@@ -20,12 +20,12 @@ Axes axes(const Point& p) {
 }
 
 Lane lane_of(const Way& way, const CourseSpace& space) {
-  return {[way, i = std::size_t{0}]() mutable {
-            CourseItem item;
-            if (++i >= way.size()) return item;
+  return {[way, i = std::size_t{0}](ItemRing& to) mutable {
+            CourseItem& item = to.add();
+            item = {};
+            if (++i >= way.size()) return;
             item.kind = CourseItem::Kind::move;
             item.to = axes(way[i]);
-            return item;
           },
           axes(way.front()), space};
 }
