@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "out/program/words.h"
 
 namespace kadr {
 
@@ -32,10 +31,15 @@ Status BlockMaker::word(char letter, double value, int more) {
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  const auto written = Words(def_, letter, more).word(value);
-  if (!written) return fail(written.error());
-  text(*written);
-  return {};
+  return word(Words(def_, letter, more), value);
+}
+
+Status BlockMaker::word(const Words& form, double value) {
+  const std::size_t size = words_.size();
+  if (size != 0) words_ += ' ';
+  if (form.append(words_, value)) return {};
+  words_.resize(size);
+  return fail(alarm(AlarmId::word_has_no_room, {}, form.letter(), value));
 }
 
 Status BlockMaker::seconds_word(char letter, double seconds) {
@@ -67,25 +71,26 @@ void BlockMaker::comment(std::string_view what) {
 
 Status BlockMaker::number(std::string& line) {
   const WordFormat& n = def_.grammar.word('N');
+  if (wanted_number_ == 0 && !def_.grammar.block_number_required) return {};
   const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
   std::uint32_t number = wanted_number_;
   if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;
   if (number == 0 || !n.known) return {};
   if (number > most) return def_.grammar.block_number_required ? fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number))) : Status();
   last_number_ = number;
-  line = fmt::format("N{:0{}} ", number, n.drop_zeros ? 1 : n.whole_digits);
+  line += fmt::format("N{:0{}} ", number, n.drop_zeros ? 1 : n.whole_digits);
   return {};
 }
 
 Status BlockMaker::end() {
   if (empty()) return {};
-  std::string line, numbered;
-  if (!words_.empty()) KADR_TRY(number(numbered));
-  if (skip_ != 0) line = skip_ == 1 || !def_.grammar.skip_levels ? "/" : fmt::format("/{}", skip_);
-  line += numbered + words_;
-  if (!comment_.empty()) line += (words_.empty() ? "" : " ") + comment_;
-  line += '\n';
-  put_(line);
+  line_.clear();
+  if (skip_ != 0) line_ = skip_ == 1 || !def_.grammar.skip_levels ? "/" : fmt::format("/{}", skip_);
+  if (!words_.empty()) KADR_TRY(number(line_));
+  line_ += words_;
+  if (!comment_.empty()) line_ += (words_.empty() ? "" : " ") + comment_;
+  line_ += '\n';
+  put_(line_);
   words_.clear(), comment_.clear();
   wanted_number_ = 0, skip_ = 0;
   ++blocks_;

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "config/control_def.h"
 #include "out/program/codes.h"
+#include "out/program/words.h"
 
 namespace kadr {
 
@@ -30,6 +31,8 @@ class BlockMaker {
   ///   more    decimals, where the address has any number of them: of inches one
   ///   alarms  word_has_no_room
   Status word(char letter, double value, int more = 0);
+  /// The same of an address whose form is known.
+  Status word(const Words& form, double value);
   /// A time, s: with P milliseconds where the control counts those (spec/fanuc 4.1, spec/haas 4.1).
   Status seconds_word(char letter, double seconds);
   /// … with the letter that this code of a dwell takes.
@@ -57,6 +60,7 @@ class BlockMaker {
   const ControlDef& def_;
   std::function<void(std::string_view)> put_;
   std::string words_, comment_;
+  std::string line_;  // keeps its memory
   std::uint32_t wanted_number_ = 0, last_number_ = 0;
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;

@@ -51,7 +51,24 @@ struct BlockRewriter::Kinds {
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {}
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (letter == 'F' || letter == 'H' || letter == 'K' || letter == 'L' || letter == 'P' || letter == 'Q' || letter == 'S' || letter == 'T') continue;
+    if (from.grammar.word(letter).code || !is_axis(from.address(letter)) || !is_axis(to.address(letter)) || !to.grammar.word(letter).known) continue;
+    plain_[static_cast<std::size_t>(letter - 'A')].emplace(PlainWord{Words(to, letter, is_length(to.address(letter)) ? more_decimals : 0), from.address(letter).scale});
+    plain_letters_ |= std::uint64_t{1} << (letter - 'A');
+  }
+}
+
+/// Most blocks of a long program: nothing but axis words. word() would say the same.
+Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& one = block.words[i];
+    const PlainWord& plain = *plain_[static_cast<std::size_t>(one.address - 'A')];
+    KADR_TRY(out.word(plain.form, one.value * plain.scale));
+  }
+  return {};
+}
 
 const CodeRow* BlockRewriter::row_of(const Word& word) const {
   if (word.code < 0) return nullptr;
@@ -249,9 +266,10 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   out.set_skip(block.skip);
   if (is_to_o_lines() && block.has_number) KADR_TRY(o_lines_.number(block.number, out));
   if (block.has_number) out.set_number(block.number);
+  if (is_plain(block)) return write_plain(block, out);
   if (block.statement.kind != StatementKind::none) {
-    const bool is_plain = block.statement.kind == StatementKind::assign && !block.statement.with_if;
-    return is_to_o_lines() && !is_plain ? o_line(block, out) : statement(block, out);
+    const bool only_assigns = block.statement.kind == StatementKind::assign && !block.statement.with_if;
+    return is_to_o_lines() && !only_assigns ? o_line(block, out) : statement(block, out);
   }
   Kinds kinds;
   look(block, kinds);

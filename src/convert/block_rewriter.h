@@ -2,6 +2,7 @@
 // BlockRewriter: a block of one control word by word as a block of another one: its codes by what they do, its words in the other's form,
 // variables and expressions as they stand. Only how it is said is looked at, not what it does: that the proof tells (convert/conversion).
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,12 @@ class BlockRewriter {
 
  private:
   struct Kinds;
+  struct PlainWord {
+    Words form;    // of the other control
+    double scale;  // of this one
+  };
+  bool is_plain(const Block& block) const { return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_; }
+  Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;
   Status statement(const Block& block, BlockMaker& out);
@@ -69,6 +76,8 @@ class BlockRewriter {
   bool says_again_ = false, says_feed_again_ = false;
   double feed_ = -1;                      // last F of the text
   double tool_ = 0;                       // last T
+  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: what it means depends on nothing else in its block
+  std::uint64_t plain_letters_ = 0;                 // those
 };
 
 }  // namespace kadr

@@ -13,8 +13,8 @@ namespace {
 
 class PlaceWriter {
  public:
-  PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres)
-      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres) {}
+  PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on)
+      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres), straight_on_(straight_on && !centres) {}
 
   Status run(const StopToken& stop) {
     flat_.allow_after_probe();
@@ -35,7 +35,7 @@ class PlaceWriter {
     }
     KADR_TRY(flat_.begin(session_.stand(), control_.placement()));
     text_.clear();  // the other blocks say it
-    while (session_.go_on() == Session::State::running) {}
+    while (!is_over_ && session_.go_on() == Session::State::running) {}
     close();
     return {};
   }
@@ -69,6 +69,7 @@ class PlaceWriter {
     const bool goes_on = open_ != nowhere && place == open_ + 1 && places_[place].follows;
     close(!goes_on);
     if (place != nowhere) open(place, !goes_on);
+    else is_over_ = straight_on_ && origin.depth == 0 && origin.file == 0 && origin.line > places_.back().lines.last;
   }
 
   ///   afresh  blocks that are said otherwise stand before it
@@ -120,17 +121,17 @@ class PlaceWriter {
   std::string text_;
   BlockMaker blocks_;
   FlatProgram flat_;
-  const bool centres_;
+  const bool centres_, straight_on_;
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // of the block that an action came from last
   std::size_t open_ = nowhere, begun_at_ = 0;
-  bool is_new_ = true, has_acted_ = false, inch_ = false;
+  bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false;
 };
 
 }  // namespace
 
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, const StopToken& stop) {
-  return PlaceWriter(source, to, places, centres).run(stop);
+Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop) {
+  return PlaceWriter(source, to, places, centres, straight_on).run(stop);
 }
 
 }  // namespace kadr

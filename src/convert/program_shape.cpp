@@ -3,6 +3,7 @@
 #include "convert/program_shape.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace kadr {
 namespace {
@@ -23,6 +24,13 @@ bool returns(Function function) {
   return function == Function::subprogram_return || function == Function::subprogram_end || function == Function::return_program || function == Function::return_numbered;
 }
 
+/// Motions and modes: they lead nowhere else, and read no other blocks.
+bool is_straight(Function function) {
+  constexpr Phase phases[] = {Phase::unit, Phase::feed_mode, Phase::speed_mode, Phase::spindle, Phase::spindle_stop, Phase::coolant, Phase::coolant_off, Phase::dwell, Phase::plane, Phase::compensation, Phase::length, Phase::zero, Phase::path_mode, Phase::distance, Phase::retract};
+  const FunctionTraits& traits = traits_of(function);
+  return traits.is(function_fact::plain_motion) || function == Function::program_end || function == Function::tape_end || std::find(std::begin(phases), std::end(phases), traits.phase) != std::end(phases);
+}
+
 constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
@@ -31,13 +39,17 @@ constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  
 }  // namespace
 
 ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if ((def.address(letter).function == Function::axis || def.address(letter).function == Function::machine_axis) && letter != 'S' && letter != 'T' && letter != 'P' && !def.grammar.word(letter).code)
+      plain_letters_ |= std::uint64_t{1} << (letter - 'A');
+  has_jumps_ = def.grammar.macro;
   BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
   Block block;
   while (!stop.asked()) {
     const auto got = reader.next(block);
     if (got && *got == BlockReader::Got::end) break;
     lines_ = block.position.line;
-    if (got) take(block, def);
+    if (got && !take_plain(block)) take(block, def);
     if (last_block_ != block.position.line) blocks_.push_back(block.position.line);
     last_block_ = block.position.line;
   }
@@ -71,10 +83,14 @@ std::uint32_t ProgramShape::last_return(TextLines lines) const {
   return after == edges_.begin() || *std::prev(after) < lines.first ? lines.last : *std::prev(after);
 }
 
-void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
+void ProgramShape::take_number(const Block& block) {
   constexpr std::size_t most_numbers = 100'000;
+  if (has_jumps_ && block.has_number && numbers_.size() < most_numbers) numbers_.emplace(block.number, block.position.line);
+}
+
+void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
+  take_number(block);
   if (!def.grammar.macro) return;
-  if (block.has_number && numbers_.size() < most_numbers) numbers_.emplace(block.number, block.position.line);
   if (block.statement.kind != StatementKind::go_to) return;
   const std::string_view text = block.text_of(block.where);
   const std::size_t digits = text.find_last_not_of("0123456789 ");
@@ -82,6 +98,21 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   for (const char c : text.substr(digits + 1))
     if (c != ' ' && number < most_variable) number = 10 * number + static_cast<std::uint32_t>(c - '0');
   if (number != 0) jumps_.emplace_back(block.position.line, number);
+}
+
+/// Most blocks of a long program: nothing but axis words.
+bool ProgramShape::take_plain(const Block& block) {
+  if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
+  names_of_words_.letters |= block.letters;
+  take_number(block);
+  return true;
+}
+
+void ProgramShape::note_flow(Function function, std::uint32_t line) {
+  const FunctionTraits& traits = traits_of(function);
+  const bool is_end = function == Function::program_end || function == Function::tape_end;
+  if (!is_end && (traits.phase == Phase::flow || traits.is(function_fact::calls) || traits.is(function_fact::passes_control))) has_flow_ = true;
+  if (!is_straight(function)) last_turn_ = line;
 }
 
 void ProgramShape::take(const Block& block, const ControlDef& def) {
@@ -93,6 +124,7 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
     label_ = block.label, labelled_ = line;
     edges_.push_back(line);
   }
+  if (block.statement.kind != StatementKind::none || block.marker == Marker::section || block.codes_vary || block.file_name.end != 0 || block.broken) has_flow_ = true;
   take_section(block);
   take_o_line(block);
   take_jump(block, def);
@@ -167,11 +199,18 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
       const auto value = static_cast<std::uint32_t>(word.value);  // L0205: number 2 five times
       callers_.emplace(value >= hundred ? value / hundred : value, block.position.line);
     }
-    if (word.code < 0) continue;
+    if (word.code < 0) {
+      if (word.address <= 'Z' && traits_of(def.address(word.address).function).phase == Phase::flow) has_flow_ = true;
+      continue;
+    }
     const std::int32_t row = def.row_of(word.address, word.code);
-    if (row < 0) continue;
+    if (row < 0) {
+      has_flow_ = true;
+      continue;
+    }
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     if (traits_of(function).phase == Phase::path_mode) path_modes_.insert(static_cast<std::size_t>(row));
+    note_flow(function, block.position.line);
     is_call = is_call || calls(function);
     if (function == Function::macro_call && block.has('P') && !block.find('P')->expression) macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));
     take_side(def.codes[static_cast<std::size_t>(row)], block.position.line);

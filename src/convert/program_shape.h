@@ -58,16 +58,21 @@ class ProgramShape {
   const ProgramNames& names() const { return names_of_words_; }
   /// Variables that its text names by numbers.
   const std::set<std::uint32_t>& variables() const { return variables_; }
+  /// Whatever stands behind that line is carried out once, and then it is over: nothing leads back to it or to lines before.
+  bool goes_straight_on_after(std::uint32_t line) const { return !has_flow_ && edges_.empty() && callers_.empty() && line >= last_turn_; }
   /// Comments or messages are Russian.
   bool is_russian() const { return is_russian_; }
   std::uint32_t lines() const { return lines_; }
 
  private:
+  bool take_plain(const Block& block);
   void take(const Block& block, const ControlDef& def);
+  void note_flow(Function function, std::uint32_t line);
   void take_section(const Block& block);
   void take_side(const CodeRow& row, std::uint32_t line);
   void take_o_line(const Block& block);
   void take_variables(std::string_view text);
+  void take_number(const Block& block);
   void take_jump(const Block& block, const ControlDef& def);
   std::uint32_t last_return(TextLines lines) const;
   void close_subprogram();
@@ -90,8 +95,12 @@ class ProgramShape {
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line
   std::uint32_t contour_ = 0;  // line where it begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
+  bool has_jumps_ = false;  // the control has GOTO
   bool main_over_ = false, in_section_ = false, is_russian_ = false;
+  bool has_flow_ = false;        // something calls, repeats or jumps
+  std::uint32_t last_turn_ = 0;  // the last line with more than motions and modes
   std::uint32_t lines_ = 0;
+  std::uint64_t plain_letters_ = 0;  // of words that tell nothing here
 };
 
 }  // namespace kadr

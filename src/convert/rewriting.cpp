@@ -120,7 +120,18 @@ class Rewriter {
 
   /// Those without blocks: comments and empty ones.
   void lines_before(std::uint32_t line) {
+    if (line == next_raw_) {  // none: they are looked for from here on when there are some
+      next_raw_ = line + 1;
+      passed_ = block_.position;
+      return;
+    }
+    if (next_raw_ > line) return;
     Line raw;
+    if (passed_.line != 0) {
+      raw_.seek(passed_.offset, passed_.line);
+      raw_.next(raw);
+      passed_.line = 0;
+    }
     while (next_raw_ <= line && raw_.next(raw)) {
       next_raw_ = raw.number + 1;
       if (raw.number >= line) return;
@@ -209,6 +220,7 @@ class Rewriter {
   Block block_;
   const FlatPlace* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
+  Position passed_{0, 0, 0};  // of a line that raw_ has not read; line 0: none
   std::uint32_t label_ = 0;  // of the subprogram in a section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;

@@ -44,7 +44,7 @@ class WordByWord {
       for (const TextLines& lines : places_) places.push_back({lines, follows(lines, places)});
       auto source = spec_.source();
       if (!source) return tl::unexpected(source.error());
-      if (const Status begun = write_flat_places(**source, *spec_.to, places, centres_, spec_.stop); !begun) return unsayable(begun.error(), 0), false;
+      if (const Status begun = write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop); !begun) return unsayable(begun.error(), 0), false;
       if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
       for (const FlatPlace& place : places)
         if (!place.settled()) {
@@ -69,7 +69,7 @@ class WordByWord {
     for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
     auto source = spec_.elsewhere();
     if (!source) return tl::unexpected(source.error());
-    if (const Status begun = write_flat_places(**source, *spec_.to, others, centres_, spec_.stop); !begun) return {};
+    if (const Status begun = write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop); !begun) return {};
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].probed && places[i].text != others[i].text) places[i].cannot = alarm(AlarmId::function_has_no_code, {}, "probe");
     return {};

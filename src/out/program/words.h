@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "config/control_def.h"
@@ -18,30 +19,43 @@ class Words {
  public:
   ///   more  decimals, where there may be any number of them
   Words(const ControlDef& def, char letter, int more = 0)
-      : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter), more_(more), counts_(letter == 'F' && def.behaviour.feed_counts_increments) {}
+      : row_(def.address(letter)),
+        format_(def.grammar.word(letter)),
+        letter_(letter),
+        more_(more),
+        counts_(letter == 'F' && def.behaviour.feed_counts_increments),
+        decimals_(decimals_of()),
+        increment_(row_.scale / ten_to(decimals_)),
+        most_(format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals_) - 1 : most_counts) {}
 
+  char letter() const { return letter_; }
   bool known() const { return format_.known; }
-  int decimals() const {
-    if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
-    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
-  }
-  double increment() const { return row_.scale / ten_to(decimals()); }
-  double rounded(double value) const { return std::round(value / increment()) * increment(); }
+  int decimals() const { return decimals_; }
+  double increment() const { return increment_; }
+  double rounded(double value) const { return std::round(value / increment_) * increment_; }
 
   /// The word of a value in mm, mm/min, …
   Result<std::string> word(double value) const {
-    const double counts = std::round(value / increment());
-    const double most = format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals()) - 1 : most_counts;
-    if (!known() || !(std::abs(counts) <= most) || (counts < 0 && !format_.sign))
-      return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
-    std::string digits = fmt::format_int(static_cast<std::uint64_t>(std::abs(counts))).str();
-    const auto fraction = static_cast<std::size_t>(decimals());
-    if (format_.point && !format_.implied) digits = with_point(digits, fraction);
-    else if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction)
-      digits.insert(0, format_.whole_digits + fraction - digits.size(), '0');
-    std::string text(1, letter_);
+    std::string text;
+    if (!append(text, value)) return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
+    return text;
+  }
+  /// The same at the end of a text; false: it has no room, and the text is as it was.
+  bool append(std::string& text, double value) const {
+    const double counts = std::round(value / increment_);
+    if (!known() || !(std::abs(counts) <= most_) || (counts < 0 && !format_.sign)) return false;
+    const fmt::format_int number(static_cast<std::uint64_t>(std::abs(counts)));
+    const std::string_view digits(number.data(), number.size());
+    const auto fraction = static_cast<std::size_t>(decimals_);
+    text += letter_;
     if (counts < 0) text += '-';
-    return text += digits;
+    if (format_.point && !format_.implied) {
+      append_with_point(text, digits, fraction);
+    } else {
+      if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction) text.append(format_.whole_digits + fraction - digits.size(), '0');
+      text += digits;
+    }
+    return true;
   }
 
  private:
@@ -52,13 +66,24 @@ class Words {
   }
   static constexpr int free_decimals = 3;  // of a word with any number of digits: the controls' increment of 0.001 mm
 
+  int decimals_of() const {
+    if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
+    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
+  }
+
   /// Lengths keep their point, so that no control takes them for increments.
-  std::string with_point(std::string digits, std::size_t fraction) const {
-    if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
-    std::string text = digits.substr(0, digits.size() - fraction) + "." + digits.substr(digits.size() - fraction);
+  void append_with_point(std::string& text, std::string_view digits, std::size_t fraction) const {
+    if (digits.size() <= fraction) {
+      text += "0.";
+      text.append(fraction - digits.size(), '0');
+      text += digits;
+    } else {
+      text += digits.substr(0, digits.size() - fraction);
+      text += '.';
+      text += digits.substr(digits.size() - fraction);
+    }
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.' && row_.unit != WordUnit::length && !counts_) text.pop_back();
-    return text;
   }
 
   const AddressRow& row_;
@@ -66,6 +91,8 @@ class Words {
   char letter_;
   int more_;
   bool counts_;  // increments, where it has no point (spec/haas 1.2)
+  int decimals_;
+  double increment_, most_;  // of value and counts
 };
 
 }  // namespace kadr
