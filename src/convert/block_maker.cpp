@@ -10,8 +10,13 @@
 
 namespace kadr {
 
+Alarm too_long() {
+  constexpr int in_mb = 20;  // bits
+  return alarm(AlarmId::conversion_too_long, {}, double(most_made >> in_mb));
+}
+
 void BlockMaker::begin() {
-  if (def_.grammar.program_start_required || def_.grammar.percent_number) put_("%\n");
+  if (def_.grammar.program_start_required || def_.grammar.percent_number) (void)put_("%\n");
 }
 
 Status BlockMaker::code(std::initializer_list<Wanted> wanted) {
@@ -85,11 +90,11 @@ Status BlockMaker::end() {
   line += numbered + words_;
   if (!comment_.empty()) line += (words_.empty() ? "" : " ") + comment_;
   line += '\n';
-  put_(line);
+  const bool has_room = put_(line);
   words_.clear(), comment_.clear();
   wanted_number_ = 0, skip_ = 0;
   ++blocks_;
-  return {};
+  return has_room ? Status() : fail(too_long());
 }
 
 }  // namespace kadr

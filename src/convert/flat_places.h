@@ -28,6 +28,8 @@ struct FlatPlace {
 
 /// Runs the program once and writes `places`, which are in their order and do not overlap.
 ///   centres  radius compensation is calculated in: contours are places as a whole
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, const StopToken& stop);
+///   returns  blocks carried out
+///   alarms   conversion_too_long  all of them together; what cannot be said stands in the places
+Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, const StopToken& stop);
 
 }  // namespace kadr
