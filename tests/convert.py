@@ -2,91 +2,102 @@
 """kadr convert: every example of every control to every other is proven equal, or refused with the place; what is written is held against
 its source once more by `kadr diff`, and a changed word of it is found.
 
-    convert.py --kadr PROGRAM [--mutations N]
+    convert.py --kadr PROGRAM [--every N] [--mutations N] [--again N] [--seed N] [--jobs N]
 """
 import argparse
+import collections
 import random
 import re
-import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
+from conversions import pairs
+from conversions.pairs import CONTROLS, EXAMPLES, run
 from page_client.client import expect, result
 
-CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
-EXAMPLES = Path(__file__).resolve().parent.parent / 'examples'
-# Proven so far: fewer is a step back. The others are refused (docs/commands/convert.md).
-LEAST_PROVEN = 176
+# Proven so far, of all: fewer is a step back. The others are refused (docs/commands/convert.md).
+LEAST_PROVEN = 205
 
 
-def run(*words, **more):
-    return subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120, check=False, **more)
-
-
-def programs():
-    for control in CONTROLS:
-        for file in sorted((EXAMPLES / control).glob('*')):
-            if file.suffix in ('.nc', '.tap', '.nct', '.ngc') and not file.name.startswith('O'):
-                yield control, file
-
-
-def with_setup(file):
-    setup = file.with_suffix('.json')
-    return ['--setup', setup] if setup.exists() else []
-
-
-def every_pair(kadr, folder):
-    """No third outcome: proven and written, or refused with the reason, and nothing written."""
-    proven = []
-    for control, file in programs():
-        for to in CONTROLS:
-            if to == control:
-                continue
-            out, setup = folder / 'out.nc', folder / 'out.json'
-            for old in (out, setup):
-                old.unlink(missing_ok=True)
-            got = run(kadr, 'convert', file, '--from', control, '--to', to, '--out', out, '--setup-out', setup, '--lang', 'en', *with_setup(file))
-            what = f'{file.name} to {to}: {got.returncode} {got.stderr[:300]}'
-            if got.returncode == 0:
-                expect(out.exists() and got.stderr.startswith('equal: '), what)
-                kept = folder / f'{control}_{file.stem}_{to}.nc'
-                out.rename(kept)
-                setup.rename(kept.with_suffix('.json'))
-                proven.append((control, file, to, kept))
-            else:
-                expect(got.returncode == 1 and not out.exists() and not setup.exists(), what)
-                expect('not converted' in got.stderr and len(got.stderr.splitlines()) >= 4, what)
-    expect(len(proven) >= LEAST_PROVEN, f'proven: {len(proven)}')
+def every_pair(kadr, folder, given):
+    jobs = [(control, file, pairs.setup_of(file), to) for control, file in pairs.examples() for to in CONTROLS if to != control][::given.every]
+    made = pairs.convert_all(kadr, jobs, folder, given.jobs)
+    for one in made:
+        expect(one.right(), f'{one.name()}: {one.outcome} {one.said[:300]}')
+    proven = [one for one in made if one.proven()]
+    expect(len(proven) >= (LEAST_PROVEN if given.every == 1 else LEAST_PROVEN // given.every // 2), f'proven: {len(proven)} of {len(made)}')
     return proven
 
 
-def diff(kadr, control, file, to, other, setup):
-    return run(kadr, 'diff', file, other, '--control-a', control, '--control-b', to, '--tolerance', '0.001', '--setup-b', setup, '--lang', 'en',
-               *(['--setup-a', file.with_suffix('.json')] if file.with_suffix('.json').exists() else []))
+def again(kadr, proven, given):
+    """`kadr diff` opens both from their files: the set-up that is written belongs to the program."""
+    chosen = random.sample(proven, min(given.again, len(proven)))
+    for one, got in zip(chosen, pairs.all_of(lambda one: pairs.diff(kadr, one), chosen, given.jobs)):
+        expect(got.returncode == 0, f'{one.name()}: {got.stdout[:300]}{got.stderr[:300]}')
 
 
-def again(kadr, proven, folder, mutations):
-    """`kadr diff` opens both from their files: the set-up that is written belongs to the program; a changed coordinate is found."""
-    random.seed(7)
-    for control, file, to, out in random.sample(proven, 25):
-        got = diff(kadr, control, file, to, out, out.with_suffix('.json'))
-        expect(got.returncode == 0, f'{out.name}: {got.stdout[:300]}{got.stderr[:300]}')
-    found = 0
-    for _ in range(mutations):
-        control, file, to, out = random.choice(proven)
-        text = out.read_text()
-        words = [m for m in re.finditer(r'(?m)(?<=[ ])([XYZ])(-?)(\d+)(\.?\d*)(?= |$)', re.sub(r'\([^)]*\)', lambda m: ' ' * len(m.group()), text))]
-        if not words:
-            continue
-        word = random.choice(words)
-        step = 2000 if '.' not in word.group(4) else 2
-        changed = f'{word.group(1)}{word.group(2)}{int(word.group(3)) + step}{word.group(4)}'
-        mutant = folder / 'mutant.nc'
-        mutant.write_text(text[:word.start()] + changed + text[word.end():])
-        got = diff(kadr, control, file, to, mutant, out.with_suffix('.json'))
-        found += got.returncode == 1
-        expect(got.returncode == 1, f'{out.name}: {word.group()} as {changed} is not found')
-    expect(found > mutations // 2, f'changed words: {found}')
+def larger(letter):
+    """The number of a word of that letter, changed by more than its format's rounding."""
+    def change(word):
+        sign, whole, rest = re.fullmatch(r'[A-Z](-?)(\d*)(\.?\d*)', word).groups()
+        step = 2 if '.' in rest else 2000 if letter in 'XYZ' else 1
+        return f'{word[0]}{sign}{int(whole or 0) + step:0{len(whole)}}{rest}'
+    return change
+
+
+# What is changed: how such words look, and what becomes of one.
+NUMBER = r'-?\d*\.?\d+\.?'
+MUTATIONS = {
+    'a coordinate': (rf'[XYZ]{NUMBER}', larger('X')),
+    'a feed': (rf'F{NUMBER}', larger('F')),
+    'a speed': (rf'S{NUMBER}', larger('S')),
+    'an M code gone': (r'M\d+', lambda word: ''),
+    'a dwell': (rf'(?<=G4 )[PXE]{NUMBER}|(?<=G04 )[PXE]{NUMBER}', larger('P')),
+    'a tool': (r'T\d+', larger('T')),
+}
+
+
+def mutant(text, kind):
+    """The text with one word changed, and what was; comments and expressions are left alone."""
+    pattern, change = MUTATIONS[kind]
+    blank = re.sub(r'\([^)\n]*\)|;.*|\[[^]\n]*\]', lambda gone: ' ' * len(gone.group()), text)
+    words = [word for word in re.finditer(rf'(?m)(?:(?<=[ \d])|^)(?:{pattern})(?=[ A-Z\n]|$)', blank) if '#' not in line_of(blank, word)]
+    if not words:
+        return None
+    word = random.choice(words)
+    changed = change(word.group())
+    return text[:word.start()] + changed + text[word.end():], f'{word.group()} as {changed!r} in {line_of(text, word)!r}'
+
+
+def line_of(text, word):
+    return text[text.rfind('\n', 0, word.start()) + 1:].split('\n', 1)[0]
+
+
+def mutations(kadr, proven, folder, given):
+    """A word that is changed is found, or changes nothing of what is done: a feed that is said again, an end that comes anyway."""
+    jobs = []
+    while len(jobs) < given.mutations:
+        one, kind = random.choice(proven), random.choice(list(MUTATIONS))
+        if made := mutant(one.out.read_text(encoding='utf-8'), kind):
+            file = folder / f'mutant_{len(jobs)}.nc'
+            file.write_text(made[0], encoding='utf-8')
+            jobs.append((one, kind, file, made[1]))
+
+    def outcome(job):
+        one, _, file, _ = job
+        got = pairs.diff(kadr, one, file)
+        if got.returncode == 0 and pairs.course(kadr, file, one.to, one.out_setup()) == pairs.course(kadr, one.out, one.to, one.out_setup()):
+            return 'nothing changes'
+        return {0: 'not found', 1: 'found'}.get(got.returncode, f'status {got.returncode}: {got.stderr[:300]}')
+    counts = collections.Counter()
+    for (one, kind, _, what), told in zip(jobs, pairs.all_of(outcome, jobs, given.jobs)):
+        counts[f'{kind} {told}'] += 1
+        expect(told in ('found', 'nothing changes'), f'{one.name()}: {what}: {told}')
+    for what, count in sorted(counts.items()):
+        print(count, what, file=sys.stderr)
+    found = sum(count for what, count in counts.items() if what.endswith(' found'))
+    expect(found > given.mutations // 2, f'changed words: {found}')
 
 
 def wrong_use(kadr, folder):
@@ -108,13 +119,20 @@ def wrong_use(kadr, folder):
 
 def main():
     options = argparse.ArgumentParser()
-    options.add_argument('--kadr', required=True)
+    options.add_argument('--kadr', required=True, type=Path)
+    options.add_argument('--every', type=int, default=1)
     options.add_argument('--mutations', type=int, default=40)
+    options.add_argument('--again', type=int, default=40, help='held against their sources by kadr diff')
+    options.add_argument('--seed', type=int, default=7)
+    options.add_argument('--jobs', type=int, default=2)
     given = options.parse_args()
+    random.seed(given.seed)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         wrong_use(given.kadr, folder)
-        again(given.kadr, every_pair(given.kadr, folder), folder, given.mutations)
+        proven = every_pair(given.kadr, folder, given)
+        again(given.kadr, proven, given)
+        mutations(given.kadr, proven, folder, given)
     return result()
 
 

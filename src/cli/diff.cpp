@@ -114,6 +114,8 @@ CompareRules rules_of(const DiffOptions& o, DifferencePlot& plot) {
   CompareRules rules;
   rules.tolerance = o.tolerance;
   rules.most_told = most_shown;
+  rules.messages = !o.no_messages;
+  rules.tools_by_hand = o.tools_by_hand;
   rules.stop = o.both.limits.stop;
   if (!o.plot.empty()) rules.on_piece = [&plot](const ComparedPiece& piece) { plot.take(piece); };
   return rules;
@@ -178,6 +180,8 @@ void add_diff(CLI::App& app, Commands& c) {
          "MM", "ММ", least_tolerance, most_tolerance)
       ->capture_default_str();
   diff->add_flag("--all", o.all, told("all differences, not the first twenty", "все различия, а не первые двадцать"));
+  diff->add_flag("--no-messages", o.no_messages, told("what is shown to the operator does not count", "сообщения оператору не сравнивать"));
+  diff->add_flag("--tools-by-hand", o.tools_by_hand, told("a tool change is the same as a stop", "смена инструмента — то же, что останов"));
   takes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
   control_id(
       diff->add_option("--control-a", o.control_a,

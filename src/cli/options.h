@@ -86,6 +86,7 @@ struct DiffOptions {
   std::string control_a, control_b, setup_a, setup_b;
   double tolerance = 0.001;  // mm
   bool all = false;          // differences; else the first ones
+  bool no_messages = false, tools_by_hand = false;  // as kadr convert proves: CompareRules
   std::string plot;          // .svg or .png
 };
 int diff(const DiffOptions& options);

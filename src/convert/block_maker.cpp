@@ -9,8 +9,13 @@
 
 namespace kadr {
 
+Alarm too_long() {
+  constexpr int in_mb = 20;  // bits
+  return alarm(AlarmId::conversion_too_long, {}, double(most_made >> in_mb));
+}
+
 void BlockMaker::begin() {
-  if (def_.grammar.program_start_required || def_.grammar.percent_number) put_("%\n");
+  if (def_.grammar.program_start_required || def_.grammar.percent_number) (void)put_("%\n");
 }
 
 Status BlockMaker::code(std::initializer_list<Wanted> wanted) {
@@ -90,11 +95,11 @@ Status BlockMaker::end() {
   line_ += words_;
   if (!comment_.empty()) line_ += (words_.empty() ? "" : " ") + comment_;
   line_ += '\n';
-  put_(line_);
+  const bool has_room = put_(line_);
   words_.clear(), comment_.clear();
   wanted_number_ = 0, skip_ = 0;
   ++blocks_;
-  return {};
+  return has_room ? Status() : fail(too_long());
 }
 
 }  // namespace kadr

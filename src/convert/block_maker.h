@@ -12,10 +12,15 @@
 
 namespace kadr {
 
+/// Bytes of a program that is made: some ten million blocks. It is held in memory while it is proven.
+constexpr std::size_t most_made = std::size_t{256} << 20;
+/// conversion_too_long.
+Alarm too_long();
+
 class BlockMaker {
  public:
-  /// `put` gets the text, line by line, UTF-8.
-  BlockMaker(const ControlDef& def, std::function<void(std::string_view)> put) : def_(def), put_(std::move(put)) {}
+  /// `put` gets the text, line by line, UTF-8. False: it has no room for it.
+  BlockMaker(const ControlDef& def, std::function<bool(std::string_view)> put) : def_(def), put_(std::move(put)) {}
 
   const ControlDef& def() const { return def_; }
   /// The signs before the first block.
@@ -50,7 +55,7 @@ class BlockMaker {
   void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
   bool empty() const { return words_.empty() && comment_.empty(); }
   /// The block is over.
-  ///   alarms  word_has_no_room  of N, where every block needs one
+  ///   alarms  word_has_no_room  of N, where every block needs one; conversion_too_long
   Status end();
   std::size_t blocks() const { return blocks_; }
 
@@ -58,7 +63,7 @@ class BlockMaker {
   Status number(std::string& line);
 
   const ControlDef& def_;
-  std::function<void(std::string_view)> put_;
+  std::function<bool(std::string_view)> put_;
   std::string words_, comment_;
   std::string line_;  // keeps its memory
   std::uint32_t wanted_number_ = 0, last_number_ = 0;

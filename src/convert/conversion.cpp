@@ -17,7 +17,7 @@ namespace {
 /// One way of saying it.
 class Writing {
  public:
-  Writing(const ConversionSpec& spec, ConvertedAs as) : spec_(spec), blocks_(*spec.to, [this](std::string_view line) { text_->append(line); }), comments_(*spec.source_text) { made_.as = as; }
+  Writing(const ConversionSpec& spec, ConvertedAs as) : spec_(spec), blocks_(*spec.to, [this](std::string_view line) { return text_->append(line).size() <= most_made; }), comments_(*spec.source_text) { made_.as = as; }
 
   tl::expected<ConversionTry, std::string> write() {
     auto opened = spec_.source();
@@ -39,8 +39,9 @@ class Writing {
     note(flat.begin(session_->stand(), control.placement()));
     while (!made_.cannot_say && session_->go_on() == Session::State::running) {}
     if (!made_.cannot_say) note(flat.finish());
-    for (const std::string& comment : comments_.rest()) blocks_.comment(comment), (void)blocks_.end();
-    made_.text = text_;
+    for (const std::string& comment : comments_.rest())
+      if (!made_.cannot_say) blocks_.comment(comment), note(blocks_.end());
+    if (!made_.cannot_say) made_.text = text_;
     return std::move(made_);
   }
 

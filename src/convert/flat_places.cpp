@@ -14,9 +14,9 @@ namespace {
 class PlaceWriter {
  public:
   PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on)
-      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { text_ += line; }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres), straight_on_(straight_on && !centres) {}
+      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { return has_room_for(line); }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres), straight_on_(straight_on && !centres) {}
 
-  Status run(const StopToken& stop) {
+  Result<std::size_t> run(const StopToken& stop) {
     flat_.allow_after_probe();
     control_.hand_over_each_block();
     control_.watch_calls();
@@ -25,7 +25,7 @@ class PlaceWriter {
     if (centres_) {
       // Paths come behind their blocks: what counts is where an action comes from.
       outlets.step = [this](const Step& step) {
-        if (step.action.origin.number != std::exchange(number_, step.action.origin.number)) begin_block(step.action.origin);
+        if (step.action.origin.number != number_) begin_block(step.action.origin);
         take(step.action);
       };
     } else {
@@ -33,15 +33,22 @@ class PlaceWriter {
       outlets.programmed = [this](const Action& action) { take(action); };
       control_.holds_before = [this](const Origin& origin) { return begin_block(origin), false; };
     }
-    KADR_TRY(flat_.begin(session_.stand(), control_.placement()));
+    if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
     text_.clear();  // the other blocks say it
-    while (!is_over_ && session_.go_on() == Session::State::running) {}
+    while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {}
     close();
-    return {};
+    if (is_full_) return fail(too_long());
+    return std::size_t{number_ + 1};
   }
 
  private:
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+  bool has_room_for(std::string_view line) {
+    is_full_ = is_full_ || kept_ + text_.size() + line.size() > most_made;
+    if (!is_full_) text_ += line;
+    return !is_full_;
+  }
 
   /// A line of the program by which a block came to be carried out, the outermost first.
   std::size_t place_of(const Origin& origin, std::uint32_t& line, bool& is_own) const {
@@ -60,11 +67,11 @@ class PlaceWriter {
 
   void begin_block(const Origin& origin) {
     if (open_ != nowhere) note(flat_.end_block());
-    is_new_ = true;
+    is_new_ = true, number_ = origin.number;
     std::uint32_t line = 0;
     bool is_own = false;
     const std::size_t place = place_of(origin, line, is_own);
-    const bool again = place == open_ && is_own && places_[place].lines.first == places_[place].lines.last;
+    const bool again = place != nowhere && place == open_ && is_own && places_[place].lines.first == places_[place].lines.last;
     if (place == open_ && !again) return;
     const bool goes_on = open_ != nowhere && place == open_ + 1 && places_[place].follows;
     close(!goes_on);
@@ -96,7 +103,7 @@ class PlaceWriter {
     // A line that is read over, as subprograms are before they are called, is not carried out.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
     place.probed = place.probed || flat_.has_probed();
-    if (place.times++ == 0) place.text = text_, place.motions = flat_.motions() - begun_at_;
+    if (place.times++ == 0) place.text = text_, kept_ += text_.size(), place.motions = flat_.motions() - begun_at_;
     else place.differs = place.differs || place.text != text_;
     text_.clear();
     open_ = nowhere;
@@ -123,14 +130,15 @@ class PlaceWriter {
   FlatProgram flat_;
   const bool centres_, straight_on_;
   OffsetsInForce now_;
-  std::uint32_t number_ = ~std::uint32_t{0};  // of the block that an action came from last
+  std::uint32_t number_ = ~std::uint32_t{0};  // of the block in the run
+  std::size_t kept_ = 0;                      // bytes, of the places so far
   std::size_t open_ = nowhere, begun_at_ = 0;
-  bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false;
+  bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false, is_full_ = false;
 };
 
 }  // namespace
 
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop) {
+Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop) {
   return PlaceWriter(source, to, places, centres, straight_on).run(stop);
 }
 

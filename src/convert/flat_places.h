@@ -29,6 +29,8 @@ struct FlatPlace {
 /// Runs the program once and writes `places`, which are in their order and do not overlap.
 ///   centres      radius compensation is calculated in: contours are places as a whole
 ///   straight_on  nothing leads back behind the last of them: the run ends there
-Status write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop);
+///   returns  blocks carried out
+///   alarms   conversion_too_long  all of them together; what cannot be said stands in the places
+Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop);
 
 }  // namespace kadr

@@ -34,10 +34,10 @@ std::string comment_of(std::string_view line, const Grammar& grammar) {
 
 class Rewriter {
  public:
-  Rewriter(const RewriteSpec& spec, const std::function<void(std::string_view)>& put)
-      : spec_(spec), put_(put), blocks_(*spec.to, [this](std::string_view line) { say(line); }), words_(*spec.from, *spec.to), reader_(spec.source, spec.from->grammar, Encoding::utf8), raw_(spec.source) {}
+  Rewriter(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put)
+      : spec_(spec), put_(put), blocks_(*spec.to, [this](std::string_view line) { return say(line); }), words_(*spec.from, *spec.to), reader_(spec.source, spec.from->grammar, Encoding::utf8), raw_(spec.source) {}
 
-  Rewritten write() {
+  Result<Rewritten> write() {
     words_.set_used(spec_.used_variables);
     words_.set_macros(spec_.macros);
     made_.lines.reserve(spec_.lines + 8);
@@ -67,17 +67,21 @@ class Rewriter {
     lines_before(~std::uint32_t{0});
     if (!is_over_) end_program();
     write_tail();
+    if (is_full_) return fail(too_long());
     return std::move(made_);
   }
 
  private:
-  void say(std::string_view text) {
+  /// False: it is full.
+  bool say(std::string_view text) {
+    if (is_full_) return false;
     if (in_section_ || in_subprogram_) {  // subprograms stand behind the end elsewhere
       tail_ += text, tail_lines_.push_back(source_line_);
-      return;
+    } else {
+      made_.lines.push_back(source_line_);
+      is_full_ = !put_(text);
     }
-    made_.lines.push_back(source_line_);
-    put_(text);
+    return !is_full_;
   }
   /// Subprograms of O lines stand behind the end elsewhere.
   void block_or_subprogram(std::uint32_t line) {
@@ -87,7 +91,7 @@ class Rewriter {
   }
   void write_tail() {
     in_section_ = in_subprogram_ = false;
-    put_(tail_);
+    is_full_ = !put_(tail_) || is_full_;
     made_.lines.insert(made_.lines.end(), tail_lines_.begin(), tail_lines_.end());
   }
 
@@ -139,7 +143,7 @@ class Rewriter {
       source_line_ = raw.number;
       const std::string text = comment_of(raw.bytes, spec_.from->grammar);
       if (!text.empty()) comment(text);
-      else if (raw.bytes.find_first_not_of(" \t\r") == std::string_view::npos) say("\n");
+      else if (raw.bytes.find_first_not_of(" \t\r") == std::string_view::npos) (void)say("\n");
     }
   }
 
@@ -199,7 +203,7 @@ class Rewriter {
     std::string_view rest = place.text;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
-      say(rest.substr(0, end));
+      (void)say(rest.substr(0, end));
       rest.remove_prefix(end);
     }
     words_.say_again();
@@ -211,7 +215,7 @@ class Rewriter {
   }
 
   const RewriteSpec& spec_;
-  const std::function<void(std::string_view)>& put_;
+  const std::function<bool(std::string_view)>& put_;
   Rewritten made_;
   BlockMaker blocks_;
   BlockRewriter words_;
@@ -224,11 +228,11 @@ class Rewriter {
   std::uint32_t label_ = 0;  // of the subprogram in a section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
-  bool is_over_ = false, in_section_ = false, in_subprogram_ = false;
+  bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false;
 };
 
 }  // namespace
 
-Rewritten rewrite(const RewriteSpec& spec, const std::function<void(std::string_view)>& put) { return Rewriter(spec, put).write(); }
+Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put) { return Rewriter(spec, put).write(); }
 
 }  // namespace kadr

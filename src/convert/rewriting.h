@@ -40,6 +40,7 @@ struct Rewritten {
 };
 
 /// Lines that cannot be said are left out and told.
-Rewritten rewrite(const RewriteSpec& spec, const std::function<void(std::string_view)>& put);
+///   alarms  conversion_too_long
+Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put);
 
 }  // namespace kadr

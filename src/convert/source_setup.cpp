@@ -113,6 +113,15 @@ bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
   return kind(from) == kind(to) && kind(from) != 0;
 }
 
+namespace {
+
+/// Its machine looks at the switch: M1 is told whether it is on or not.
+bool tells_optional_stops(const ControlDef& def) {
+  return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
+}
+
+}  // namespace
+
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain) {
   Setup made;
   made.axes = axes_for(setup, from, to, names);
@@ -121,7 +130,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   for (const auto& [axis, limits] : setup.machine)
     if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits;
   made.axis_limits = setup.axis_limits;
-  made.skip = setup.skip, made.optional_stop = setup.optional_stop;
+  made.skip = setup.skip, made.optional_stop = setup.optional_stop || tells_optional_stops(from);
   if (has_key(to, "spindle")) made.spindles = setup.spindles;
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;

@@ -3,6 +3,7 @@
 #include "convert/word_by_word.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr int most_rounds = 100;             // of writing and proving
-constexpr std::size_t most_work = 20'000'000;  // lines gone through in all
+constexpr std::size_t most_work = 6'000'000;  // lines, blocks and motions gone through in all
 
 class WordByWord {
  public:
@@ -27,9 +28,11 @@ class WordByWord {
     for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
       auto grown = one_round();
       if (!grown) return tl::unexpected(grown.error());
-      work_ += shape_.lines() + 1;
-      if (work_ > most_work || (!*grown && (made_.is_proven() || made_.proof.stopped_a || !begin_anew()))) break;
+      work_ += shape_.lines() + 1 + made_.proof.moves_a + made_.proof.moves_b;
+      if (!*grown && (made_.is_proven() || is_hopeless() || !begin_anew())) return std::move(made_);
+      if (work_ > most_work) break;
     }
+    if (!spec_.stop.asked()) unsayable(alarm(AlarmId::conversion_takes_long, {}), 0);
     return std::move(made_);
   }
 
@@ -41,10 +44,12 @@ class WordByWord {
     made_.text = std::make_shared<std::string>(), made_.cannot_say.reset(), made_.proof = {};
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
-      for (const TextLines& lines : places_) places.push_back({lines, follows(lines, places)});
+      for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
       auto source = spec_.source();
       if (!source) return tl::unexpected(source.error());
-      if (const Status begun = write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop); !begun) return unsayable(begun.error(), 0), false;
+      const auto blocks = write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
+      if (!blocks) return unsayable(blocks.error(), 0), false;
+      work_ += *blocks;
       if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
       for (const FlatPlace& place : places)
         if (!place.settled()) {
@@ -56,10 +61,11 @@ class WordByWord {
     const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), spec_.stop, shape_.is_russian()};
     const auto text = std::make_shared<std::string>();
     text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
-    const Rewritten written = rewrite(rewriting, [&text](std::string_view line) { text->append(line); });
+    const auto written = rewrite(rewriting, [&text](std::string_view line) { return text->append(line).size() <= most_made; });
+    if (!written) return unsayable(written.error(), 0), false;
     made_.text = text;
-    if (!written.unsaid.empty()) return write_out_unsaid(written);
-    return prove(written);
+    if (!written->unsaid.empty()) return write_out_unsaid(*written);
+    return prove(*written);
   }
 
   /// Figures that change with what a probe touches are not those of the program.
@@ -69,7 +75,7 @@ class WordByWord {
     for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
     auto source = spec_.elsewhere();
     if (!source) return tl::unexpected(source.error());
-    if (const Status begun = write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop); !begun) return {};
+    if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop)) return {};
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].probed && places[i].text != others[i].text) places[i].cannot = alarm(AlarmId::function_has_no_code, {}, "probe");
     return {};
@@ -143,9 +149,16 @@ class WordByWord {
   bool is_left_out(std::uint32_t line) const {
     return std::any_of(left_out_.begin(), left_out_.end(), [&](const TextLines& gone) { return gone.holds(line); });
   }
-  bool is_in_place(std::uint32_t line) const {
-    return std::any_of(places_.begin(), places_.end(), [&](const TextLines& place) { return place.holds(line); });
+  std::optional<TextLines> place_at(std::uint32_t line) const {
+    const auto after = places_.upper_bound(line);
+    if (after == places_.begin() || std::prev(after)->second < line) return std::nullopt;
+    return TextLines{std::prev(after)->first, std::prev(after)->second};
   }
+  bool is_in_place(std::uint32_t line) const { return place_at(line).has_value(); }
+  /// Places that begin there.
+  void erase_places(TextLines lines) { places_.erase(places_.lower_bound(lines.first), places_.upper_bound(lines.last)); }
+  /// No other round and no other way from here leads on.
+  bool is_hopeless() const { return made_.proof.stopped_a || (made_.cannot_say && made_.cannot_say->id == AlarmId::conversion_too_long); }
 
   void unsayable(const Alarm& why, std::uint32_t line) {
     made_.cannot_say = why;
@@ -155,8 +168,7 @@ class WordByWord {
   /// These lines and what they touch; false: they are as large already as can be.
   bool write_out(TextLines lines) {
     if (shape_.is_edge(lines.first)) return grow(lines);
-    for (const TextLines& place : places_)
-      if (place.holds(lines.first)) return grow_back(place) || grow(place);
+    if (const auto place = place_at(lines.first)) return grow_back(*place) || grow(*place);
     if (const auto subprogram = shape_.subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
       constexpr int most_deep = 16;  // subprograms that call each other
       if (deep_ >= most_deep) return false;
@@ -199,7 +211,7 @@ class WordByWord {
     if (!subprogram) return false;
     const std::vector<std::uint32_t> callers = shape_.callers_of(*subprogram);
     if (callers.empty()) return false;
-    std::erase_if(places_, [&](const TextLines& place) { return subprogram->holds(place.first); });
+    erase_places(*subprogram);
     left_out_.push_back(*subprogram);
     bool any = false;
     for (const std::uint32_t caller : callers) any = (subprogram->holds(caller) ? false : write_out({caller, caller})) || any;
@@ -209,8 +221,8 @@ class WordByWord {
   void add(TextLines lines) {
     const bool differs = !why_ && !varies_ && !made_.proof.differences.empty();
     made_.written_out.push_back({lines, why_, differs ? std::optional(made_.proof.differences.front()) : std::nullopt, varies_});
-    std::erase_if(places_, [&](const TextLines& place) { return lines.holds(place.first); });
-    places_.insert(std::upper_bound(places_.begin(), places_.end(), lines, [](const TextLines& a, const TextLines& b) { return a.first < b.first; }), lines);
+    erase_places(lines);
+    places_[lines.first] = lines.last;
   }
 
   const ConversionSpec& spec_;
@@ -219,7 +231,7 @@ class WordByWord {
   const CompareRules& rules_;
   const ControlDef* from_ = nullptr;
   std::unique_ptr<Session> opened_;  // it owns the control's definition
-  std::vector<TextLines> places_;    // written out, in their order
+  std::map<std::uint32_t, std::uint32_t> places_;  // written out: first line → last
   std::vector<TextLines> left_out_;  // subprograms whose calls are
   std::map<std::uint32_t, int> steps_back_;  // by first line of a place
   ConversionTry made_;

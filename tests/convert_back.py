@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""kadr convert there and back: an example for another control, and what is written again for its own: `kadr diff` finds it equal to the
+example. Refused ways back are counted.
+
+    convert_back.py --kadr PROGRAM [--every N] [--jobs N]
+"""
+import argparse
+import collections
+import sys
+import tempfile
+from pathlib import Path
+
+from conversions import pairs
+from conversions.pairs import CONTROLS
+from page_client.client import expect, result
+
+# Each of the two is as near as half an increment of the coarser word: thousandths of an inch's tenth at the worst.
+TOLERANCE = 0.005
+# Of those that are proven there, so many at least are proven back.
+LEAST_SHARE = 0.6
+
+
+def there_and_back(kadr, job, folder):
+    """The outcome, and what is wrong about it."""
+    number, (control, file, to) = job
+    there = pairs.convert(kadr, control, file, to, folder / f'{number}_there.nc', pairs.setup_of(file))
+    if not there.proven():
+        return ('refused there', '') if there.right() else ('wrong', there.outcome)
+    back = pairs.convert(kadr, to, there.out, control, folder / f'{number}_back.nc', there.out_setup())
+    if not back.proven():
+        return ('refused back', back.said) if back.right() else ('wrong', back.outcome)
+    whole = pairs.Converted(control, file, there.setup, control, back.outcome, there.said + back.said, back.out)
+    got = pairs.diff(kadr, whole, tolerance=TOLERANCE)
+    return ('equal', '') if got.returncode == 0 else ('wrong', got.stdout[:400] + got.stderr[:300])
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument('--kadr', required=True, type=Path)
+    options.add_argument('--every', type=int, default=1)
+    options.add_argument('--jobs', type=int, default=2)
+    options.add_argument('--told', action='store_true', help='why a way back is refused')
+    given = options.parse_args()
+    jobs = [(control, file, to) for control, file in pairs.examples() for to in CONTROLS if to != control][::given.every]
+    counts = collections.Counter()
+    with tempfile.TemporaryDirectory() as name:
+        outcomes = pairs.all_of(lambda job: there_and_back(given.kadr, job, Path(name)), list(enumerate(jobs)), given.jobs)
+    for (control, file, to), (outcome, why) in zip(jobs, outcomes):
+        counts[outcome] += 1
+        expect(outcome != 'wrong', f'{control} {file.name} to {to} and back: {why}')
+        if given.told and outcome == 'refused back':
+            print(f'{control} {file.name} to {to} and back: {why}', file=sys.stderr)
+    for outcome, count in counts.most_common():
+        print(count, outcome, file=sys.stderr)
+    expect(counts['equal'] > LEAST_SHARE * (counts['equal'] + counts['refused back']), f'equal: {counts["equal"]}')
+    return result()
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())
