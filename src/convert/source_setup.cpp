@@ -54,6 +54,16 @@ std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, co
   return axes.size() > 3 ? axes : std::vector<std::string>();
 }
 
+/// Machines whose spindles the set-up describes have them all; the others one, of which its speed and direction are known.
+void take_spindles(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to) {
+  if (to.machine_axes() && from.machine_axes()) made.spindles = setup.spindles;
+  const auto main = setup.spindles.find(1);
+  if (made.spindles.empty() && main != setup.spindles.end() && main->second.rpm != 0) {
+    SpindleSetup& one = made.spindles[1];
+    one.rpm = main->second.rpm, one.dir = main->second.dir;
+  }
+}
+
 void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to, const KnownAxes& axes, const ProgramNames& names) {
   if (has_key(to, "offsets")) made.offsets = setup.offsets;
   if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
@@ -131,7 +141,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
     if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits;
   made.axis_limits = setup.axis_limits;
   made.skip = setup.skip, made.optional_stop = setup.optional_stop || tells_optional_stops(from);
-  if (has_key(to, "spindle")) made.spindles = setup.spindles;
+  take_spindles(made, setup, from, to);
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;
   if (has_key(to, "clock")) made.clock = setup.clock;
