@@ -92,7 +92,7 @@ void DifferencePlot::take(const ComparedPiece& piece) {
 
 void DifferencePlot::begin(const ComparedPiece& piece) {
   begun_ = piece.number;
-  for (const std::size_t i : {0, 1})
+  for (const std::size_t i : {0U, 1U})
     if (piece.number == i && !closeups_[i].sketch) start(closeups_[i], i);
   if (piece.part != Part::apart || piece.distance <= greatest_) return;
   greatest_ = piece.distance;
@@ -137,9 +137,9 @@ std::vector<PlotMark> DifferencePlot::marks(const Comparison& made) const {
     const auto same = [&](const PlotMark& other) { return other.what == mark.what && length(other.at - mark.at) < same_place; };
     if (std::none_of(all.begin(), all.end(), same)) all.push_back(mark);
   };
-  for (const std::size_t side : {0, 1})
+  for (const std::size_t side : {0U, 1U})
     if (first_[side]) add({PlotMark::What::start, *first_[side], first_line_[side]});
-  for (const std::size_t side : {0, 1}) {
+  for (const std::size_t side : {0U, 1U}) {
     const auto& stopped = side == 0 ? made.stopped_a : made.stopped_b;
     if (!last_[side] || (made.lost && !stopped)) continue;
     if (stopped) add({PlotMark::What::stop, *last_[side], line_of(stopped->origin, side == 1)});
