@@ -156,7 +156,7 @@ DifferenceWindow DifferencePlot::window_on(const Closeup& closeup, const Compari
 /// The greatest, and the first of the others, of those of which more is seen close up.
 std::vector<const DifferencePlot::Closeup*> DifferencePlot::chosen(const Comparison& made) const {
   std::vector<const Closeup*> all;
-  for (const std::size_t i : {2, 0, 1}) {
+  for (const std::size_t i : {2U, 0U, 1U}) {
     const Closeup& closeup = closeups_[i];
     const bool known = std::any_of(all.begin(), all.end(), [&](const Closeup* other) { return other->number == closeup.number; });
     if (!closeup.sketch || known || all.size() == 2 || closeup.number >= made.differences.size()) continue;
