@@ -25,7 +25,7 @@ export function convert_steps({ kadr, page, pictures }) {
       await page.locator(".files-verbs button").last().focus();
       await page.keyboard.press("Enter");
       await until("the choice of a control has the focus", () => page.evaluate(() => document.activeElement?.name === "to"));
-      await begin("grbl");
+      await begin("gost");
       must(/not converted/.test(await told()), `told: ${await told()}`);
       must((await count(".convert-tries b")) >= 4 && (await count(".convert-tries li")) >= 1 && !(await count(".convert-written")), "not all ways are told");
       const link = page.locator(".convert-tries .link").last(), line = /(\d+)/.exec(await link.textContent())[1];
