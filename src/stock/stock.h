@@ -53,6 +53,8 @@ LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
 
 /// A sweep of a tool that leans as a brick sees it.
 struct LeanHere {
+  LeanWay way;  // from the brick's corner
+  AroundTip around;
   LeanSweep sweep;
   LocalSweep tip;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stock/cut/lean_cut.h"
+#include "stock/cut/lean_division.h"
 #include "stock/stock.h"
 
 namespace kadr {
@@ -137,7 +138,7 @@ LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
     const WayPart part = part_that_reaches(way.from, forth, around, {edge, edge, edge});
     way = way.between(part.first, part.last);
   }
-  return {LeanSweep(way, {}, edge), local_sweep(way.from, way.to, around, edge)};
+  return {way, around, LeanSweep(way, {}, edge), local_sweep(way.from, way.to, around, edge)};
 }
 
 bool Stock::may_reach(std::size_t sweep, const LeanHere& here, float top) const {
@@ -148,8 +149,18 @@ bool Stock::may_reach(std::size_t sweep, const LeanHere& here, float top) const 
 /// One body in one brick.
 void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here, Brick& material, CutOutcome& outcome) const {
   const std::uint16_t tool = sweeps_[number].tool;
-  if (!kadr::may_reach(here.sweep, leaning_[tool][i], scale_, material.top)) return;
-  cut_brick_leaning(material, scale_, {here.sweep, leaning_[tool][i], here.tip, swept_[tool][i]}, std::int32_t(number), outcome);
+  const LeanBody& body = leaning_[tool][i];
+  if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
+  const auto cut = [&](const LeanSweep& sweep, const LocalSweep& tip) {
+    cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i]}, std::int32_t(number), outcome);
+  };
+  const LeanDivision division = division_of(here.sweep, body);
+  if (division.parts == 1) return cut(here.sweep, here.tip);
+  for (std::size_t part = 0; part < std::size_t(division.parts); ++part) {
+    const LeanWay way = here.way.between(division.share[part], division.share[part + 1]);
+    const LeanSweep sweep(way, {}, lattice_.edge());
+    if (kadr::may_reach(sweep, body, scale_, material.top)) cut(sweep, local_sweep(way.from, way.to, here.around, lattice_.edge()));
+  }
 }
 
 }  // namespace kadr

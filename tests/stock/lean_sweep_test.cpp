@@ -16,9 +16,7 @@ namespace kadr {
 namespace {
 
 constexpr double cell = 0.5;
-/// The law of the rows, and the bound of what a way is taken straight by; more where a line all but lies in a flat face that turns, from
-/// one side of it to the other: docs/stock.md.
-constexpr double law = 1e-3, bend = 2.5e-3, in_face = cell * brick_edge * most_turn / 4;
+constexpr double law = 1e-3;  // mm
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 
 Vec3 direction_between(Vec3 a, Vec3 b, double part) {
@@ -64,13 +62,6 @@ double from_leaning(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   return best;
 }
 
-bool lies_in_face(const std::vector<Sweep>& sweeps, int family) {
-  return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& s) {
-    const double a = along(s.from_direction, family), b = along(s.to_direction, family);
-    return s.from_direction != s.to_direction && (a * b <= 0 || std::min(std::fabs(a), std::fabs(b)) < 2 * most_turn);
-  });
-}
-
 std::string told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePlace& p) {
   char text[600];
   std::snprintf(text, sizeof text, "family %d place (%.9g %.9g %.9g)%s", p.family, p.at.x, p.at.y, p.at.z, p.is_end ? ", an end" : "");
@@ -95,7 +86,7 @@ TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   constexpr int places_of_a_sweep = 60;
   const std::uint64_t points = asked("STOCK_POINTS", 40000), seed = asked("STOCK_SEED", seed_of_properties());
   Chance chance(seed);
-  std::array<double, some_tools> worst{}, worst_in_face{};
+  std::array<double, some_tools> worst{};
   std::uint64_t looked_at = 0, ends = 0;
   int shown = 0;
   for (int round = 0; looked_at < points; ++round) {
@@ -114,24 +105,21 @@ TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
       double distance = std::numeric_limits<double>::infinity();
       for (const Sweep& s : sweeps) distance = std::min(distance, from_leaning(tool, s, p.at));
       if (!p.is_end && (distance > 0) == is_material(stock, p)) continue;
-      const bool faces = lies_in_face(sweeps, p.family);
-      double& most = (faces ? worst_in_face : worst)[std::size_t(which)];
+      double& most = worst[std::size_t(which)];
       most = std::max(most, std::fabs(distance));
-      if (std::fabs(distance) > law + bend + (faces ? in_face : 0) && ++shown <= 8)
+      if (std::fabs(distance) > law && ++shown <= 8)
         ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << told(tool, sweeps, p);
     }
   }
   for (int i = 0; i < some_tools; ++i) {
-    EXPECT_LE(worst[std::size_t(i)], law + bend) << name_of(SomeTool(i)) << ", seed " << seed;
-    EXPECT_LE(worst_in_face[std::size_t(i)], law + bend + in_face) << name_of(SomeTool(i)) << ", seed " << seed;
-    std::printf("%-22s greatest error %.6f mm, %.6f mm along flat faces\n", name_of(SomeTool(i)), worst[std::size_t(i)],
-                worst_in_face[std::size_t(i)]);
+    EXPECT_LE(worst[std::size_t(i)], law) << name_of(SomeTool(i)) << ", seed " << seed;
+    std::printf("%-22s greatest error %.6f mm\n", name_of(SomeTool(i)), worst[std::size_t(i)]);
   }
   std::printf("%llu places, %llu of them ends\n", static_cast<unsigned long long>(looked_at), static_cast<unsigned long long>(ends));
 }
 
 /// The ends of what is left of a line after one sweep, in one brick: none is wrong by more.
-void expect_ends(const ToolGeometry& geometry, const Sweep& sweep, int family, Vec3 at, double allowed) {
+void expect_ends(const ToolGeometry& geometry, const Sweep& sweep, int family, Vec3 at, double allowed = law) {
   const ToolShape tool = shape_of(geometry);
   Stock stock(box_blank(block), cell, 1);
   stock.add_tool(tool);
@@ -167,7 +155,7 @@ TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
                     false,
                     {0.014794938708142667, 0, 0.99989054890453999},
                     {-0.085333148546146487, 0.048311401531356379, 0.99518051741444258}};
-  constexpr double along_side = 4e-3;  // what is found is 3.8 µm, where the line all but lies in the side
+  constexpr double along_side = 3e-3;  // what is found is 2.7 µm: docs/stock.md
   expect_ends(g, sweep, 2, {2.25, 1.75, 6.02344643}, along_side);
 }
 
@@ -178,7 +166,17 @@ TEST(LeanSweep, ALineAllButAlongTheWayOfABallOfShortFlutes) {
   g.kind = ToolKind::ball, g.diameter = 2 * 1.3191593285946681, g.flutes = 2.0012710986066544;
   const Vec3 from{3.8095767255833444, 8.4344127609283621, 7.4661087052720827}, direction{0.52430622860008358, 0, 0.85152978729528706};
   const Sweep sweep{from, from + Vec3{0.29313846309983305, -8.0186267668552702, 0.00095436046129115937}, 0, false, direction, direction};
-  expect_ends(g, sweep, 1, {3.25, 8.0677425119939699, 8.25}, law + bend);
+  expect_ends(g, sweep, 1, {3.25, 8.0677425119939699, 8.25});
+}
+
+// The line is met by a fifth of a millimetre, and only with the shift that the tool has there.
+TEST(LeanSweep, ALineThatAShortBallGrazes) {
+  ToolGeometry g;
+  g.kind = ToolKind::ball, g.diameter = 2 * 0.766274649, g.flutes = 0.841946324;
+  const Vec3 from{2.19599484, 2.90191782, 0.00111404693}, direction{-0.27814162699967, -0.88702224699895, -0.36854954699956};
+  const Vec3 turned = direction - Vec3{0, 0, 0.03};
+  const Sweep sweep{from, from + Vec3{-0.011544244, 0.293525526, -1.57726882e-05}, 0, false, direction, (1 / length(turned)) * turned};
+  expect_ends(g, sweep, 2, {1.75, 3.25, -0.332570552});
 }
 
 // The line leaves the turning face over its rim, half a brick from where it enters it.
@@ -192,7 +190,7 @@ TEST(LeanSweep, ALineAllButInAFaceOfAFormTool) {
                     false,
                     {0.042985432101564337, 0.056365551845015065, -0.99748442453616726},
                     {-0.034762983395672298, 0.044403849667659638, -0.99840865036322879}};
-  expect_ends(g, sweep, 0, {8.83817244, 8.75, 6.75}, law + bend);
+  expect_ends(g, sweep, 0, {8.83817244, 8.75, 6.75});
 }
 
 }  // namespace

@@ -49,15 +49,19 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
   const Vec3 centre = corner + edge / 2 * Vec3{1, 1, 1}, first = ends.first(centre), last = ends.last(centre);
   half_turn = float(way.turn() / 2);
   reach = float(edge / 2 * std::sqrt(3.0));
+  const Vec3 away = ends.halfway(centre) - 0.5 * (first + last);
+  bend = float(std::sqrt(ToolEnds::dot(away, away))) + half_turn * half_turn / 2 * reach;
   for (int d = 0; d < 3; ++d) {
     tips[0][d] = float(along(way.from - centre, d)), tips[1][d] = float(along(way.to - centre, d));
     directions[0][d] = float(along(way.from_direction, d)), directions[1][d] = float(along(way.to_direction, d));
     middle[d] = float((along(first, d) + along(last, d)) / 2);
     shift[d] = float(along(last, d) - along(first, d));
+    aside[d] = float(along(away, d));
     Vec3 axis;
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
-    const double per = 1 / length(a + b);  // of length 1: shorter by turn² / 8 but for this
+    const Vec3 sum = a + b;
+    const double per = 1 / std::sqrt(ToolEnds::dot(sum, sum));  // of length 1: shorter by turn² / 8 but for this
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));

@@ -19,6 +19,8 @@ struct LeanSweep {
   float axes_first[3][3], axes_last[3][3];  // as they are at the beginning and the end
   float tips[2][3], directions[2][3];       // of the tool at the beginning and the end, from the brick's middle
   float half_turn;                          // radians
+  float aside[3];                           // halfway, of the brick's middle from its chord
+  float bend;                               // the most of it that a place of the brick has
   float reach;                              // from the brick's middle to its corners
   /// By which the sweep of a guessed place may be wrong anywhere in the brick, mm.
   float guess_error() const { return half_turn * reach; }

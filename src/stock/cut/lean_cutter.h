@@ -15,23 +15,6 @@
 
 namespace kadr {
 
-/// The lines of a family, seen from the tool in the middle of its way.
-template <class V>
-struct LeanFamily {
-  LeanLines<V> even;    // as it shifts in the middle of the brick
-  Heading first, last;  // as they are at the ends of the way
-  /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
-  /// mm of lane and of row; `reach`: of lines that come near.
-  float aside, aside_lane, aside_row, reach;
-};
-/// Eight of them.
-template <class V>
-struct LeanRow {
-  Vec3Of<V> at, shift;    // of their middles
-  Vec3Of<V> first, last;  // where these are at the ends of the way
-  Swept<V> at_ends;       // by the tool as it stands there
-};
-
 class LeanCutter : public Cutter {
  public:
   LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome);
@@ -218,33 +201,39 @@ KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r, const WayPast<V>& past
 
 /// One end of each line that is wanted: `by_from` that where the tool enters it, else where it leaves it. A place is within what the tool
 /// sweeps if it is so with the shift that it has itself: that is asked of the place that was found last, then of places between those that
-/// were within and without.
+/// were within and without. What is missed with the shift at one place may be met with that nearer to the middle of what is met.
 template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess,
                                           const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
   const V half = spread<V>(half_);
+  const auto in_brick = [&](const V& place) { return within(place, -half, half); };
   const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]);
   LeanLines<V> lines{all.even.heading, all.first, all.last, all.even.past};
-  V low = -half, high = half, place = within(choose(by_from, guess.from, guess.to) - half, low, high);
-  Swept<V> found;
+  V low = -half, high = half, place = in_brick(choose(by_from, guess.from, guess.to) - half);
+  V middle = 0.5f * (in_brick(guess.from - half) + in_brick(guess.to - half));
+  MarksOf<V> open = wanted;
+  Swept<V> end_of{spread<V>(missed), spread<V>(-missed)};
   for (int i = 0;; ++i) {
     const Vec3Of<V> here = plus(line.shift, place, grows);
     lines.past = way_past<V>({-here.x, -here.y, -here.z});
-    found = either(line.at_ends,
-                   lean_between<V, kind>(lines, body_leaning_, {plus(line.at, spread<V>(-0.5f), here), line.first, line.last}, near_));
+    const Swept<V> found = either(
+        line.at_ends, lean_between<V, kind>(lines, body_leaning_, {plus(line.at, spread<V>(-0.5f), here), line.first, line.last}, near_));
     const V end = choose(by_from, found.from, found.to), moved = most(end - place, place - end);
-    const MarksOf<V> missed_it = found.from > found.to, above = choose(missed_it, by_from, end > place);
-    low = choose(above, place, low), high = choose(above, high, place);
-    const V next = choose(missed_it | (spread<V>(float(i)) > float(quick_steps)), 0.5f * (low + high), within(end, low, high));
-    const V step = choose(missed_it, high - low, least(moved, high - low)), room = 0.1f * step;
-    const MarksOf<V> open = missed_it | meet(found, {material.from - room - half_, material.to + room - half_});
-    if (i + 1 == most_refined || !any(wanted & open & (step * lean_.half_turn > let_pass))) break;
+    const MarksOf<V> misses = found.from > found.to, above = choose(misses, place<middle, end> place);
+    end_of = {choose(open, found.from, end_of.from), choose(open, found.to, end_of.to)};
+    low = choose(open & above, place, low), high = choose(open & ~above, place, high);
+    const V between = i == 0 ? middle : 0.5f * (low + high);
+    const V next = choose(misses | (spread<V>(float(i)) > float(quick_steps)), between, within(end, low, high));
+    middle = choose(misses, middle, 0.5f * (in_brick(found.from) + in_brick(found.to)));
+    const V step = choose(misses, high - low, least(moved, high - low)), room = 0.1f * step;
+    open = open & (misses | meet(found, {material.from - room - half_, material.to + room - half_})) & (step * lean_.half_turn > let_pass);
+    if (i + 1 == most_refined || !any(open)) break;
     place = next;
   }
   // An end beyond the brick is as good as any other there.
-  const MarksOf<V> misses = found.from > found.to, in_brick = (low > -half) & (high < half);
-  const V from = choose(in_brick, within(found.from, low, high), found.from), to = choose(in_brick, within(found.to, low, high), found.to);
-  const Swept<V> end{choose(by_from, from, found.from) + half_, choose(by_from, found.to, to) + half_};
+  const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
+  const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
+  const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};
   return where(~misses, end.from, end.to);
 }
 
@@ -281,6 +270,7 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
   if (!any(near)) return false;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
+  line.at = plus(line.at, spread<V>(0.5f), vector_of<V>(lean_.aside));
   if constexpr (kind == LeanBody::Kind::cylinder) {
     return sweeps_cylinder<V, family>(all, line, near, material, swept);
   } else {
@@ -308,7 +298,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
   const Pose<V> first = in_pose(line.first, all.first, f), last = in_pose(line.last, all.last, f);
   line.at_ends = either(where(first.in.from <= first.in.to, first.in.from, first.in.to), last.in);
   swept = {line.at_ends.from + half_, line.at_ends.to + half_};
-  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), f.low_radius, 4 * lean_.half_turn};
+  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), f.low_radius, 4 * lean_.half_turn, lean_.bend};
   MarksOf<V> open_from = near & (swept.from > material.from), open_to = near & (swept.to < material.to);
   if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
   if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);

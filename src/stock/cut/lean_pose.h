@@ -9,6 +9,23 @@
 
 namespace kadr::lanes {
 
+/// The lines of a family, seen from the tool in the middle of its way.
+template <class V>
+struct LeanFamily {
+  LeanLines<V> even;    // as it shifts in the middle of the brick
+  Heading first, last;  // as they are at the ends of the way
+  /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
+  /// mm of lane and of row; `reach`: of lines that come near.
+  float aside, aside_lane, aside_row, reach;
+};
+/// Eight of them.
+template <class V>
+struct LeanRow {
+  Vec3Of<V> at, shift;    // of their middles, between the ends of the way as far from its chord as from where they bend to
+  Vec3Of<V> first, last;  // where these are at the ends of the way
+  Swept<V> at_ends;       // by the tool as it stands there
+};
+
 template <class V>
 struct Pose {
   Vec3Of<V> at;  // of a line
@@ -30,6 +47,7 @@ struct PastTool {
   Vec3Of<V> shift, grows;  // of the line's middle; for each mm of line
   float radius;            // of the cylinder
   float steep;             // sine of the angle to a face or a side from which on a turn does not count
+  float bend;              // mm by which their way may not be straight
 };
 
 /// The place where a line enters or leaves the cylinder moves out of it; `by_face`: it lies in a flat face, which is the upper one or not.
@@ -40,8 +58,8 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
   const V up = forth * (past.shift.z + place * past.grows.z);
   const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
   const V beside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
-  const MarksOf<V> side = (beside >= 0.f) & (most(through, -through) >= past.steep * past.radius);
-  const MarksOf<V> face = (face_is_upper ? up : -up) >= (std::fabs(e.z) >= past.steep ? 0.f : missed);
+  const MarksOf<V> side = (beside >= past.bend * past.radius) & (most(through, -through) >= past.steep * past.radius);
+  const MarksOf<V> face = (face_is_upper ? up : -up) >= (std::fabs(e.z) >= past.steep ? past.bend : missed);
   return choose(by_face, face, side);
 }
 

@@ -25,13 +25,16 @@ Vec3 beside(Vec3 direction) {
   return unit(across(away, direction));
 }
 
-/// By the shortest turn that takes one direction to the other.
-Vec3 carried(Vec3 v, Vec3 from, Vec3 to) {
-  const Vec3 middle = from + to;
-  const double size = ToolEnds::dot(middle, middle);
-  const Vec3 mirrored = v - 2 * ToolEnds::dot(v, from) * from;
-  return mirrored - (2 * ToolEnds::dot(mirrored, middle) / size) * middle;
-}
+/// The shortest turn that takes one direction to another, of what is upright to the first.
+class Carry {
+ public:
+  Carry(Vec3 from, Vec3 to) : middle_(from + to), per_(2 / ToolEnds::dot(middle_, middle_)) {}
+  Vec3 operator()(Vec3 v) const { return v - (per_ * ToolEnds::dot(v, middle_)) * middle_; }
+
+ private:
+  Vec3 middle_;
+  double per_;
+};
 
 }  // namespace
 
@@ -71,8 +74,10 @@ double reach_of(const ToolShape& tool) {
 
 ToolEnds::ToolEnds(const LeanWay& way) : from(way.from), to(way.to) {
   const Vec3 z = unit(way.from_direction + way.to_direction), x = beside(z), y = across(z, x);
-  axes_first = {carried(x, z, way.from_direction), carried(y, z, way.from_direction), way.from_direction};
-  axes_last = {carried(x, z, way.to_direction), carried(y, z, way.to_direction), way.to_direction};
+  axes_halfway = {x, y, z};
+  const Carry back(z, way.from_direction), forth(z, way.to_direction);
+  axes_first = {back(x), back(y), way.from_direction};
+  axes_last = {forth(x), forth(y), way.to_direction};
 }
 
 Box3 box_around(const LeanWay& way, double low, double high, double radius) {

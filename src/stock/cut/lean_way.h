@@ -41,16 +41,17 @@ inline bool is_upright(Vec3 direction) { return std::fabs(direction.x) < 1e-9 &&
 /// The tool's own axes where it stands: rows x, y beside, z along it.
 using ToolAxes = std::array<Vec3, 3>;
 
-/// A place's coordinates in the tool as it stands at the beginning and at the end of a way, x, y beside its axis, z above its tip.
+/// A place's coordinates in the tool as it stands at the beginning, halfway and at the end of a way, x, y beside its axis, z above its tip.
 struct ToolEnds {
   explicit ToolEnds(const LeanWay& way);
   Vec3 first(Vec3 place) const { return in(axes_first, place - from); }
   Vec3 last(Vec3 place) const { return in(axes_last, place - to); }
+  Vec3 halfway(Vec3 place) const { return in(axes_halfway, place - 0.5 * (from + to)); }
   static Vec3 in(const ToolAxes& axes, Vec3 v) { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
   static double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
   Vec3 from, to;
-  ToolAxes axes_first, axes_last;
+  ToolAxes axes_first, axes_halfway, axes_last;
 };
 
 /// Box around a body of a tool on a way that turns little.
