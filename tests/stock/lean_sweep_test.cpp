@@ -179,6 +179,26 @@ TEST(LeanSweep, ALineThatAShortBallGrazes) {
   expect_ends(g, sweep, 2, {1.75, 3.25, -0.332570552});
 }
 
+// The line lies in the face where the tool stands first, and enters it far from where it leaves it: by the shift that it has there the tool
+// seems to reach beyond the material.
+TEST(LeanSweep, ALineAllButInTheFaceOfABullNose) {
+  ToolGeometry g;
+  g.kind = ToolKind::bull, g.diameter = 2 * 5.88308022, g.corner = 0.541652657, g.flutes = 7.29488887;
+  const Vec3 from{5.26314564, 11.4334889, 1.75972122}, turned{1, -0.002895, 0.005015};
+  const Sweep sweep{from, from + Vec3{0, -0.127122522, 0}, 0, false, {1, 0, 0}, (1 / length(turned)) * turned};
+  expect_ends(g, sweep, 2, {5.25, 7.75, 1.14168251});
+}
+
+TEST(LeanSweep, ALineAllButInAConeOfAFormTool) {
+  ToolGeometry g;
+  g.kind = ToolKind::form, g.flutes = 6.78856099;
+  g.profile = {{10.08447702, 0}, {1.003864756, 3.73388676}, {4.44187804, 4.29947901}, {7.35349852, 6.78856099}};
+  const Vec3 from{0.520894953, 10.3563889, 6.67364259}, direction{-0.107099927, 0.849078424, 0.517296274},
+      turned{0.002325694, 0.744162354, 0.667994747};
+  const Sweep sweep{from, from + Vec3{0, 0, -7.8259377}, 0, false, (1 / length(direction)) * direction, (1 / length(turned)) * turned};
+  expect_ends(g, sweep, 0, {-0.828653875, 7.75, 1.75});
+}
+
 // The line leaves the turning face over its rim, half a brick from where it enters it.
 TEST(LeanSweep, ALineAllButInAFaceOfAFormTool) {
   ToolGeometry g;

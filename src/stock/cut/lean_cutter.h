@@ -245,7 +245,10 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanR
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind, family>(all, line, guess, by_from, reached, material);
-  const MarksOf<V> other_to = by_from & (one.to < material.to + room), other_from = ~by_from & (one.from > material.from - room);
+  // That it lies beyond the material is certain only of the tool as it stands at an end of its way.
+  const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
+  const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
+  const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
   // Whatever it meets of the material with the shift at this end: that may be another at the other.
   const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
