@@ -64,20 +64,36 @@ inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
 
 }  // namespace lanes
 
-/// mm² from the point to each of four.
-///   law  to the bit kadr::square_to_triangle()   (tests/stock/nearest_triangle_test)
-inline void squares_to_triangles(const OneOfFour (&one)[4], const Vec3& point, double (&squares)[4]) {
-  for (int i = 0; i < 4; i += 2) {
+/// mm² from the point to each of an even number: `pair(k, d, i)` are the places of the corner k along d of the triangles i and i + 1.
+template <std::size_t count>
+inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squares)[count]) {
+  for (std::size_t i = 0; i < count; i += 2) {
     lanes::TwoPlaces seen[3];
-    for (int k = 0; k < 3; ++k) {
-      const auto both = [&](int d, double from) {
-        return lanes::Two{double(one[i].four->corner[k][d][one[i].lane]), double(one[i + 1].four->corner[k][d][one[i + 1].lane])} - from;
-      };
-      seen[k] = {both(0, point.x), both(1, point.y), both(2, point.z)};
-    }
+    for (std::size_t k = 0; k < 3; ++k) seen[k] = {pair(k, 0, i) - point.x, pair(k, 1, i) - point.y, pair(k, 2, i) - point.z};
     const lanes::Two square = lanes::square_to_triangle(seen);
     squares[i] = square[0], squares[i + 1] = square[1];
   }
+}
+
+/// … of any of one or more blocks.
+///   law  to the bit kadr::square_to_triangle()   (tests/stock/nearest_triangle_test)
+template <std::size_t count>
+inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& point, double (&squares)[count]) {
+  const auto place = [&](std::size_t k, std::size_t d, std::size_t i) { return double(one[i].four->corner[k][d][one[i].lane]); };
+  squares_to_pairs(
+      [&](std::size_t k, std::size_t d, std::size_t i) {
+        return lanes::Two{place(k, d, i), place(k, d, i + 1)};
+      },
+      point, squares);
+}
+
+/// … of all of a block: their places lie side by side.
+inline void squares_to_all(const FourTriangles& four, const Vec3& point, double (&squares)[4]) {
+  using TwoFloats = float __attribute__((vector_size(8), may_alias));
+  const auto pair = [&](std::size_t k, std::size_t d, std::size_t i) {
+    return __builtin_convertvector(*reinterpret_cast<const TwoFloats*>(four.corner[k][d] + i), lanes::Two);
+  };
+  squares_to_pairs(pair, point, squares);
 }
 
 }  // namespace kadr

@@ -87,9 +87,12 @@ class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
     for (int d = 0; d < 3; ++d) place_[d] = Quad{} + float(along(point, d));
-    const std::uint32_t first = hint / in_block * in_block;
-    ask({first, first + 1, first + 2, first + 3});
-    began_ = of_blocks | std::uint32_t(hint / in_block);
+    const std::uint32_t block = hint / in_block;
+    double square[4];
+    squares_to_all(tree_.blocks_[block], point_, square);
+    for (std::uint32_t i = 0; i < in_block; ++i) take(block * in_block + i, square[i]);
+    limit_ = float(limit_of(square_));
+    began_ = of_blocks | block;
   }
   void all();
   double square() const { return square_; }
@@ -102,9 +105,14 @@ class NearestTriangle::Search {
     std::uint32_t child;
   };
   Quad squares_to(const Quad (&least)[3], const Quad (&most)[3]) const;
+  void fetch(std::uint32_t child) const;
   void open(const Node& node);
   void look_at(std::uint32_t block);
-  void ask(const std::uint32_t (&triangle)[4]);
+  template <std::size_t count>
+  void ask(const std::uint32_t (&triangle)[count]);
+  void take(std::uint32_t triangle, double square) {
+    if (square < square_) square_ = square, nearest_ = triangle;
+  }
 
   const NearestTriangle& tree_;
   Vec3 point_;
@@ -131,14 +139,14 @@ inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], c
   return sum;
 }
 
-/// Four triangles, by their numbers in the blocks.
-inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[4]) {
-  OneOfFour all[4];
-  for (int i = 0; i < 4; ++i) all[i] = {&tree_.blocks_[triangle[i] / in_block], triangle[i] % in_block};
-  double square[4];
+/// Two or four triangles, by their numbers in the blocks.
+template <std::size_t count>
+inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count]) {
+  OneOfFour all[count];
+  for (std::size_t i = 0; i < count; ++i) all[i] = {&tree_.blocks_[triangle[i] / in_block], triangle[i] % in_block};
+  double square[count];
   squares_to_triangles(all, point_, square);
-  for (int i = 0; i < 4; ++i)
-    if (square[i] < square_) square_ = square[i], nearest_ = triangle[i];
+  for (std::size_t i = 0; i < count; ++i) take(triangle[i], square[i]);
   limit_ = float(limit_of(square_));
 }
 
@@ -152,34 +160,49 @@ inline void NearestTriangle::Search::look_at(std::uint32_t block) {
     least[d] = (low < c ? low : c) - tree_.pad_, most[d] = (high < c ? c : high) + tree_.pad_;
   }
   const Quad sum = squares_to(least, most);
+  const float limit = limit_;
+  int count = count_;
   for (std::uint32_t i = 0; i < in_block; ++i) {
-    const std::uint32_t triangle = block * in_block + i;
-    asked_for_[count_] = triangle;
-    count_ += int(sum[i] <= limit_);
+    asked_for_[count] = block * in_block + i;
+    count += int(sum[i] <= limit);
   }
-  if (count_ < 4) return;
-  count_ -= 4;
+  count_ = count < 4 ? count : count - 4;
+  if (count < 4) return;
   const std::uint32_t* const last = asked_for_ + count_;
-  ask({last[0], last[1], last[2], last[3]});
+  ask<4>({last[0], last[1], last[2], last[3]});
 }
 
-/// Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over.
+/// It will be looked at soon, and memory is far.
+inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
+  constexpr std::size_t cache_line = 64;
+  const bool is_block = (child & of_blocks) != 0;
+  const char* const at =
+      is_block ? reinterpret_cast<const char*>(&tree_.blocks_[child & ~of_blocks]) : reinterpret_cast<const char*>(&tree_.nodes_[child]);
+  for (std::size_t line = 0; line < sizeof(FourTriangles); line += cache_line) __builtin_prefetch(at + line);
+}
+
+/// Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over. What counts them is no
+/// member: to the compiler those might be what is written.
 inline void NearestTriangle::Search::open(const Node& node) {
   const int first = waiting_;
+  const float limit = limit_;
+  int waiting = first;
   for (std::size_t half = 0; half < width; half += 4) {
     Quad least[3], most[3];
     for (int d = 0; d < 3; ++d)
       least[d] = *reinterpret_cast<const Quad*>(node.least[d] + half), most[d] = *reinterpret_cast<const Quad*>(node.most[d] + half);
     const Quad sum = squares_to(least, most);
     for (std::size_t i = 0; i < 4; ++i) {
-      stack_[waiting_] = {sum[i], node.first_child + std::uint32_t(half + i)};
-      waiting_ += int(sum[i] <= limit_);
+      stack_[waiting] = {sum[i], node.first_child + std::uint32_t(half + i)};
+      waiting += int(sum[i] <= limit);
     }
   }
-  if (waiting_ < first + 2) return;
+  waiting_ = waiting;
+  for (int i = first; i < waiting; ++i) fetch(stack_[i].child);
+  if (waiting < first + 2) return;
   int nearest = first;
-  for (int i = first + 1; i < waiting_; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting_ - 1]);  // on top
+  for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // on top
 }
 
 void NearestTriangle::Search::all() {
@@ -192,7 +215,8 @@ void NearestTriangle::Search::all() {
   }
   if (count_ == 0) return;
   for (int i = count_; i < 4; ++i) asked_for_[i] = asked_for_[0];
-  ask({asked_for_[0], asked_for_[1], asked_for_[2], asked_for_[3]});
+  const std::uint32_t two[2] = {asked_for_[0], asked_for_[1]}, four[4] = {two[0], two[1], asked_for_[2], asked_for_[3]};
+  count_ > 2 ? ask(four) : ask(two);
 }
 
 double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
