@@ -109,9 +109,6 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   Surface of_window = window != nullptr ? surface_of(*window) : Surface();
   CutResult result = run.named(cut_figures(run.cutting(), cut_job, surface, window != nullptr ? &of_window : nullptr));
   if (window != nullptr) surface = std::move(of_window);
-  if (result.threads_left_out != 0)
-    say(told("threads of turning tools are not cut; passes left out: ", "резьба резцом не снимается; пропущено проходов: ") +
-        std::to_string(result.threads_left_out) + "\n");
   PartComparison held;
   if (part) {
     held = hold_against(cut_job, stock, surface, *part);

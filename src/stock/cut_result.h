@@ -65,6 +65,21 @@ struct SimplifiedResult {
   double off = 0;                        // mm, the farthest of either from the other
 };
 
+/// A thread that a turning tool has cut. Of its deepest pass; radii from the axis of the part.
+struct ThreadCut {
+  Origin origin;
+  std::string program{};  // as of BlockLoad
+  std::uint32_t tool = 0;
+  double lead = 0;  // mm; 0: the program does not say
+  bool is_outer = true;
+  std::size_t passes = 0;
+  double from_radius = 0, to_radius = 0, from_z = 0, to_z = 0;  // of the insert's point
+  /// Of what is left of the material in the middle of it; nothing: none is there.
+  std::optional<double> crest_radius{};
+
+  double middle_radius() const { return 0.5 * (from_radius + to_radius); }
+};
+
 struct CutResult {
   double stock = 0;        // mm³ of the blank
   double left = 0;         // of what is left
@@ -80,8 +95,8 @@ struct CutResult {
   std::optional<PartResult> part;   // if one was wanted; of a window what lies in it
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;          // findings beyond those that are kept
-  std::size_t threads_left_out = 0;  // passes of turning tools along a thread
+  std::size_t not_told = 0;        // findings beyond those that are kept
+  std::vector<ThreadCut> threads;  // in the order of the program
 };
 
 }  // namespace kadr

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "config/tool_formats.h"
+#include "stock/material_around.h"
 #include "stock/some_inserts.h"
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
@@ -306,6 +307,25 @@ TEST(turn, the_table_of_linuxcnc_and_the_turners_words_say_the_same) {
   EXPECT_NEAR(front.corners[0].centre.z, -0.4, 1e-12);
   EXPECT_NEAR(direction(front, 3), 155, 1e-9);
   EXPECT_NEAR(direction(front, 1), 95, 1e-9);
+}
+
+TEST(Turn, RadiiOfTheMaterialAround) {
+  Stock stock(cylinder_blank({0, 0}, -30, 0, 40), 0.5, 1);
+  ToolGeometry g;
+  g.kind = ToolKind::flat, g.diameter = 16, g.flutes = 40;
+  const std::uint16_t mill = stock.add_tool(shape_of(g));
+  stock.add({{0, 0, 5}, {0, 0, -20}, mill});
+  (void)stock.cut();
+  const auto wall = material_around(stock, 15, -10);
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->inner, 8, 1e-3);
+  EXPECT_NEAR(wall->outer, 20, 1e-3);
+  EXPECT_FALSE(material_around(stock, 21, -10));
+  EXPECT_FALSE(material_around(stock, 5, -10));
+  EXPECT_FALSE(material_around(stock, 15, 5));
+  const auto below = material_around(stock, 15, -25);
+  ASSERT_TRUE(below);
+  EXPECT_EQ(below->inner, 0);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 /// The words of the summary; both languages in one row.
 struct CutWords {
   const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *heaviest,
-      *in_air, *window, *in_window, *simplified, *triangles;
+      *in_air, *window, *in_window, *simplified, *triangles, *threads, *thread, *lead, *no_crest, *crest;
 };
 constexpr CutWords cut_english = {"cell",
                                   "blank",
@@ -38,7 +38,12 @@ constexpr CutWords cut_english = {"cell",
                                   "window",
                                   "cell {:g} {}; of {:.1f} {} left {:.1f} ± {:.1f}, removed {:.1f} ± {:.1f}",
                                   "simplified",
-                                  "{} of {} triangles, {:.4f} {} off at most"};
+                                  "{} of {} triangles, {:.4f} {} off at most",
+                                  "threads",
+                                  "T{}, line {}: Ø{:.3f} Z{:.3f} to Ø{:.3f} Z{:.3f} mm, passes: {}",
+                                  ", lead {:g} mm",
+                                  "; no material is there",
+                                  "; {:.3f} mm deep in Ø{:.3f} mm, which the part keeps"};
 constexpr CutWords cut_russian = {"шаг сетки",
                                   "заготовка",
                                   "осталось",
@@ -57,7 +62,12 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "окно",
                                   "шаг {:g} {}; из {:.1f} {} осталось {:.1f} ± {:.1f}, снято {:.1f} ± {:.1f}",
                                   "упрощено",
-                                  "{} треугольников из {}, отклонение не более {:.4f} {}"};
+                                  "{} треугольников из {}, отклонение не более {:.4f} {}",
+                                  "резьбы",
+                                  "T{}, строка {}: Ø{:.3f} Z{:.3f} до Ø{:.3f} Z{:.3f} мм, проходов: {}",
+                                  ", ход {:g} мм",
+                                  "; материала там нет",
+                                  "; глубина {:.3f} мм от Ø{:.3f} мм, который у детали остаётся"};
 
 constexpr double told_from = 0.05;  // s in the air: less is no tenth
 
@@ -103,6 +113,29 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
   return summary_row(name, text);
 }
 
+/// Of the thread, from the crest; below 0: the insert's point has not come to it.
+double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
+
+std::string thread_words(const CutWords& w, const ThreadCut& t) {
+  std::string text =
+      fmt::format(fmt::runtime(w.thread), t.tool, t.origin.line, 2 * t.from_radius, t.from_z, 2 * t.to_radius, t.to_z, t.passes);
+  if (t.lead != 0) text += fmt::format(fmt::runtime(w.lead), t.lead);
+  return text + (t.crest_radius ? fmt::format(fmt::runtime(w.crest), thread_depth(t), 2 * *t.crest_radius) : std::string(w.no_crest));
+}
+
+ordered_json thread_json(const ThreadCut& t) {
+  ordered_json json;
+  add_place(json, t.origin, t.program);
+  json["tool"] = t.tool;
+  if (t.lead != 0) json["lead"] = t.lead;
+  json["passes"] = t.passes;
+  json["outer"] = t.is_outer;
+  json["from"] = {{"diameter", rounded(2 * t.from_radius)}, {"Z", rounded(t.from_z)}};
+  json["to"] = {{"diameter", rounded(2 * t.to_radius)}, {"Z", rounded(t.to_z)}};
+  if (t.crest_radius) json["crest"] = rounded(2 * *t.crest_radius), json["depth"] = rounded(thread_depth(t));
+  return json;
+}
+
 }  // namespace
 
 std::string names_of_bodies(const CutFinding& f) { return f.bodies[0].empty() ? std::string() : f.bodies[0] + ", " + f.bodies[1]; }
@@ -138,6 +171,8 @@ std::string cut_summary(const CutResult& r, Lang lang) {
                                   fmt::format(fmt::runtime(w.rate), duration_text(t.seconds), t.greatest_rate));
     name = "";
   }
+  name = w.threads;
+  for (const ThreadCut& t : r.threads) text += summary_row(name, thread_words(w, t)), name = "";
   name = w.heaviest;
   for (const BlockLoad& load : r.heaviest) text += summary_row(name, load_words(load, lang)), name = "";
   name = w.in_air;
@@ -170,7 +205,7 @@ ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnin
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
-  if (r.threads_left_out != 0) json["threads_left_out"] = r.threads_left_out;
+  for (const ThreadCut& t : r.threads) json["threads"].push_back(thread_json(t));
   json["collisions"] = findings_json(r.collisions);
   add_loads(json, r);
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};

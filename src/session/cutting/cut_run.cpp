@@ -70,6 +70,7 @@ CutResult CutRun::named(CutResult result) const {
     for (CutFinding& f : *findings) name_program(f), f.calls = session_.settled_control().calls_of(f.origin);
   for (BlockLoad& load : result.heaviest) name_program(load);
   for (AirCut& air : result.emptiest) name_program(air);
+  for (ThreadCut& thread : result.threads) name_program(thread);
   return result;
 }
 

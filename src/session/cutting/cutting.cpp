@@ -119,6 +119,10 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
   each_other([&](Stock& other) { (void)other.add_tool(shape); });
+  if (shape.turns()) {  // the next number: what it is while its insert is in a thread
+    (void)stock_.add_tool(holder_of(shape));
+    each_other([&](Stock& other) { (void)other.add_tool(holder_of(shape)); });
+  }
   shapes_.emplace_back(tool_, number);
   return number;
 }
@@ -151,13 +155,12 @@ bool Cutting::place_known(const Motion& motion) {
   return known;
 }
 
-/// Passes of a thread are not cut by a turning tool: what they sweep is a helix and no ring. Nor is the rapid behind the last of them, out
-/// of the groove.
-bool Cutting::leaves_thread(const Motion& motion) {
-  const bool threads = motion.kind == MotionKind::thread, leaves = threads || (in_thread_ && motion.kind == MotionKind::rapid);
+/// The insert of a turning tool that cuts a thread sweeps a helix and no ring: of the material it takes nothing. Nor does it on the rapid
+/// behind that, out of the groove.
+bool Cutting::is_in_groove(const Motion& motion) {
+  const bool threads = motion.kind == MotionKind::thread, in_groove = threads || (in_thread_ && motion.kind == MotionKind::rapid);
   in_thread_ = threads;
-  result_.threads_left_out += threads;
-  return leaves;
+  return in_groove;
 }
 
 /// The tip stands lower or higher than the control believes, where the length that it reckons with is not the tool's: a worn, a wrong or no
@@ -184,7 +187,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   }
   const auto shape = shape_of_tool();
   if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
-  if (stock_.tool(*shape).turns() && leaves_thread(*motion)) return {};
+  const bool in_groove = stock_.tool(*shape).turns() && is_in_groove(*motion);
   const double most = time.seconds > 0 ? (job_.until - time.begins) / time.seconds : 1;
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
@@ -204,6 +207,8 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   if (motion->kind != MotionKind::thread && spindle_ != SpindleDir::stop)
     moved.teeth = stock_.tool(*shape).geometry.teeth * rpm_ / seconds_a_minute;
   moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;
+  moved.in_groove = in_groove, moved.threads = in_groove && motion->kind == MotionKind::thread;
+  if (moved.threads && motion->detail) moved.lead = motion->detail->lead.value_or(0);
   moved.begins = time.begins;
   moved.whole = time.seconds;
   moved.seconds = time.seconds * std::min(most, 1.0);
@@ -230,8 +235,9 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   Moved& in_batch = batch_.back();
   in_batch.first_sweep = stock_.sweeps();
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
+  const auto in_material = std::uint16_t(shape + (moved.in_groove ? 1 : 0));
   const auto carry = [&](Vec3 from, Vec3 to, Vec3 from_direction = upright, Vec3 to_direction = upright) {
-    const Sweep sweep{from, to, shape, watched, from_direction, to_direction};
+    const Sweep sweep{from, to, in_material, watched, from_direction, to_direction};
     stock_.add(sweep);
     if (window_) window_->add(sweep);
     if (seen_) seen_->add(sweep);
@@ -247,6 +253,9 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
     const Vec3 end = pieces.back().to - zero_;
     in_batch.radius = std::copysign(1.0, dot(axis, Vec2{end.x, end.y})) * axis;
     for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry), timed(p);
+    const auto signed_radius = [&](Vec3 at) { return Vec3{dot(axis, Vec2{at.x - zero_.x, at.y - zero_.y}), 0, at.z - zero_.z}; };
+    if (moved.threads)
+      threads_.add({moved.origin, moved.lead, signed_radius(pieces.front().from), signed_radius(pieces.back().to)}, stock_.tool(shape));
   } else {
     for (const WayPiece& p : pieces) {
       carry(p.from - zero_, p.to - zero_, p.from_direction, p.to_direction);
@@ -286,7 +295,7 @@ void Cutting::count_removed() {
     tool.removed += volume;
     if (!m.cuts) continue;
     tool.seconds += m.seconds;
-    if (end == m.first_sweep) continue;
+    if (end == m.first_sweep || m.in_groove) continue;
     loads_.add({m.origin, m.tool, m.diameter, m.teeth, m.begins, m.seconds, m.length, m.flat, volume, depth, m.first_sweep, end, m.at});
     const double share = 1.0 / double(end - m.first_sweep);
     for (std::size_t s = m.first_sweep; s < end; ++s)
@@ -368,6 +377,7 @@ CutResult Cutting::result(double left, double error_bound) const {
   result.sweeps = stock_.sweeps();
   result.heaviest = loads_.heaviest();
   result.emptiest = air_.emptiest();
+  result.threads = threads_.told(stock_);
   return result;
 }
 

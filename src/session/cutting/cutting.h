@@ -20,6 +20,7 @@
 #include "session/cutting/block_load.h"
 #include "session/cutting/sweep_lines.h"
 #include "session/cutting/sweep_times.h"
+#include "session/cutting/thread_cuts.h"
 #include "session/cutting/tool_way.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
@@ -46,9 +47,9 @@ struct CutJob {
   std::size_t past_bytes = 0;                  // of Stock::keep_past() for that
   int threads = 1;
   std::optional<std::uint16_t> system;  // of ToolWay
-  std::optional<Axes> apart;           // of ToolWay
-  bool wants_coolant = false;          // cutting without it is a warning
-  std::uint32_t tool = 0;              // in the spindle at the start
+  std::optional<Axes> apart;            // of ToolWay
+  bool wants_coolant = false;           // cutting without it is a warning
+  std::uint32_t tool = 0;               // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
   double rpm = 0;             // at which it turns then
   bool keeps_rates = false;   // Cutting::rates() is wanted
@@ -103,7 +104,9 @@ class Cutting {
     double whole = 0;                // s of the motion, all of it
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
-    Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
+    Vec2 radius;                              // of a turning tool: along its radius, towards it; else 0
+    bool in_groove = false, threads = false;  // of a turning tool: its insert is in a thread; it cuts that
+    double lead = 0;                          // of the thread, mm; 0: the program does not say
   };
   struct Kept {
     Moved moved;
@@ -113,7 +116,7 @@ class Cutting {
   void note(const Action& action);
   AxisMask unknown_now() const;
   bool place_known(const Motion& motion);
-  bool leaves_thread(const Motion& motion);
+  bool is_in_groove(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
   AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
   /// Visits the stocks beside that of the whole.
@@ -161,6 +164,7 @@ class Cutting {
   } rate_;
   BlockLoads loads_;
   AirLines air_;
+  ThreadCuts threads_;
   CutResult result_;
 };
 

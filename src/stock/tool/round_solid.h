@@ -50,6 +50,8 @@ struct ToolShape {
 /// By the kinds of design.md 10.
 ///   pre  fault_of(geometry) is empty
 ToolShape shape_of(const ToolGeometry& geometry);
+/// Nothing of a turning tool but its holder: what it is to the material while its insert is in a groove that goes round in a helix.
+ToolShape holder_of(const ToolShape& tool);
 
 /// Distance of a point from a solid, and the direction in which it grows, in the half plane of radius and height above the tip.
 struct Away {

@@ -81,4 +81,10 @@ ToolShape shape_of(const ToolGeometry& g) {
   return shape;
 }
 
+ToolShape holder_of(const ToolShape& tool) {
+  ToolShape shape = tool;
+  std::erase_if(shape.insert, [](const InsertBody& body) { return body.part != ToolPart::holder; });
+  return shape;
+}
+
 }  // namespace kadr
