@@ -1,12 +1,14 @@
-// How late the servo clock of a machine at its panel comes, beside an idle loop of the same period in the same process.
+// How late the servo clock of a machine at its panel comes, beside two idle loops of the same period in the same process: how far these
+// differ, who do the same, is how far the figure means anything on this machine.
 //
 //     build/bench/bench/panel_late [SECONDS=60]
 //
 // The machine goes round and round in short segments; another thread asks for its state 60 times a second, as a page does. Prints the greatest
-// lateness of both in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than the idle loop's and 1 ms.
+// lateness of each in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than that of both idle loops and 1 ms.
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -71,7 +73,7 @@ int main(int argc, char** argv) {
   auto made = kadr::PanelMachine::make(opens);
   if (!made || !(*made)->run()) return fmt::print("the machine does not run\n"), 2;
   const auto begun = Clock::now();
-  const IdleLoop idle;
+  const IdleLoop idle, other;
   double told = 10;
   std::uint64_t first = 0;
   while (since(begun) < seconds) {
@@ -79,13 +81,13 @@ int main(int argc, char** argv) {
     if (first == 0) first = state.sample.instant;
     if (state.mode != kadr::PanelMode::running) return fmt::print("the machine stands\n"), 2;
     if (since(begun) > told) {
-      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loop {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late());
+      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late(), 1000 * other.late());
       told += 10;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   const kadr::ServoSample last = (*made)->state().sample;
-  fmt::print("{:.0f} s, {} instants: greatest lateness of the servo clock {:.3f} ms, of the idle loop {:.3f} ms\n", since(begun), last.instant - first, 1000 * last.late,
-             1000 * idle.late());
-  return last.late > idle.late() + 1e-3 ? 1 : 0;
+  fmt::print("{:.0f} s, {} instants: greatest lateness of the servo clock {:.3f} ms, of the idle loops {:.3f} ms, {:.3f} ms\n", since(begun), last.instant - first,
+             1000 * last.late, 1000 * idle.late(), 1000 * other.late());
+  return last.late > std::max(idle.late(), other.late()) + 1e-3 ? 1 : 0;
 }

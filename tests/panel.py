@@ -145,7 +145,9 @@ def channels(server):
     page.ask('jog', axis='Z', way=-2.0, channel=2)
     until(page, lambda p: p['mode'] in ('ended', 'standing') and p['channels'][1]['machine']['Z'] == 48)
     expect('error' in page.ask('jog', axis='Y', way=1.0, channel=2) and 'error' in page.ask('jog', axis='X', way=1.0, channel=7), 'axes and channels that there are not')
-    expect('error' in page.ask('restart', line=3), 'no going on in mid program')
+    while not (sheet := page.ask('restart', line=3)).get('ready') and 'error' not in sheet:
+        time.sleep(0.01)
+    expect([b['number'] for b in sheet.get('beside', [])] == [2], f'going on in mid program, a sheet of each: {sheet}')
     way = [{'rapid': True, 'to': {'Z': 10.0}, 'feed': 0}, {'rapid': False, 'to': {'X': 30.0, 'Y': 5.0}, 'feed': 6000.0}]
     expect('error' not in page.ask('lead', way=way), 'a way by hand')
     until(page, lambda p: p['mode'] in ('ended', 'standing') and p['machine'] == {'X': 30, 'Y': 5, 'Z': 10})

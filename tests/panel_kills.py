@@ -72,6 +72,14 @@ class Operator:
             done = self.page.ask('edit', tables={'offsets': {'1': {'radius': wanted}}})
             if 'error' not in done:
                 self.radius, self.logged = wanted, self.logged + 1
+        elif self.chance.random() < 0.4:  # by a line entered by hand
+            wanted = round(self.chance.uniform(-9, 9), 3)
+            before = self.page.ask('panel')['can_undo']
+            done = self.page.ask('enter', line=f'G10 L2 P1 X{wanted}')
+            entered = until(self.page, lambda p: p['mode'] == 'standing' and p['can_undo'] == before + 1)
+            if entered['alarm'] is None:
+                self.zero, self.logged = wanted, self.logged + 1
+            expect(entered['alarm'] is None or 'compensation' in entered['alarm']['text'], f'a line: {entered["alarm"]}')
         else:
             wanted = round(self.chance.uniform(-9, 9), 3)
             done = self.page.ask('edit', tables={'work_offsets': {'G54': {'X': wanted}}})

@@ -4,6 +4,7 @@
     tests/panel_restart.py --kadr build/release/kadr
 """
 import argparse
+import json
 import tempfile
 import time
 from pathlib import Path
@@ -88,16 +89,85 @@ def operator(server):
     page.ask('press', key='off')
 
 
+CHANNEL_1 = '%O0001\nG21 G90 G94 G54\nT3 M6\nG0 X10\nM501 P12\nG1 X20 F6000\nG4 P0.05\nG1 X30\nM502 P12\nG0 X0\nM30\n%\n'
+CHANNEL_2 = 'G21 G90 G94\nT7 M6\nG1 Z50 F6000\nM501 P12\nG0 X5\nM502 P12\nG0 Z0\nM30\n'
+
+
+def channels(server, folder):
+    """Two channels: a sheet and a way of each, in the order that is asked for; then they go on together, also after a kill."""
+    (folder / 'both.nct').write_text(CHANNEL_1)
+    (folder / 'both.json').write_text(json.dumps({'parameters': {'N2201': 501, 'N2202': 510}, 'channels': {'2': {'axes': ['X', 'Z'], 'program': CHANNEL_2}}}))
+    page = Page(server)
+    page.ask('hello', lang='en', token=server.token)
+    page.ask('machine', file='both.nct', setup='both.json', **WITH)
+    place = {'line': 8}
+    sheet = find(page, **place, clearance=40.0, feed=6000.0)
+    expect(sheet.get('number') == 1 and len(sheet['beside']) == 1, f'a sheet of each: {sheet}')
+    other = sheet['beside'][0]
+    expect(other['number'] == 2 and other['line'] == 6 and other['stands'] == 'waits' and 'M502' in other['text'], f'the other waits: {other}')
+    expect(row(other, '2/tool:')['wanted'] == 7 and row(other, '2/tool:')['by'] == 'line' and row(sheet, 'tool:')['wanted'] == 3, 'tools of both')
+    expect(other['way'] and other['way'][-1]['to'].get('Z', other['way'][0]['to'].get('Z')) == 50, f'its way: {other["way"]}')
+    ways = [{'channel': 2, 'way': other['way']}, {'channel': 1, 'way': sheet['way']}]
+    for bad in ([], [ways[1]], [{'channel': 3, 'way': []}], [ways[0], ways[0]], 'up', [5], [{'channel': 2}]):
+        expect('error' in page.ask('go_there', wrong=None, **place, ways=bad), f'ways that are none: {bad}')
+    expect('error' not in page.ask('go_there', **place, ways=ways, leave=['2/tool:']), 'it goes there')
+    there = until(page, lambda p: p['mode'] == 'standing' and not p['goes_there'])
+    second = there['channels'][1]
+    expect(there['why'] == 'restart' and there['line'] == 8 and there['machine']['X'] == 20 and there['tool'] == 3, f'the own channel: {there}')
+    expect(second['machine'] == {'X': 5, 'Z': 50} and second['line'] == 6, f'the other: {second}')
+    page.ask('press', key='run')
+    waits = until(page, lambda p: p['channels'][1]['waits'] or p['mode'] == 'ended')
+    expect(waits['mode'] == 'ended' or waits['channels'][1]['waits']['code'] == 502, f'it waits there: {waits["channels"]}')
+    end = stands(page, 'ended')
+    expect(end['machine']['X'] == 0 and end['channels'][1]['machine'] == {'X': 5, 'Z': 0}, f'and both come to their ends: {end["channels"]}')
+    page.ask('press', key='off')
+
+
+def kept(kadr, folder):
+    """After a kill the axes of both stand where they stood, and it is offered to go on."""
+    options = ('--state', str(folder.parent / 'both.state'))
+    server = Server(kadr, folder, *options)
+    page = Page(server)
+    page.ask('hello', lang='en', token=server.token)
+    page.ask('machine', file='both.nct', setup='both.json', **WITH)
+    page.ask('stops', line=8)
+    page.ask('press', key='run')
+    stood = until(page, lambda p: p['mode'] == 'standing' and p['line'] == 8)
+    server.process.kill()
+    server.process.wait()
+    server = Server(kadr, folder, *options)
+    page = Page(server)
+    page.ask('hello', lang='en', token=server.token)
+    on = page.ask('machine', file='both.nct')
+    now = page.ask('panel')
+    expect([c['machine'] for c in now['channels']] == [c['machine'] for c in stood['channels']], f'all stand where they stood: {now["channels"]}')
+    place = {'number': on['stood']['number'], 'line': on['stood']['line']}
+    expect(place['line'] == 8, f'it is offered to go on: {on["stood"]}')
+    sheet = find(page, **place, clearance=40.0, feed=6000.0)
+    expect(sheet.get('ready') and not sheet['way'] and not sheet['beside'][0]['way'], f'nothing is to be gone: {sheet}')
+    expect('error' not in page.ask('go_there', **place, ways=[]), 'it stands there')
+    until(page, lambda p: p['mode'] == 'standing' and p['why'] == 'restart')
+    page.ask('press', key='run')
+    end = stands(page, 'ended')
+    expect(end['channels'][1]['machine'] == {'X': 5, 'Z': 0}, f'to the end: {end["channels"]}')
+    page.ask('press', key='off')
+    server.end()
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--kadr', required=True)
     kadr = str(Path(parser.parse_args().kadr).resolve())
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as above:
+        folder = Path(above, 'programs')
+        folder.mkdir()
         Path(folder, 'part.nct').write_text(PROGRAM)
         Path(folder, 'fast.toml').write_text(FAST)
         server = Server(kadr, folder)
         operator(server)
+        channels(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands')
+        kept(kadr, folder)
     for name in ('restart', 'go_there'):
         expect(f'answer.{name}' in seen and f'question.{name}' in seen, f'{name} has been held against the schema')
     return result()

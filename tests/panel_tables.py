@@ -88,6 +88,33 @@ def operator(server, folder):
     page.ask('press', key='off')
 
 
+def by_hand(server, folder):
+    """G10 entered by hand is as an edit: kept, shown under Tables, in force after edits, resets, and switching on again."""
+    page = looker(server)
+    for control, lines in (('nct', ('G10 L2 P2 X4 Y0', 'G10 L12 P3 R2.5')), ('mach3', ('G10 L2 P2 X4', 'G10 L1 P3 R2.5')), ('linuxcnc', ('G10 L2 P2 X4', 'G10 L1 P3 R2.5'))):
+        name, ending = f'hand-{control}', '.ngc' if control == 'linuxcnc' else '.nc'
+        (folder / (name + ending)).write_text('G21 G90 G17 G55\nG0 X10\nM0\nG0 Y5\nM30\n')
+        (folder / f'{name}.json').write_text('{"offsets": {"3": {"radius": 1, "length": 20}}, "work_offsets": {"G55": {"X": 1, "Y": 2}}}')
+        page.ask('machine', file=name + ending, control=control, machine='fast.toml', setup=f'{name}.json')
+        page.ask('press', key='run')
+        until(page, lambda p: p['mode'] == 'standing' and p['why'] == 'M0')
+        for count, line in enumerate(lines):
+            expect('error' not in page.ask('enter', line=line), f'{control}: {line}')
+            until(page, lambda p: p['mode'] == 'standing' and p['can_undo'] == count + 1)
+        edited = page.ask('tables')['edited']
+        expect(edited['work_offsets']['G55']['X'] == 4 and edited.get('offsets') == {'3': {'radius': 2.5}}, f'{control}: what was entered stands among the edits: {edited}')
+        expect('error' not in page.ask('edit', tables={'offsets': {'4': {'radius': 7}}}), f'{control}: another edit')
+        until(page, lambda p: p['mode'] == 'standing' and not p['takes_tables'] and p['zero'].get('X') == 4)
+        page.ask('press', key='reset')
+        reset = until(page, lambda p: p['mode'] == 'standing' and p['line'] == 1)
+        expect(page.ask('tables')['edited']['work_offsets']['G55']['X'] == 4, f'{control}: after a reset')
+        page.ask('press', key='run')
+        until(page, lambda p: p['mode'] == 'standing' and p['why'] == 'M0')
+        expect(page.ask('panel')['machine']['X'] == 14, f'{control}: it runs by it: {page.ask("panel")["machine"]} {reset["zero"]}')
+        expect(any(e['kind'] == 'edit' for e in page.ask('shift')['log']), f'{control}: it stands in the log')
+        page.ask('press', key='off')
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True)
@@ -99,6 +126,7 @@ def main():
         (folder / 'fast.toml').write_text(FAST)
         server = Server(kadr, folder)
         operator(server, folder)
+        by_hand(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands')
         expect(not (Path(above) / 'out.json').exists(), 'nothing is written outside')
     for name in ('tables', 'edit', 'keep_tables', 'shift', 'watch', 'answer'):

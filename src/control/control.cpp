@@ -9,6 +9,7 @@
 #include "control/interpreter.h"
 #include "control/shared_memory.h"
 #include "control/snapshot_content.h"
+#include "control/tables_now.h"
 
 namespace kadr {
 
@@ -73,6 +74,7 @@ void Control::enter(const std::string& line) {
 bool Control::in_entered() const { return interpreter_->flow.in_entered(); }
 Result<double> Control::evaluate(std::string_view expression) const { return interpreter_->value_of(expression); }
 std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
+const Origin& Control::origin() const { return interpreter_->origin; }
 std::vector<InForce> Control::in_force() const { return interpreter_->in_force(); }
 std::size_t Control::plane_normal() const { return interpreter_->modal.axes.normal; }
 BlockState Control::state_now() const { return interpreter_->state_now(); }
@@ -147,6 +149,7 @@ std::optional<RunState> Control::run_state() const {
   const MachineSide* const side = machine_side();
   return side == nullptr ? std::nullopt : std::optional(side->run_state(*interpreter_));
 }
+Setup Control::tables_now() const { return tables_of(*interpreter_); }
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
   return interpreter_->flow.file(file).texts_of(lines);
 }

@@ -73,6 +73,8 @@ class Control {
   Result<double> evaluate(std::string_view expression) const;
   /// Calls and repetitions that are open, the outermost first.
   std::vector<AlarmReport::Call> calls() const;
+  /// Of the block that is under way, or was carried out last.
+  const Origin& origin() const;
   /// Axis of the normal of the plane in force.
   std::size_t plane_normal() const;
   /// What is in force, all blocks so far carried out.
@@ -142,6 +144,9 @@ class Control {
   bool may_read_clock() const;
   /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
   std::optional<RunState> run_state() const;
+
+  /// Tables that a program can write, as they are now (control/tables_now).
+  Setup tables_now() const;
 
   /// Of its own block search (session/block_search); nothing: it has none.
   std::optional<SearchRules> search_rules() const;

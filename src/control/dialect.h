@@ -100,6 +100,8 @@ class Dialect {
   virtual bool lose_power(Interpreter& m);
   /// Variables that hold something, and those that are asked for.
   virtual void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch);
+  /// Tables as a set-up would give them (control/tables_now). false: they are those of the interpreter.
+  virtual bool add_tables(const Interpreter&, Setup&) const { return false; }
   /// What the block changed of the things that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
   /// What the channels of a machine have in common besides Commons: goes up as it changes.

@@ -14,12 +14,29 @@ using Failed = tl::unexpected<std::string>;
 constexpr double same_place = 1e-9;  // mm, degrees
 constexpr double beside = 1e-6;      // mm, degrees: of what is programmed
 
+/// `now` without what the use of tools has changed: that is no data of the operator's.
+Setup by_hand(const Setup& before, Setup now) {
+  for (auto& [number, row] : now.tool_table) {
+    const auto then = before.tool_table.find(number);
+    if (then == before.tool_table.end()) continue;
+    ToolRow of_data = then->second;
+    of_data.counter = row.counter, of_data.status = row.status, of_data.info = row.info;
+    if (of_data == row) row = then->second;
+  }
+  return now;
+}
+
+bool are_same(const Setup& a, const Setup& b) {
+  return a.offsets == b.offsets && a.work_offsets == b.work_offsets && a.parameters == b.parameters && a.tool_table == b.tool_table;
+}
+
 bool is_same(const PanelSpot& a, const PanelSpot& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
   if (a.mode == PanelMode::running) return true;  // at each block is enough
-  for (std::size_t i = 0; i < max_axes; ++i)
-    if (std::abs(a.machine[i] - b.machine[i]) > same_place) return false;
-  return true;
+  const auto are_near = [](const Axes& one, const Axes& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), [](double x, double y) { return std::abs(x - y) <= same_place; });
+  };
+  return are_near(a.machine, b.machine) && std::equal(a.stands.begin(), a.stands.end(), b.stands.begin(), b.stands.end(), are_near);
 }
 
 }  // namespace
@@ -35,6 +52,7 @@ void PanelMachine::keep_spot(const PanelState& now) {
   PanelSpot spot;
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
+  for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
   const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;  // it stands where it stood
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
@@ -62,6 +80,15 @@ void PanelMachine::note_variables(std::uint32_t line) {
     else set_by_.erase(name);
   }
   variables_ = std::move(now);
+}
+
+/// What a line of the operator (G10) has changed of the tables is as an edit of theirs: neither a reset nor another edit takes it back.
+void PanelMachine::keep_tables(const Setup& before) {
+  if (!keeper_.tables) return;
+  const Setup now = by_hand(before, session_->control().tables_now());
+  if (are_same(before, now)) return;
+  if (const std::string fault = keeper_.tables(before, now); !fault.empty()) kept_.told = fault;
+  begin_search();  // the run that places are asked of has them from the start
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
@@ -92,17 +119,21 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
   return std::move(*values);
 }
 
-/// The machine is where the control is: motions of a contour that is being compensated are held back, or lie beside it.
+/// A machine is not where its control is: motions of a contour that is being compensated are held back, or lie beside it.
 bool PanelMachine::is_in_contour() const {
-  const Axes stand = session_->stand().machine, programmed = session_->control().tool_position().machine;
-  for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a)
-    if (std::abs(stand[a] - programmed[a]) > beside) return true;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const Axes stand = session_->stand(i).machine, programmed = session_->channels()[i].control->tool_position().machine;
+    for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a)
+      if (std::abs(stand[a] - programmed[a]) > beside) return true;
+  }
   return false;
 }
 
 PanelMachine::Answer PanelMachine::may_take_tables_now() const {
   if (const Answer may = may_begin(); !may) return may;
-  if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  const auto is_open = [](const Channel& channel) { return channel.control->in_block(); };
+  if ((goes_on_ && !stepping_->next()) || std::any_of(session_->channels().begin(), session_->channels().end(), is_open))
+    return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
   if (is_in_contour()) return Failed(told("a contour is being compensated: run it to its end first", "идёт контур с коррекцией: сначала отработайте его до конца"));
   return {};
 }
@@ -116,12 +147,12 @@ PanelMachine::Answer PanelMachine::take_tables() {
     if (const Answer may = may_take_tables_now(); !may) return may;
     const bool has_run = stepping_->next() && stepping_->next()->number - std::uint32_t(entered_) > 1;
     if (!has_run) return open(lane_->clock.sample().machine);
-    if (!is_alone()) return Failed(told("in mid program of several channels tables stay as they are: reset", "посреди УП нескольких каналов таблицы не меняются: нужен сброс"));
     StopPoint here;
     here.line = stepping_->next()->line;
     if (stepping_->next()->file != 0) here.file = session_->control().file_name(stepping_->next()->file);
     here.number = stepping_->next()->number - std::uint32_t(entered_);
-    retables_.emplace(PanelSearch::Wish{here, 0, false});
+    retables_.emplace(PanelSearch::Wish{here, 0, false, {}});
+    for (std::size_t i = 0; !is_alone() && i < lanes_.size(); ++i) retables_->blocks.push_back(session_->channels()[i].control->blocks() - lanes_[i]->entered);
     begin_search();
     return {};
   });
@@ -132,15 +163,20 @@ void PanelMachine::look_after_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;
   retables_.reset();
-  const Axes machine = lane_->clock.sample().machine;
   Answer taken = found.place ? Answer() : Failed(told("with these tables the program does not come here: reset", "с этими таблицами УП сюда не приходит: нужен сброс"));
+  if (taken && !stand_as_in(*found.place))
+    taken = Failed(told("with these tables the other channels would be at other blocks now: reset, then go on in mid program",
+                        "с этими таблицами другие каналы были бы сейчас в других кадрах: сброс, затем продолжить с середины"));
   if (taken) taken = begin_session(start_);
   if (taken) taken = remember(*found.place);
   if (!taken) {
     kept_.told = taken.error();
   } else {
-    session_->stand_at(machine);
-    lane_->on.work = session_->stand().work, lane_->on.machine = machine;
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      const Axes machine = lanes_[i]->clock.sample().machine;
+      if (!session_->channels()[i].control->meeting()) session_->stand_at(i, machine);
+      lanes_[i]->on.work = session_->stand(i).work, lanes_[i]->on.machine = machine;
+    }
     kept_.mode = PanelMode::standing;
   }
   show();

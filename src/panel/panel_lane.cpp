@@ -16,7 +16,8 @@ void PanelLane::start_over() {
   drop();
   on = pending = {};
   modes_of = ~0u;
-  holds_next = holds_again = false;
+  holds_next = holds_again = enters = has_ended = false;
+  entered = 0;
 }
 
 void PanelLane::take(Leg& leg, const TimedCells& cells, const MotionLimits& limits) {

@@ -63,6 +63,9 @@ class PanelLane {
   Placement placement;   // of the work coordinates
   std::uint32_t modes_of = ~0u;  // Origin::number of pending.modes
   bool holds_next = false, holds_again = false;  // before the block that comes next; that block is asked for once more
+  bool has_ended = false;        // its program: nothing of it is to be planned
+  bool enters = false;           // a line of the operator, in a channel beside the program's own
+  std::uint64_t entered = 0;     // blocks of such lines
 
   /// The program is at its beginning.
   void start_over();

@@ -16,13 +16,22 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr auto look_every = std::chrono::milliseconds(4);    // after the stretch under way
+constexpr double seen_share = 1e-6;                          // of the planned speed
+constexpr auto seen_within = std::chrono::milliseconds(20);  // axes that hardly can brake
 constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy: what was asked is done when it comes to it
+
+/// Who asks for the state next sees what came of it.
+template <class Is>
+void wait_until_seen(Is is) {
+  const auto end = std::chrono::steady_clock::now() + seen_within;
+  while (!is() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
 
 }  // namespace
 
 tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
-                                                                            const std::optional<Axes>& start) {
-  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper)));
+                                                                            const std::optional<Axes>& start, std::vector<Axes> stands) {
+  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
   if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
   machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
   machine->begin_search();
@@ -30,13 +39,12 @@ tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Pane
   return machine;
 }
 
-PanelMachine::~PanelMachine() {
-  stops_ = true;
-  {
-    const std::lock_guard hold(lock_);
-    ends_ = true;
-  }
-  wakes_.notify_all();
+PanelMachine::~PanelMachine() { switch_off(); }
+
+void PanelMachine::switch_off() {
+  ends_ = true;  // before: it is no emergency stop
+  stop_at_once();
+  const std::lock_guard one_at_a_time(off_lock_);
   if (thread_.joinable()) thread_.join();
 }
 
@@ -44,6 +52,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   {
     const std::lock_guard hold(lock_);
+    if (ends_) return Failed(told("the machine is off", "станок выключен"));
     asked_.push_back({[what = std::move(what), lang = told_lang()] {
                         tell_here_in(lang);  // of whoever asks
                         return what();
@@ -73,7 +82,7 @@ void PanelMachine::carry_out_asked() {
 
 void PanelMachine::live() {
   while (true) {
-    if (must_stop()) stand_still();
+    if (!ends_ && must_stop()) stand_still();
     carry_out_asked();
     if (stretch_ && !must_stop()) look_after_stretch();
     if (retables_) look_after_tables();
@@ -175,8 +184,9 @@ void PanelMachine::set_share() {
   for (const auto& lane : lanes_) lane->set_share(kept_.shares, holds_ || resets_);
 }
 
+/// From a feed hold it is not answered before the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
-  return ask([this, how]() -> Answer {
+  const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) return holds_ = false, set_share(), Answer();
     if (const Answer may = may_begin(); !may) return may;
     if (kept_.asks) return Failed(told("the program waits for an answer", "УП ждёт ответа"));
@@ -186,9 +196,11 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
     kept_.alarm.reset();
     tell("run", {}, stepping_->line().number);
     how_ = how;
-    begin(Stretch::Of::program);
+    begin(Stretch::Of::program, own_);
     return {};
   });
+  if (runs) wait_until_seen([this] { return state().mode != PanelMode::held; });
+  return runs;
 }
 
 PanelMachine::Answer PanelMachine::answer(double answer) {
@@ -200,18 +212,25 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
     kept_.asks = false;
     kept_.told.clear(), kept_.why.clear();
     how_.reset();
-    begin(Stretch::Of::program);
+    begin(Stretch::Of::program, own_);
     return {};
   });
 }
 
+/// Not answered before the axes are slower: who asks for the state then sees it.
 PanelMachine::Answer PanelMachine::hold() {
-  return ask([this]() -> Answer {
+  const double share = lane_->clock.sample().share;
+  const Answer held = ask([this]() -> Answer {
     holds_ = stretch_.has_value();
     if (holds_) tell("hold", {}, lane_->on.origin.line);
     set_share();
     return {};
   });
+  wait_until_seen([&] {
+    const ServoSample at = lane_->clock.sample();
+    return !at.plays || at.held || at.share < share - seen_share;
+  });
+  return held;
 }
 
 PanelMachine::Answer PanelMachine::reset() {
@@ -292,7 +311,7 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     tell("line", line);
-    begin_line(line);
+    begin_line(line, own_);
     return {};
   });
 }
@@ -303,11 +322,13 @@ PanelMachine::Answer PanelMachine::undo() {
     if (before_.empty()) return Failed(told("nothing was entered", "ничего не введено"));
     const Before before = std::move(before_.back());
     before_.pop_back();
+    const Setup tables = session_->control().tables_now();
     if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
     lane_->clock.stand_at(before.machine);
     lane_->placement = before.placement;
     entered_ = before.entered;
     note_variables(0);
+    keep_tables(tables);
     kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
     kept_.alarm.reset();
     lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;

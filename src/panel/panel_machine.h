@@ -80,6 +80,7 @@ struct PanelSpot {
   std::uint32_t line = 0;
   std::string file{};        // that the line stands in; empty: the program itself
   std::string text{};        // of the line
+  std::vector<Axes> stands{};  // of each channel, by its index, where there are several
 };
 
 /// Who keeps what happens. Called in the machine's thread.
@@ -90,6 +91,9 @@ struct PanelKeeper {
   /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
+  /// A line of the operator has changed tables of the control: from the next session on they must be so from the start.
+  ///   returns  an error sentence: they are not kept
+  std::function<std::string(const Setup& before, const Setup& after)> tables;
 };
 
 /// A variable that is set.
@@ -115,17 +119,28 @@ struct PanelWatch {
 struct PanelStretch {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
+  std::size_t channel = 0;           // of a line: its index
   std::unique_ptr<Planned> by_hand;  // of axes by hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
 
+/// The way of one channel.
+struct PanelWay {
+  std::size_t channel = 0;  // its index
+  std::vector<WayPoint> way;
+};
+
 /// On its way to where the program is to go on.
 struct PanelGoing {
+  struct Line {
+    std::size_t channel;
+    std::string text;
+  };
   std::shared_ptr<const PanelPlace> place;
-  std::deque<std::string> before;  // lines, to be carried out here
-  std::vector<WayPoint> way;
-  std::deque<std::string> after;   // lines, to be carried out there
+  std::deque<Line> before;    // to be carried out here
+  std::deque<PanelWay> ways;  // one after the other
+  std::deque<Line> after;     // to be carried out there
   bool is_there = false;
 };
 
@@ -136,11 +151,15 @@ class PanelMachine {
 
   ///   returns  an error sentence
   ///   start    machine coordinates where the axes stand; nothing: where the set-up says
+  ///   stands   those of each of several channels; empty: where the set-up says
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
-                                                                       const std::optional<Axes>& start = {});
+                                                                       const std::optional<Axes>& start = {}, std::vector<Axes> stands = {});
   ~PanelMachine();
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
+
+  /// The axes stand, nothing is kept or told any more; what is asked is refused.
+  void switch_off();
 
   using Answer = tl::expected<void, std::string>;  // an error sentence: why not
   /// The program goes on from where it is held, or from a feed hold.
@@ -178,22 +197,21 @@ class PanelMachine {
   tl::expected<PanelTables, std::string> tables();
   /// It stands, so that take_tables() can be called.
   Answer may_take_tables();
-  /// The set-up that PanelOpens gives is another one: it is in force from here on, wherever the program stands. What lines of the operator
-  /// have changed in the control is lost.
+  /// The set-up that PanelOpens gives is another one: it is in force from here on, wherever the program stands.
   Answer take_tables();
 
   /// A place where the program could go on, as far as it has been found.
   PanelSearch::Answer find(const PanelSearch::Wish& wish) {
     if (state().takes_tables) return {};  // it is being searched for that
-    if (!is_alone()) return {true, nullptr, not_for_several()};
     return search_->find(wish);
   }
   /// What leads there from where the machine stands.
-  tl::expected<PanelSheet, std::string> sheet(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
+  ///   returns  that of the program's own channel, then those of PanelPlace::beside, in their order
+  tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
   /// The machine is led there, then stands before the block as if the program had run.
-  ///   left  keys (key_of) of what stays as it is now
-  ///   way   of the sheet, or another one that ends there
-  Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<WayPoint> way);
+  ///   left  keys (key_of; of other channels with their number before: "2/tool:") of what stays as it is now
+  ///   ways  of the sheets, or others that end there, one after the other; a channel without one stands there
+  Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways);
 
   /// Called in its thread with each step that the control carries out, of program, lines and axes by hand, in their order; ahead of the
   /// machine. Before the first run().
@@ -201,6 +219,12 @@ class PanelMachine {
 
   PanelState state();
   const std::vector<std::string>& axes() const { return lane_->axes; }
+  /// Of the channel with this index, as long as it is on.
+  const std::vector<std::string>& axes(std::size_t channel) const { return lanes_[channel]->axes; }
+  std::size_t channel_count() const { return lanes_.size(); }
+  int number_of(std::size_t channel) const { return lanes_[channel]->number; }
+  /// The program's own.
+  std::size_t own() const { return own_; }
 
  private:
   using Stretch = PanelStretch;
@@ -216,8 +240,7 @@ class PanelMachine {
     std::promise<Answer> answer;
   };
 
-  static std::string not_for_several();
-  PanelMachine(PanelOpens opens, PanelKeeper keeper) : opens_(std::move(opens)), keeper_(std::move(keeper)) {}
+  PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands) : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
   // panel_machine.cpp: its thread, and what is asked of it
   Answer ask(std::function<Answer()> what);
   void live();
@@ -243,6 +266,7 @@ class PanelMachine {
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
   void look_after_tables();
+  void keep_tables(const Setup& before);
   bool is_in_contour() const;
   Answer may_take_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
@@ -250,8 +274,9 @@ class PanelMachine {
   void look(PanelLane& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
-  void begin(Stretch::Of of);
-  void begin_line(const std::string& line);
+  void begin(Stretch::Of of, std::size_t channel);
+  void begin_line(const std::string& line, std::size_t channel);
+  void end_line();
   void provide();
   void play();
   void go_on();
@@ -263,24 +288,30 @@ class PanelMachine {
   Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
   // panel_restart.cpp
   Answer may_go_there() const;
-  tl::expected<Axes, std::string> end_of(const std::vector<WayPoint>& way) const;
-  Answer leads_to(const std::vector<WayPoint>& way, const PanelPlace& place) const;
-  void go_along(const std::vector<WayPoint>& way);
+  tl::expected<Axes, std::string> end_of(const PanelWay& way) const;
+  Answer lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const;
+  tl::expected<PanelSheet, std::string> sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block, const WayRules& rules) const;
+  Answer prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const;
+  void go_along(const PanelWay& way);
   Answer go_on_there();
-  Answer carry_out(std::deque<std::string>& lines);
+  void carry_out(std::deque<PanelGoing::Line>& lines);
   Answer arrive(const PanelPlace& place);
   Answer remember(const PanelPlace& place);
+  void stand_beside(const PanelBeside& channel);
+  bool stand_as_in(const PanelPlace& place) const;
 
   const PanelOpens opens_;
   const PanelKeeper keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
   std::vector<std::unique_ptr<PanelLane>> lanes_;  // of all channels, as long as it lives
-  PanelLane* lane_ = nullptr;                      // of the program's own
+  PanelLane* lane_ = nullptr;                      // of the program's own, by its index
+  std::size_t own_ = 0;
 
   // of its thread
   std::atomic<bool> stops_{false};  // the session, from any thread
-  std::optional<Axes> start_;       // of the run: Opens
+  std::optional<Axes> start_;       // of the run: PanelStart
+  std::vector<Axes> stands_;        //
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
@@ -293,6 +324,7 @@ class PanelMachine {
   std::optional<PanelGoing> going_;
   std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks of lines of the operator; carried out before the one under way
   std::optional<PanelSearch::Wish> retables_;      // where it stands, with other tables
+  std::optional<Setup> tables_before_;             // of the line of the operator under way
   PanelSpot kept_spot_;
   bool has_moved_ = false;  // else what is kept is where it stood when it was switched on
   std::map<std::string, double> variables_;
@@ -304,7 +336,8 @@ class PanelMachine {
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;
-  bool ends_ = false;
+  std::atomic<bool> ends_{false};
+  std::mutex off_lock_;
   PanelState shown_;
   std::thread thread_;
 };

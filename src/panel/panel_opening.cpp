@@ -19,7 +19,11 @@ PanelMachine::Answer PanelMachine::make_lanes() {
     lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate, session_->stand(i).machine));
   }
   if (lanes_.size() != channels.size()) return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
-  if (lane_ == nullptr) lane_ = lanes_[session_->own()].get();  // others read it from now on
+  if (lane_ != nullptr) return {};
+  own_ = session_->own();
+  for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
+    if (i != own_) lanes_[i]->clock.stand_at(stands_[i]);
+  lane_ = lanes_[own_].get();  // others read it from now on
   return {};
 }
 
@@ -76,9 +80,12 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
 
 PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   if (const Answer begun = begin_session(start); !begun) return begun;
+  stands_.clear();
+  for (std::size_t i = 0; start && !is_alone() && i < lanes_.size(); ++i) {
+    stands_.push_back(lanes_[i]->clock.sample().machine);
+    if (i != own_) session_->stand_at(i, stands_.back());
+  }
   if (search_) begin_search();
-  for (std::size_t i = 0; start && i < lanes_.size(); ++i)
-    if (i != session_->own()) session_->stand_at(i, lanes_[i]->clock.sample().machine);
   session_->alone(session_->own());  // the others begin with the first run()
   const Session::State state = stepping_->go(Stepping::How::block);
   kept_.asks = false;
@@ -91,7 +98,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
 
 /// The run that places are asked of is this one.
 void PanelMachine::begin_search() {
-  if (is_alone()) search_->begin({start_, kept_.skip, kept_.optional_stop});
+  search_->begin({start_, stands_, kept_.skip, kept_.optional_stop});
 }
 
 /// What is shown while nothing has moved yet.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "session/session.h"
 
@@ -19,6 +20,7 @@ using PanelOpens = std::function<tl::expected<std::unique_ptr<Session>, std::str
 /// Of a run.
 struct PanelStart {
   std::optional<Axes> axes;  // machine coordinates; nothing: those of the set-up
+  std::vector<Axes> stands{};  // of each channel, by its index; the program's own is `axes`. Empty: those of the set-up
   std::set<int> skip;
   bool optional_stop = false;
   friend bool operator==(const PanelStart&, const PanelStart&) = default;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,76 +17,119 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return told("a value has no room in a word of this control", "значение не помещается в слово этой системы"); }
 
+constexpr double nowhere = -1e9;   // mm: a clearance that leads over nothing
 constexpr double at_place = 1e-3;  // mm, degrees: what is led there by a way that a person has seen in thousandths
 
 }  // namespace
 
-std::string PanelMachine::not_for_several() {
-  return told("programs of several channels cannot go on in mid program yet", "УП нескольких каналов пока нельзя продолжить с середины");
-}
-
 PanelMachine::Answer PanelMachine::may_go_there() const {
   if (const Answer may = may_begin(); !may) return may;
-  if (!is_alone()) return Failed(not_for_several());
-  if (session_->control().in_block()) return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
+  for (const Channel& channel : session_->channels())
+    if (channel.control->in_block() || channel.control->meeting()) return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
   return {};
 }
 
-tl::expected<PanelSheet, std::string> PanelMachine::sheet(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules) {
-  const auto sheet = std::make_shared<PanelSheet>();  // it may come when nobody waits any more
-  const Answer answer = ask([sheet, this, place, rules]() -> Answer {
+/// Of a channel, from where its axes stand.
+tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block, const WayRules& rules) const {
+  Control& control = *session_->channels()[channel].control;
+  ToolPosition stand = session_->stand(channel);
+  stand.machine = lanes_[channel]->clock.sample().machine;
+  auto made = sheet_of(restart, in_block, stand, control.in_force(), rules, control, session_->def());
+  if (!made) return Failed(no_room());
+  return std::move(*made);
+}
+
+tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules) {
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // it may come when nobody waits any more
+  const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
-    Control& control = session_->control();
-    ToolPosition stand = session_->stand();
-    stand.machine = lane_->clock.sample().machine;
-    auto made = sheet_of(*place, stand, control.in_force(), rules, control, session_->def());
-    if (!made) return Failed(no_room());
-    *sheet = std::move(*made);
+    WayRules of_others = rules;
+    of_others.clearance = nowhere;  // it is one of the own channel's work coordinates
+    auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
+    if (!own) return Failed(own.error());
+    sheets->push_back(std::move(*own));
+    for (const PanelBeside& channel : place->beside) {
+      auto other = sheet_of_channel(channel.channel, channel.restart, channel.in_block, of_others);
+      if (!other) return Failed(other.error());
+      sheets->push_back(std::move(*other));
+    }
     return {};
   });
   if (!answer) return Failed(answer.error());
-  return std::move(*sheet);
+  return std::move(*sheets);
 }
 
 /// Within the ways of the axes.
 ///   returns  where it ends, or an error sentence
-tl::expected<Axes, std::string> PanelMachine::end_of(const std::vector<WayPoint>& way) const {
-  Axes at = lane_->clock.sample().machine;
-  for (const WayPoint& point : way) {
-    for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a) {
+tl::expected<Axes, std::string> PanelMachine::end_of(const PanelWay& way) const {
+  const PanelLane& lane = *lanes_[way.channel];
+  Axes at = lane.clock.sample().machine;
+  for (const WayPoint& point : way.way) {
+    for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a) {
       if ((point.named >> a & 1U) == 0) continue;
-      const auto [least, most] = limits_of(session_->machine(), session_->channels()[session_->own()].setup, lane_->axes[a]);
+      const auto [least, most] = limits_of(session_->machine(), session_->channels()[way.channel].setup, lane.axes[a]);
       at[a] = point.machine[a];
-      if (!(at[a] >= least && at[a] <= most)) return Failed(lane_->axes[a] + told(": beyond the end of its way", ": за пределом хода"));
+      if (!(at[a] >= least && at[a] <= most)) return Failed(lane.axes[a] + told(": beyond the end of its way", ": за пределом хода"));
     }
     if (!point.rapid && !(point.feed > 0 && point.feed <= 1e5)) return Failed(told("want a feed up to 100000", "нужна подача до 100000"));
   }
   return at;
 }
 
-PanelMachine::Answer PanelMachine::leads_to(const std::vector<WayPoint>& way, const PanelPlace& place) const {
-  const auto end = end_of(way);
-  if (!end) return Failed(end.error());
-  const Axes& at = *end;
-  for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a)
-    if (!(std::fabs(at[a] - place.restart.stand.machine[a]) <= at_place))
-      return Failed(lane_->axes[a] + told(": the way does not end where the block begins", ": путь не кончается там, где начинается кадр"));
+PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const {
+  const auto lead_there = [&](std::size_t channel, const Axes& there) -> Answer {
+    const auto is_its = [&](const PanelWay& way) { return way.channel == channel; };
+    if (std::count_if(ways.begin(), ways.end(), is_its) > 1) return Failed(told("want one way of each channel", "нужен один путь каждого канала"));
+    const auto way = std::find_if(ways.begin(), ways.end(), is_its);
+    const auto end = end_of(way == ways.end() ? PanelWay{channel, {}} : *way);
+    if (!end) return Failed(end.error());
+    const PanelLane& lane = *lanes_[channel];
+    for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a)
+      if (!(std::fabs((*end)[a] - there[a]) <= at_place))
+        return Failed((is_alone() ? "" : fmt::format("{}: ", lane.number)) + lane.axes[a] +
+                      told(": the way does not end where the block begins", ": путь не кончается там, где начинается кадр"));
+    return {};
+  };
+  Answer leads = lead_there(own_, place.restart.stand.machine);
+  for (const PanelBeside& channel : place.beside)
+    if (leads) leads = lead_there(channel.channel, channel.restart.stand.machine);
+  return leads;
+}
+
+/// The lines of a channel, before and after the ways. Keys of other channels have their numbers before them.
+PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const {
+  const auto sheet = sheet_of_channel(channel, restart, in_block, {});
+  if (!sheet) return Failed(sheet.error());
+  std::set<std::string> its = left;
+  if (const std::string before = fmt::format("{}/", lanes_[channel]->number); channel != own_) {
+    its.clear();
+    for (const std::string& key : left)
+      if (key.starts_with(before)) its.insert(key.substr(before.size()));
+  }
+  const ControlDef& def = session_->def();
+  const auto before = lines_before(*sheet, its, def), after = lines_after(*sheet, its, def);
+  if (!before || !after) return Failed(no_room());
+  for (const std::string& line : *before) going.before.push_back({channel, line});
+  for (const std::string& line : *after) going.after.push_back({channel, line});
   return {};
 }
 
-PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<WayPoint> way) {
-  return ask([this, place = std::move(place), left, way = std::move(way)]() -> Answer {
+PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways) {
+  return ask([this, place = std::move(place), left, ways = std::move(ways)]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
-    if (const Answer fits = leads_to(way, *place); !fits) return fits;
-    const ControlDef& def = session_->def();
-    const auto sheet = sheet_of(*place, session_->stand(), session_->control().in_force(), {}, session_->control(), def);
-    if (!sheet) return Failed(no_room());
-    const auto before = lines_before(*sheet, left, def), after = lines_after(*sheet, left, def);
-    if (!before || !after) return Failed(no_room());
+    if (const Answer fits = lead_to(ways, *place); !fits) return fits;
+    PanelGoing going;
+    going.place = place;
+    Answer ready = prepare(going, own_, place->restart, place->in_block, left);
+    for (const PanelBeside& channel : place->beside)
+      if (ready) ready = prepare(going, channel.channel, channel.restart, channel.in_block, left);
+    if (!ready) return ready;
+    for (const PanelWay& way : ways)
+      if (!way.way.empty()) going.ways.push_back(way);
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     tell("restart", place->line.text, place->line.number);
-    going_.emplace(PanelGoing{place, {before->begin(), before->end()}, way, {after->begin(), after->end()}});
+    going_ = std::move(going);
     return go_on_there();
   });
 }
@@ -95,17 +139,18 @@ PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
     if (const Answer may = may_begin(); !may) return may;
     const Control& control = session_->control();
     if (control.in_block() || control.meeting()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-    if (const auto end = end_of(way); !end) return Failed(end.error());
+    const PanelWay own{own_, way};
+    if (const auto end = end_of(own); !end) return Failed(end.error());
     if (way.empty()) return Failed(told("want a way", "нужен путь"));
-    go_along(way);
+    go_along(own);
     return {};
   });
 }
 
-void PanelMachine::go_along(const std::vector<WayPoint>& way) {
+void PanelMachine::go_along(const PanelWay& way) {
   std::vector<Motion> motions;
-  ToolPosition at = standing_plainly(session_->own());
-  for (const WayPoint& point : way) {
+  ToolPosition at = standing_plainly(way.channel);
+  for (const WayPoint& point : way.way) {
     Motion& motion = motions.emplace_back();
     motion.kind = point.rapid ? MotionKind::rapid : MotionKind::feed;
     motion.feed = point.feed;
@@ -118,40 +163,41 @@ void PanelMachine::go_along(const std::vector<WayPoint>& way) {
     }
     motion.to = at.work, motion.machine = at.machine;
   }
-  begin_by_hand(*lane_, motions);
+  begin_by_hand(*lanes_[way.channel], motions);
 }
 
 /// The next of what leads there. Called while the axes stand.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelGoing& going = *going_;
-  if (!going.before.empty()) return carry_out(going.before);
-  if (!going.way.empty()) {
-    go_along(std::exchange(going.way, {}));
+  if (!going.before.empty()) return carry_out(going.before), Answer();
+  if (!going.ways.empty()) {
+    const PanelWay next = std::move(going.ways.front());
+    going.ways.pop_front();
+    go_along(next);
     return {};
   }
   if (!going.is_there) {
     if (const Answer there = arrive(*going.place); !there) return going_.reset(), there;
     going.is_there = true;
   }
-  if (!going.after.empty()) return carry_out(going.after);
+  if (!going.after.empty()) return carry_out(going.after), Answer();
   going_.reset();
   kept_.mode = PanelMode::standing;
   kept_.why = "restart";
   return {};
 }
 
-PanelMachine::Answer PanelMachine::carry_out(std::deque<std::string>& lines) {
-  const std::string line = std::move(lines.front());
+void PanelMachine::carry_out(std::deque<PanelGoing::Line>& lines) {
+  const PanelGoing::Line line = std::move(lines.front());
   lines.pop_front();
-  begin_line(line);
-  return {};
+  begin_line(line.text, line.channel);
 }
 
 /// The axes stand at the place: from here on it is as if the program had run.
 PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
-  if (const Answer there = remember(place); !there) return there;
   lane_->clock.stand_at(place.restart.stand.machine);
-  return {};
+  for (const PanelBeside& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
+  return remember(place);
 }
 
 /// The control is as the one that has come there.
@@ -168,7 +214,36 @@ PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   lane_->on.origin = place.restart.at;
   lane_->on.work = place.restart.stand.work, lane_->on.machine = place.restart.stand.machine, lane_->on.placement = lane_->placement;
   lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
+  for (const PanelBeside& channel : place.beside) stand_beside(channel);
   return {};
+}
+
+/// It waits for others, or goes on with them.
+void PanelMachine::stand_beside(const PanelBeside& channel) {
+  PanelLane& lane = *lanes_[channel.channel];
+  lane.start_over();
+  lane.placement = channel.placement;
+  lane.on.origin = channel.restart.at;
+  lane.on.work = channel.restart.stand.work, lane.on.machine = channel.restart.stand.machine, lane.on.placement = lane.placement;
+  lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
+  lane.has_ended = channel.is_over;
+  if (!channel.waits) return;
+  begin_leg(channel.channel);  // without a motion
+  session_->together().waits(channel.channel, *channel.waits);
+  lane.go_on();
+}
+
+/// The other channels have carried out as many blocks as there, and who waits stands where it does.
+bool PanelMachine::stand_as_in(const PanelPlace& place) const {
+  for (const PanelBeside& channel : place.beside) {
+    const PanelLane& lane = *lanes_[channel.channel];
+    const Control& control = *session_->channels()[channel.channel].control;
+    if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block) return false;
+    const Axes at = lane.clock.sample().machine;
+    for (std::size_t a = 0; channel.waits && a < lane.axes.size() && a < max_axes; ++a)
+      if (!(std::fabs(at[a] - channel.restart.stand.machine[a]) <= at_place)) return false;
+  }
+  return true;
 }
 
 }  // namespace kadr

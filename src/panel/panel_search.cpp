@@ -70,6 +70,7 @@ void PanelSearch::live() {
 
 /// What looks at the session goes before it.
 void PanelSearch::forget() {
+  own_is_over_ = false;
   run_.stepping.reset(), run_.checkpoints.reset(), run_.session.reset();
   run_ = {};
 }
@@ -82,8 +83,22 @@ std::unique_ptr<Session> PanelSearch::open() {
   Control& control = session->control();
   for (int number = 1; number <= 9; ++number) control.set_skip(number, start_.skip.contains(number));
   control.set_optional_stop(start_.optional_stop);
-  session->outlets().stop = StopToken(stops_);
+  for (std::size_t i = 0; i < session->channels().size(); ++i) {
+    session->outlets(i).stop = StopToken(stops_);
+    if (i == session->own()) continue;
+    Control& other = *session->channels()[i].control;
+    for (int number = 1; number <= 9; ++number) other.set_skip(number, start_.skip.contains(number));
+    other.set_optional_stop(start_.optional_stop);
+    other.watch_calls();
+    end_with_own(other);
+    if (i < start_.stands.size()) session->stand_at(i, start_.stands[i]);
+  }
   return session;
+}
+
+/// One that goes round for ever does not keep the search from its end.
+void PanelSearch::end_with_own(Control& other) {
+  other.holds_before = [this](const Origin&) { return own_is_over_; };
 }
 
 void PanelSearch::prepare(const PanelStart& start) {
@@ -93,6 +108,7 @@ void PanelSearch::prepare(const PanelStart& start) {
   auto session = open();
   if (!session) return;
   session->control().watch_calls();
+  session->together().over = [this, own = session->own()](std::size_t channel) { own_is_over_ = own_is_over_ || channel == own; };
   auto checkpoints = std::make_unique<Checkpoints>(*session);
   (void)checkpoints->run();  // to where it stands: nobody can go on after that
   run_.stepping = std::make_unique<Stepping>(*session);
@@ -102,7 +118,8 @@ void PanelSearch::prepare(const PanelStart& start) {
 
 std::optional<Restart> PanelSearch::reach(const Wish& wish) {
   Session& session = *run_.session;
-  const auto reached = run_.checkpoints->reach(*run_.stepping, wish.target);
+  own_is_over_ = false;
+  const auto reached = run_.checkpoints ? run_.checkpoints->reach(*run_.stepping, wish.target) : Result<Session::State>(run_.stepping->go_to(wish.target));
   if (!reached || *reached != Session::State::held) return std::nullopt;
   auto restart = restart_here(session, *run_.stepping);
   if (restart && wish.hole != 0 && !go_over_hole(session, *run_.stepping, wish.hole, *restart)) return std::nullopt;
@@ -110,14 +127,76 @@ std::optional<Restart> PanelSearch::reach(const Wish& wish) {
 }
 
 std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& target) {
-  if (!run_.session->control().search_rules()) return std::nullopt;
+  if (!run_.session->control().search_rules() || run_.session->channels().size() > 1) return std::nullopt;
   const auto session = open();
   if (!session) return std::nullopt;
   Stepping stepping(*session);
   return search_block(*session, stepping, target);
 }
 
+/// Of the block that it would begin next; it is not carried out. What it leaves of the session is not gone on with.
+void PanelSearch::find_next(PanelBeside& channel) {
+  Session& session = *run_.session;
+  Control& control = *session.channels()[channel.channel].control;
+  control.holds_before = [&](const Origin& origin) { return channel.restart.at = origin, true; };
+  session.alone(channel.channel);
+  channel.is_over = session.run() != Session::State::held;
+  end_with_own(control);
+}
+
+/// They stand where the own channel has left them.
+std::vector<PanelBeside> PanelSearch::beside() {
+  Session& session = *run_.session;
+  std::vector<PanelBeside> all;
+  session.hold_each(false);
+  for (std::size_t i = 0; i < session.channels().size(); ++i) {
+    if (i == session.own()) continue;
+    Control& control = *session.channels()[i].control;
+    PanelBeside one;
+    one.channel = i, one.number = session.channels()[i].number;
+    one.restart = {Origin(), control.in_force(), session.stand(i), control.plane_normal()};
+    one.calls = control.calls();
+    one.placement = control.placement();
+    one.waits = control.meeting();
+    one.in_block = control.in_block();
+    one.blocks = control.blocks();
+    one.restart.at = one.waits ? one.waits->origin : control.origin();
+    all.push_back(std::move(one));
+  }
+  for (PanelBeside& one : all) {
+    if (!one.waits && !one.in_block) find_next(one);
+    one.line = session.channels()[one.channel].control->line_at(one.restart.at);
+  }
+  return all;
+}
+
+/// From the beginning, each channel to its own block.
+void PanelSearch::run_apart(const Wish& wish) {
+  run_.session = open();
+  if (!run_.session) return;
+  Session& session = *run_.session;
+  session.control().watch_calls();
+  run_.stepping = std::make_unique<Stepping>(session);
+  session.alone(session.own());  // it begins with that
+  (void)run_.stepping->go(Stepping::How::block);
+  for (std::size_t i = 0; i < session.channels().size() && i < wish.blocks.size(); ++i)
+    if (i != session.own())
+      session.channels()[i].control->holds_before = [most = wish.blocks[i]](const Origin& origin) { return origin.number > most; };
+  session.hold_each(true);
+}
+
 PanelSearch::Answer PanelSearch::search(const Wish& wish) {
+  if (wish.blocks.empty()) return found(wish);
+  Run kept = std::exchange(run_, {});
+  run_apart(wish);
+  Answer answer = found(wish);
+  forget();
+  run_ = std::move(kept);
+  run_.is_there = true;
+  return answer;
+}
+
+PanelSearch::Answer PanelSearch::found(const Wish& wish) {
   Answer answer;
   answer.ready = true;
   if (!run_.session) return answer.error = run_.error, answer;
@@ -132,9 +211,10 @@ PanelSearch::Answer PanelSearch::search(const Wish& wish) {
   memory->next = restart->at;
   const Control& control = run_.session->control();
   const bool in_block = control.in_block();
-  answer.place = std::make_shared<const PanelPlace>(PanelPlace{std::move(*restart), control.line_at(memory->next.value()), control.calls(),
-                                                               control.placement(), std::move(*memory), in_block,
-                                                               wish.by_control ? search_by_control(wish.target) : std::nullopt});
+  PanelPlace place{std::move(*restart), control.line_at(memory->next.value()), control.calls(), control.placement(), std::move(*memory), in_block,
+                   wish.by_control ? search_by_control(wish.target) : std::nullopt, {}};
+  place.beside = beside();
+  answer.place = std::make_shared<const PanelPlace>(std::move(place));
   return answer;
 }
 

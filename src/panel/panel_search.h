@@ -19,6 +19,20 @@
 
 namespace kadr {
 
+/// Where one of the other channels stands then: between two of its blocks, as the control has come to them by its clock (session/channels).
+struct PanelBeside {
+  std::size_t channel = 0;  // its index
+  int number = 1;
+  Restart restart;          // `at`: its block that comes next, or is under way
+  AlarmReport::Line line;
+  std::vector<AlarmReport::Call> calls;
+  Placement placement;
+  std::optional<Control::Meeting> waits;  // at a waiting code
+  bool in_block = false;
+  bool is_over = false;                   // its program
+  std::uint64_t blocks = 0;               // carried out
+};
+
 /// A place where the program could go on.
 struct PanelPlace {
   Restart restart;
@@ -28,6 +42,7 @@ struct PanelPlace {
   Stepping::Memory memory;  // of a control that has come there
   bool in_block = false;    // over a hole of a cycle
   std::optional<BlockSearch> by_control;  // its own block search, where it has one
+  std::vector<PanelBeside> beside;        // the other channels
 };
 
 class PanelSearch {
@@ -36,6 +51,7 @@ class PanelSearch {
     StopPoint target;
     std::uint32_t hole = 0;   // of a cycle: over that one; 0: before the block
     bool by_control = false;  // its own block search too: once more through the whole program
+    std::vector<std::uint64_t> blocks{};  // that each channel has carried out then, by its index; empty: by the clock of the own one
     friend bool operator==(const Wish&, const Wish&) = default;
   };
   struct Answer {
@@ -68,7 +84,12 @@ class PanelSearch {
   void forget();
   void prepare(const PanelStart& start);
   Answer search(const Wish& wish);
+  void end_with_own(Control& other);
+  void run_apart(const Wish& wish);
+  Answer found(const Wish& wish);
   std::optional<Restart> reach(const Wish& wish);
+  std::vector<PanelBeside> beside();
+  void find_next(PanelBeside& channel);
   std::optional<BlockSearch> search_by_control(const StopPoint& target);
   std::unique_ptr<Session> open();
 
@@ -76,6 +97,7 @@ class PanelSearch {
   // of its thread
   Run run_;
   PanelStart start_;
+  bool own_is_over_ = false;  // the program of the own channel, of several
   std::atomic<bool> stops_{false};
 
   std::mutex lock_;

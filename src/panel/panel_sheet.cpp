@@ -47,8 +47,8 @@ Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, co
 }
 
 /// A line can say it: it changes neither how the tool moves nor where its path lies.
-bool may_be_left(const PanelSheet::Row& row, const PanelPlace& place, const ControlDef& def) {
-  if (!row.wanted || !row.now || place.in_block) return false;
+bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
+  if (!row.wanted || !row.now) return false;
   switch (row.now->kind) {
     case Kind::tool:
     case Kind::speed:
@@ -67,10 +67,10 @@ bool may_be_left(const PanelSheet::Row& row, const PanelPlace& place, const Cont
 
 std::string key_of(const InForce& one) { return std::string(kinds[std::size_t(one.kind)]) + ":" + one.name; }
 
-Result<PanelSheet> sheet_of(const PanelPlace& place, const ToolPosition& stand, const std::vector<InForce>& now, const WayRules& rules,
-                            const Control& control, const ControlDef& def) {
+Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPosition& stand, const std::vector<InForce>& now,
+                            const WayRules& rules, const Control& control, const ControlDef& def) {
   PanelSheet sheet;
-  const std::vector<InForce>& wanted = place.restart.in_force;
+  const std::vector<InForce>& wanted = restart.in_force;
   std::vector<Difference> all = differences(wanted, now);
   std::vector<InForce> to_set;
   for (const InForce& one : wanted) {
@@ -80,12 +80,12 @@ Result<PanelSheet> sheet_of(const PanelPlace& place, const ToolPosition& stand, 
     to_set.push_back(one);
     row.now = differs->now;
     row.by = by_what(one, def);
-    row.may_be_left = may_be_left(row, place, def);
+    row.may_be_left = !in_block && may_be_left(row, def);
   }
   for (Difference& d : all)
     if (!d.wanted) sheet.rows.push_back({std::nullopt, std::move(d.now), PanelSheet::By::memory});
-  sheet.way = way_there(stand, place.restart, rules, control.axes().size());
-  auto blocks = restart_blocks(def, to_set, wanted, in_work_coordinates(sheet.way, place.restart, def));
+  sheet.way = way_there(stand, restart, rules, control.axes().size());
+  auto blocks = restart_blocks(def, to_set, wanted, in_work_coordinates(sheet.way, restart, def));
   if (!blocks) return fail(blocks.error());
   sheet.blocks = std::move(*blocks);
   return sheet;

@@ -30,10 +30,11 @@ struct PanelSheet {
 /// Of a thing that is in force, for whoever chooses among them: its kind and its name.
 std::string key_of(const InForce& one);
 
-/// From where the machine stands, and what is in force there.
-///   alarms  word_has_no_room
-Result<PanelSheet> sheet_of(const PanelPlace& place, const ToolPosition& stand, const std::vector<InForce>& now, const WayRules& rules,
-                            const Control& control, const ControlDef& def);
+/// Of one channel, from where its axes stand, and what is in force there.
+///   in_block  it goes on in the middle of a block
+///   alarms    word_has_no_room
+Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPosition& stand, const std::vector<InForce>& now,
+                            const WayRules& rules, const Control& control, const ControlDef& def);
 
 /// Lines before the way.
 ///   left     keys of what stays as it is now

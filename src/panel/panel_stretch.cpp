@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/told.h"
 #include "motion/time/steps.h"
@@ -69,7 +70,7 @@ void PanelMachine::watch_channels() {
       if ((meeting.channels >> lane->number & 1U) != 0) waits->channels.insert(lane->number);
     lanes_[channel]->end_leg(waits, meeting.origin);
   };
-  together.over = [this](std::size_t channel) { lanes_[channel]->end_leg(); };
+  together.over = [this](std::size_t channel) { lanes_[channel]->end_leg(), lanes_[channel]->has_ended = true; };
   together.met = [this](const std::vector<std::size_t>& channels) {
     const auto met = std::make_shared<PanelMeeting>();
     met->is_met = true;
@@ -81,16 +82,20 @@ void PanelMachine::watch_channels() {
     }
   };
   for (std::size_t i = 0; i < lanes_.size(); ++i)
-    if (i != session_->own()) session_->channels()[i].control->holds_before = [lane = lanes_[i].get()](const Origin&) { return lane->is_held(); };
+    if (i != session_->own()) session_->channels()[i].control->holds_before = [lane = lanes_[i].get(), &control = *session_->channels()[i].control](const Origin&) {
+        return lane->enters ? !control.in_entered() : lane->is_held();
+      };
 }
 
-void PanelMachine::begin(Stretch::Of of) {
+/// `channel`: of a line.
+void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   Stretch& stretch = stretch_.emplace();
-  stretch.of = of;
+  stretch.of = of, stretch.channel = channel;
   has_moved_ = true;
-  for (std::size_t i = 0; i < lanes_.size(); ++i)
-    if (lanes_[i]->waits() || (of == Stretch::Of::line && i != session_->own())) continue;
-    else begin_leg(i);
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const bool moves = of == Stretch::Of::line ? i == channel : !lanes_[i]->has_ended;
+    if (moves && !lanes_[i]->waits()) begin_leg(i);
+  }
   lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
   if (of == Stretch::Of::program) stepping_->begin(how_.value_or(kept_.single ? Stepping::How::block : Stepping::How::free));
   play();
@@ -103,11 +108,39 @@ void PanelMachine::play() {
 }
 
 /// A line of the operator.
-void PanelMachine::begin_line(const std::string& line) {
+void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   note_variables(last_line_);
-  entering_from_ = session_->control().blocks();
-  stepping_->begin_entering(line);
-  begin(Stretch::Of::line);
+  entering_from_ = session_->channels()[channel].control->blocks();
+  tables_before_.reset();
+  if (!going_) tables_before_ = session_->control().tables_now();
+  if (channel == own_) {
+    stepping_->begin_entering(line);
+  } else {
+    lanes_[channel]->enters = true;
+    session_->enter(line, channel);
+  }
+  begin(Stretch::Of::line, channel);
+}
+
+/// It is over: the channel is held before the block that it was held before.
+void PanelMachine::end_line() {
+  const std::size_t channel = stretch_->channel;
+  PanelLane& lane = *lanes_[channel];
+  const Control& control = *session_->channels()[channel].control;
+  if (channel == own_) {
+    stepping_->end_entering(stretch_->came_to);
+    entered_ += control.blocks() - entering_from_;
+  } else {
+    if (stretch_->came_to == Session::State::stopped) {
+      session_->acknowledge(channel);
+      session_->alone(channel);
+      (void)session_->run();
+    }
+    lane.enters = false;
+    lane.entered += control.blocks() - entering_from_;
+  }
+  note_variables(0);
+  if (tables_before_) keep_tables(*std::exchange(tables_before_, std::nullopt));
 }
 
 PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double way, double feed) {
@@ -191,11 +224,7 @@ void PanelMachine::end_stretch() {
   for (const auto& lane : lanes_) lane->settle();
   const Stretch::Of of = stretch_->of;
   const Session::State came_to = stretch_->came_to;
-  if (of == Stretch::Of::line) {
-    stepping_->end_entering(came_to);
-    entered_ += session_->control().blocks() - entering_from_;
-    note_variables(0);
-  }
+  if (of == Stretch::Of::line) end_line();
   stretch_.reset();
   holds_ = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
@@ -207,7 +236,8 @@ void PanelMachine::end_stretch() {
       return is;
     };
     const Axes& aim = lanes_[i]->pending.machine;  // of the motion by hand, in one of them
-    if (of == Stretch::Of::hand && !session_->channels()[i].control->meeting()) session_->stand_at(i, is_at(aim) ? aim : at);
+    const Control& control = *session_->channels()[i].control;
+    if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
     if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // what the planner's sums have left
   }
   if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;

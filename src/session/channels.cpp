@@ -104,7 +104,8 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
       logic_{Plc(setup.events), {}},
       states_(channels.size(), State::running),
       stopped_(channels.size()),
-      order_(channels.size()) {
+      order_(channels.size()),
+      held_(channels.size()) {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     Control& control = *channels[i].control;
     logic_.channels.push_back(&control);
@@ -127,7 +128,7 @@ std::size_t Channels::index_of(int number) const {
 std::optional<std::size_t> Channels::next() {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < states_.size(); ++i)
-    if (states_[i] == State::running && (!only_ || only_->channel == i) && (!first || now(i) < now(*first))) first = i;
+    if (states_[i] == State::running && !held_[i] && (!only_ || only_->channel == i) && (!first || now(i) < now(*first))) first = i;
   return first;
 }
 
@@ -136,8 +137,12 @@ ChannelRun::State Channels::step() {
   if (const auto i = next()) {
     const ChannelRun::State state = step(*i);
     show_past();
-    return state == ChannelRun::State::held ? state : ChannelRun::State::running;
+    if (state != ChannelRun::State::held) return ChannelRun::State::running;
+    if (!each_holds_) return state;
+    held_[*i] = true;
+    return ChannelRun::State::running;
   }
+  if (std::find(held_.begin(), held_.end(), true) != held_.end()) return ChannelRun::State::held;
   if (std::find(states_.begin(), states_.end(), State::waiting) != states_.end() && end_deadlock()) return ChannelRun::State::running;
   if (!only_) end();
   return ChannelRun::State::ended;

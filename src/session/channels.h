@@ -93,6 +93,8 @@ class Channels {
   void only(std::size_t channel);
   /// All go on again; an alarm that stopped the one is answered for.
   void all();
+  /// A channel that is held stays where it is, and the others go on until each is held, waits or has ended.
+  void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
   /// An outlet's step: it is shown when its time has come.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
@@ -138,6 +140,8 @@ class Channels {
   InOrder order_;
   std::vector<std::uint64_t> common_;  // versions of what they have in common, as it was when all had the same
   bool over_ = false;
+  bool each_holds_ = false;
+  std::vector<bool> held_;  // where each_holds_
   /// One that goes on alone, and how all stood before.
   struct Only {
     std::size_t channel;

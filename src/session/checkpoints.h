@@ -17,7 +17,7 @@ namespace kadr {
 
 class Checkpoints {
  public:
-  /// Of a session with one channel, not begun; it must outlive this.
+  /// Of a session that has not begun; it must outlive this. Of several channels lines and blocks are the program's own.
   ///   each  blocks between two at first
   ///   most  of them; each more than some 100 KB (Session::snapshot)
   explicit Checkpoints(Session& session, std::uint64_t each = 8192, std::size_t most = 128);

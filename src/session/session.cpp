@@ -125,17 +125,17 @@ Session::State Session::stop_here() {
   return state_ = state == ChannelRun::State::stopped ? State::stopped : State::ended;
 }
 
-void Session::acknowledge() {
-  if (control().is_stopped()) control().go_on();
+void Session::acknowledge(std::size_t channel) {
+  if (Control& stopped = *channels_[channel].control; stopped.is_stopped()) stopped.go_on();
   if (alone_) alone_->acknowledge();
   state_ = State::running;
 }
 
-void Session::enter(const std::string& line) {
+void Session::enter(const std::string& line, std::size_t channel) {
   if (!begun_) begin();
-  acknowledge();
-  alone(own_);
-  control().enter(line);
+  acknowledge(channel);
+  alone(channel);
+  channels_[channel].control->enter(line);
 }
 
 void Session::alone(std::size_t channel) {

@@ -92,12 +92,18 @@ class Session {
   /// Nothing more is to come: what the rooms hold back to see ahead is let out, as if the program ended here. Of a channel alone.
   State stop_here();
   /// The alarm that stopped it is answered for: it goes on with the next block, as after a reset of the control.
-  void acknowledge();
+  void acknowledge() { acknowledge(own_); }
+  void acknowledge(std::size_t channel);
   /// The operator enters a line (MDI): it is carried out next, also after the program's end or an alarm; then the program goes on.
   ///   pre  held, stopped or ended; no block is open (Control::in_block)
-  void enter(const std::string& line);
+  void enter(const std::string& line) { enter(line, own_); }
+  void enter(const std::string& line, std::size_t channel);
   /// Of several channels this one alone goes on, until it stands the next time. enter() calls it for the program's own.
   void alone(std::size_t channel);
+  /// Of several channels each stays where it is held, by its Control::holds_before, until all are held, wait or have ended.
+  void hold_each(bool on) {
+    if (channels_run_) channels_run_->hold_each(on);
+  }
   /// Where the machine stands.
   ToolPosition stand(std::size_t channel) const;
   ToolPosition stand() const { return stand(own_); }

@@ -21,9 +21,10 @@ PageAnswer answer_of(const PanelMachine::Answer& answer) {
   return PageJson::object();
 }
 
-/// What happens at a machine goes into the journal; `problems`: how alarms are told.
-PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, std::shared_ptr<const AlarmTexts> texts, Lang lang) {
+/// What happens at a machine goes into the journal, and what lines of the operator change into the tables of its program.
+PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
   PanelKeeper keeper;
+  const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
   keeper.spot = [&journal, name](const PanelSpot& spot) {
     const auto kept = journal.keep("spot", name, spot_text(spot));
     return kept ? std::string() : kept.error();
@@ -31,7 +32,14 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, std::share
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
     (void)journal.log(name, log_entry(kind, text, line));  // what cannot be kept is told by the spot
   };
-  keeper.alarm = [&journal, name, texts = std::move(texts), lang](const AlarmReport& report) {
+  keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
+    const auto patch = program.take_by_hand(before, after);
+    if (!patch) return patch.error();
+    const auto kept = journal.keep("tables", name, dumped(program.edited()));
+    (void)journal.log(name, log_entry("edit", dumped(*patch), 0));
+    return kept ? std::string() : kept.error();
+  };
+  keeper.alarm = [&journal, name, texts, lang](const AlarmReport& report) {
     const Finding finding = finding_of(report, *texts, lang);
     (void)journal.log(name, log_entry("alarm", finding.text, finding.line));
   };
@@ -47,7 +55,11 @@ std::string machine_text(const PageJson& question) {
 }
 
 /// Where a kept machine stood, and whether there is anything to go on with.
-PageJson spot_json(const std::string& text) { return PageJson::parse(text, nullptr, false); }
+PageJson spot_json(const std::string& text) {
+  PageJson spot = PageJson::parse(text, nullptr, false);
+  if (spot.is_object()) spot.erase("stands");
+  return spot;
+}
 
 }  // namespace
 
@@ -76,12 +88,11 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   wish->tables = journal.value("tables", file).value_or("");
   auto opened = open_for_page(*wish);
   if (!opened) return refused(opened.error());
-  const auto texts = opened->texts;
   const auto content = std::make_shared<PanelContent>(std::move(*opened), std::move(*wish));
   const std::string stood = journal.value("spot", file).value_or("");
   const auto spot = spot_of(stood);
   const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) { return program->open(start, stop); };
-  auto made = PanelMachine::make(opens, keeper_of(journal, file, texts, lang), spot ? std::optional(spot->machine) : std::nullopt);
+  auto made = PanelMachine::make(opens, keeper_of(journal, file, content->program, lang), spot ? std::optional(spot->machine) : std::nullopt, spot ? spot->stands : std::vector<Axes>());
   if (!made) return refused(made.error());
   if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
   auto place = std::make_shared<PanelHub::Place>();
@@ -176,7 +187,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
-  (*machine)->stop_at_once();
+  (*machine)->switch_off();  // it writes nothing into what is forgotten
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(panel_place->name);
   server.hub->remove(panel_place->name);

@@ -1,5 +1,7 @@
 // Questions about going on in mid program: restart, go_there; and a way by hand: lead. For view/page_session; tested by tests/panel_restart.py.
 
+#include <fmt/core.h>
+
 #include "out/text/in_force_text.h"
 #include "view/page_inside.h"
 #include "view/panel_json.h"
@@ -27,14 +29,15 @@ const char* name_of(PanelSheet::By by) {
   }
 }
 
-PageJson rows_json(const std::vector<PanelSheet::Row>& rows) {
+/// `before`: of each key.
+PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& before = {}) {
   PageJson list = PageJson::array();
   std::size_t variables = 0;
   for (const PanelSheet::Row& row : rows) {
     const InForce& one = row.wanted ? *row.wanted : *row.now;
     if (one.kind == InForce::Kind::variable && ++variables > most_variables) continue;
     const std::string key = key_of(one);
-    list.push_back({{"key", key},
+    list.push_back({{"key", before + key},
                     {"kind", key.substr(0, key.find(':'))},
                     {"name", one.name},
                     {"wanted", value_json(row.wanted)},
@@ -69,11 +72,12 @@ PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::strin
   return list;
 }
 
+tl::unexpected<std::string> no_way() { return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей")); }
+
 /// An error sentence: the way is none.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
   const auto list = question.find("way");
   std::vector<WayPoint> way;
-  const auto no_way = [] { return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей")); };
   if (list == question.end() || !list->is_array() || list->size() > most_way) return no_way();
   for (const PageJson& entry : *list) {
     if (!entry.is_object() || !entry.contains("to") || !entry["to"].is_object()) return no_way();
@@ -92,6 +96,28 @@ tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question
   return way;
 }
 
+/// Of the own channel, or of several in the order in which they are gone.
+tl::expected<std::vector<PanelWay>, std::string> ways_of(const PageJson& question, const PanelMachine& machine) {
+  const auto list = question.find("ways");
+  if (list == question.end()) {
+    auto own = way_of(question, machine.axes());
+    if (!own) return tl::unexpected(own.error());
+    return std::vector<PanelWay>{{machine.own(), std::move(*own)}};
+  }
+  if (!list->is_array() || list->size() > machine.channel_count()) return no_way();
+  std::vector<PanelWay> ways;
+  for (const PageJson& entry : *list) {
+    if (!entry.is_object()) return no_way();
+    std::size_t channel = 0;
+    while (channel < machine.channel_count() && std::uint32_t(machine.number_of(channel)) != count_in(entry, "channel", 0)) ++channel;
+    if (channel == machine.channel_count()) return no_way();
+    auto way = way_of(entry, machine.axes(channel));
+    if (!way) return tl::unexpected(way.error());
+    ways.push_back({channel, std::move(*way)});
+  }
+  return ways;
+}
+
 PanelSearch::Wish wish_in(const PageJson& question) {
   PanelSearch::Wish wish{stop_point_of(question), count_in(question, "hole", 0), false};
   const auto by = question.find("by_control");
@@ -104,6 +130,26 @@ PageJson zero_json(const ToolPosition& stand, const std::vector<std::string>& ax
   PageJson zero = PageJson::object();
   for (std::size_t a = 0; a < axes.size() && a < max_axes; ++a) zero[axes[a]] = stand.machine[a] - stand.work[a];
   return zero;
+}
+
+/// The other channels; empty: there are none.
+PageJson beside_json(const PanelPlace& place, const std::vector<PanelSheet>& sheets, const PanelMachine& machine, Lang lang) {
+  PageJson list = PageJson::array();
+  for (std::size_t i = 0; i < place.beside.size(); ++i) {
+    const PanelBeside& one = place.beside[i];
+    const PanelSheet& sheet = sheets[i + 1];
+    const auto& axes = machine.axes(one.channel);
+    list.push_back({{"number", one.number},
+                    {"line", one.is_over ? 0 : one.line.number},
+                    {"text", one.is_over ? std::string() : one.line.text},
+                    {"stands", one.is_over ? "over" : one.waits ? "waits" : one.in_block ? "within" : "before"},
+                    {"rows", rows_json(sheet.rows, fmt::format("{}/", one.number))},
+                    {"way", way_json(sheet.way, axes)},
+                    {"zero", zero_json(one.restart.stand, axes)},
+                    {"blocks", sheet.blocks.blocks},
+                    {"by_hand", in_force_text(sheet.blocks.by_hand, lang, "")}});
+  }
+  return list;
 }
 
 }  // namespace
@@ -135,8 +181,9 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
   constexpr double lowest = -1e9;
   const WayRules rules{value_in<double>(question, "clearance", lowest), value_in<double>(question, "above", 2), value_in<double>(question, "feed", 100)};
   const PanelPlace& place = *found->place;
-  const auto sheet = (*machine)->sheet(found->place, rules);
-  if (!sheet) return refused(sheet.error());
+  const auto sheets = (*machine)->sheets(found->place, rules);
+  if (!sheets) return refused(sheets.error());
+  const PanelSheet* const sheet = &sheets->front();
   const auto& axes = (*machine)->axes();
   PageJson calls = call_list_json(place.calls);
   show_files(calls);
@@ -151,7 +198,9 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
                   {"zero", zero_json(place.restart.stand, axes)},
                   {"blocks", sheet->blocks.blocks},
                   {"by_hand", in_force_text(sheet->blocks.by_hand, lang, "")},
-                  {"search", search_json(place.by_control, lang)}};
+                  {"search", search_json(place.by_control, lang)},
+                  {"number", (*machine)->number_of((*machine)->own())},
+                  {"beside", beside_json(place, *sheets, **machine, lang)}};
 }
 
 /// Along a way by hand.
@@ -171,13 +220,13 @@ PageSession::Inside::Answer PageSession::Inside::go_there(const PageJson& questi
   const auto found = find_place(**machine, question);
   if (!found) return tl::unexpected(found.error());
   if (!found->ready) return refused(told("the place is still being looked for", "место ещё ищется"));
-  auto way = way_of(question, (*machine)->axes());
-  if (!way) return refused(way.error());
+  auto ways = ways_of(question, **machine);
+  if (!ways) return refused(ways.error());
   std::set<std::string> left;
   if (const auto list = question.find("leave"); list != question.end() && list->is_array())
     for (const PageJson& key : *list)
       if (key.is_string()) left.insert(key.get<std::string>());
-  const auto went = (*machine)->go_there(found->place, left, std::move(*way));
+  const auto went = (*machine)->go_there(found->place, left, std::move(*ways));
   if (!went) return refused(went.error());
   return PageJson::object();
 }

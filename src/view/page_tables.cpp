@@ -65,7 +65,10 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   if (!changed) return refused(changed.error());
   if (const auto may = (*machine)->may_take_tables(); !may) return refused(may.error());
   if (const std::string fault = keep("tables", dumped(changed->edited)); !fault.empty()) return refused(fault);
-  program.take(std::move(*changed));
+  if (!program.take(std::move(*changed))) {
+    (void)keep("tables", dumped(program.edited()));
+    return refused(told("a line has changed tables meanwhile: once more", "тем временем строка изменила таблицы: повторите"));
+  }
   note("edit", dumped(*patch), 0);
   const auto taken = (*machine)->take_tables();
   if (!taken) return refused(taken.error());

@@ -18,9 +18,14 @@ std::string log_entry(const std::string& kind, const std::string& text, std::uin
 }
 
 std::string spot_text(const PanelSpot& spot) {
-  PageJson machine = PageJson::array();
-  for (const double value : spot.machine) machine.push_back(std::isfinite(value) ? PageJson(value) : PageJson(0));
-  return dumped({{"mode", name_of(spot.mode)}, {"number", spot.number}, {"line", spot.line}, {"file", spot.file}, {"text", spot.text}, {"machine", std::move(machine)}});
+  const auto list_of = [](const Axes& axes) {
+    PageJson list = PageJson::array();
+    for (const double value : axes) list.push_back(std::isfinite(value) ? PageJson(value) : PageJson(0));
+    return list;
+  };
+  PageJson machine = list_of(spot.machine), stands = PageJson::array();
+  for (const Axes& axes : spot.stands) stands.push_back(list_of(axes));
+  return dumped({{"mode", name_of(spot.mode)}, {"number", spot.number}, {"line", spot.line}, {"file", spot.file}, {"text", spot.text}, {"machine", std::move(machine)}, {"stands", std::move(stands)}});
 }
 
 std::optional<PanelSpot> spot_of(const std::string& text) {
@@ -29,8 +34,16 @@ std::optional<PanelSpot> spot_of(const std::string& text) {
   PanelSpot spot;
   spot.number = json.value("number", 0u), spot.line = json.value("line", 0u);
   spot.file = json.value("file", ""), spot.text = json.value("text", "");
-  for (std::size_t a = 0; a < std::min(max_axes, json["machine"].size()); ++a)
-    if (json["machine"][a].is_number()) spot.machine[a] = json["machine"][a].get<double>();
+  const auto axes_of = [](const PageJson& list) {
+    Axes axes{};
+    for (std::size_t a = 0; a < std::min(max_axes, list.size()); ++a)
+      if (list[a].is_number()) axes[a] = list[a].get<double>();
+    return axes;
+  };
+  spot.machine = axes_of(json["machine"]);
+  if (const auto stands = json.find("stands"); stands != json.end() && stands->is_array())
+    for (const PageJson& list : *stands)
+      if (list.is_array()) spot.stands.push_back(axes_of(list));
   return spot;
 }
 

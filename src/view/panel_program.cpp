@@ -4,6 +4,7 @@
 
 #include "config/setup_check.h"
 #include "config/setup_file.h"
+#include "config/state_json.h"
 #include "config/told.h"
 
 namespace kadr {
@@ -18,6 +19,48 @@ Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes&
   return setup;
 }
 
+PageJson tables_json(const Setup& tables) { return PageJson::parse(state_json({tables, {}, {}}), nullptr, false); }
+
+PageJson part_of(const PageJson& rows, const std::string& name, const std::string& part) {
+  const auto row = rows.find(name);
+  return row == rows.end() || !row->contains(part) ? PageJson(0) : (*row)[part];
+}
+
+/// Of a table of numbers: what has changed of its rows, and what `stated` says otherwise of those.
+PageJson changed_numbers(const PageJson& before, const PageJson& after, const PageJson& stated) {
+  PageJson rows = PageJson::object(), all = before;
+  all.merge_patch(after);
+  for (const auto& [name, row] : all.items()) {
+    if (before.value(name, PageJson()) == after.value(name, PageJson())) continue;
+    for (const auto& [part, value] : row.items())
+      if (const PageJson now = part_of(after, name, part); now != part_of(before, name, part) || now != part_of(stated, name, part)) rows[name][part] = now;
+  }
+  return rows;
+}
+
+/// Rows that have changed, whole; null: there is none any more.
+PageJson changed_rows(const PageJson& before, const PageJson& after) {
+  PageJson rows = PageJson::object();
+  for (const auto& [name, row] : after.items())
+    if (!before.contains(name) || before[name] != row) rows[name] = row;
+  for (const auto& [name, row] : before.items())
+    if (!after.contains(name)) rows[name] = nullptr;
+  return rows;
+}
+
+/// A change of tables as a JSON merge patch of a set-up that says `stated`.
+PageJson difference(const Setup& before, const Setup& after, const Setup& stated) {
+  const PageJson then = tables_json(before), now = tables_json(after), said = tables_json(stated);
+  const auto table_of = [](const PageJson& tables, const char* name) { return tables.value(name, PageJson::object()); };
+  PageJson patch = PageJson::object();
+  for (const char* const table : {"work_offsets", "offsets", "parameters", "tool_table"}) {
+    const bool are_numbers = std::string_view(table).ends_with("offsets");
+    PageJson rows = are_numbers ? changed_numbers(table_of(then, table), table_of(now, table), table_of(said, table)) : changed_rows(table_of(then, table), table_of(now, table));
+    if (!rows.empty()) patch[table] = std::move(rows);
+  }
+  return patch;
+}
+
 }  // namespace
 
 PanelProgram::PanelProgram(OpenedProgram opened, OpeningWish wish)
@@ -26,7 +69,14 @@ PanelProgram::PanelProgram(OpenedProgram opened, OpeningWish wish)
   if (!edited_.is_object()) edited_ = PageJson::object();
 }
 
+bool PanelProgram::knows_axes() const {
+  const std::lock_guard hold(lock_);
+  return !axes_.empty();
+}
+
 tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std::optional<Axes>& start, const StopToken& stop) {
+  if (start && !knows_axes())
+    if (auto first = open({}, stop); !first) return first;  // it tells their names
   auto text = opened_.program();
   if (!text) return tl::unexpected(text.error());
   SessionSpec spec = opened_.spec(std::move(*text), stop);
@@ -50,7 +100,11 @@ tl::expected<PageJson, std::string> PanelProgram::of_file() const {
 }
 
 tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const PageJson& patch) const {
-  Tables tables{edited(), {}};
+  Tables tables;
+  {
+    const std::lock_guard hold(lock_);
+    tables.edited = edited_, tables.after = changes_;
+  }
   tables.edited.merge_patch(patch);
   const std::string text = dumped(tables.edited);
   if (!tables.edited.is_object() || text.size() > most_edited) return tl::unexpected(told("these are no tables", "это не таблицы"));
@@ -63,10 +117,27 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
   return tables;
 }
 
-void PanelProgram::take(Tables tables) {
+bool PanelProgram::take(Tables tables) {
   const std::lock_guard hold(lock_);
+  if (tables.after != changes_) return false;
+  ++changes_;
   edited_ = std::move(tables.edited);
   setup_ = std::move(tables.setup);
+  return true;
+}
+
+tl::expected<PageJson, std::string> PanelProgram::take_by_hand(const Setup& before, const Setup& after) {
+  while (true) {
+    Setup stated;
+    {
+      const std::lock_guard hold(lock_);
+      stated = setup_;
+    }
+    const PageJson patch = difference(before, after, stated);
+    auto tables = changed(patch);
+    if (!tables) return tl::unexpected(tables.error());
+    if (take(std::move(*tables))) return patch;
+  }
 }
 
 PageJson PanelProgram::edited() const {

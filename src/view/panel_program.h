@@ -27,11 +27,16 @@ class PanelProgram {
   struct Tables {
     PageJson edited;  // in the form of a set-up, laid over the file
     Setup setup;      // both together
+    std::uint64_t after = 0;  // so many changes
   };
   /// What would come of a change (JSON merge patch, RFC 7386: null takes an edit back), checked as set-ups are.
   ///   returns  an error sentence
   tl::expected<Tables, std::string> changed(const PageJson& patch) const;
-  void take(Tables tables);
+  /// False: they have been changed meanwhile.
+  bool take(Tables tables);
+  /// A line of the operator has changed tables of the control.
+  ///   returns  the change, or an error sentence: they are no set-up's
+  tl::expected<PageJson, std::string> take_by_hand(const Setup& before, const Setup& after);
   PageJson edited() const;
   /// Of the set-up file; empty: there is none.
   ///   returns  an error sentence
@@ -40,12 +45,15 @@ class PanelProgram {
   std::vector<std::string> sections() const;
 
  private:
+  bool knows_axes() const;
+
   const OpenedProgram opened_;
   OpeningWish wish_;
   std::vector<std::string> axes_;  // of its control, from the first session on
   mutable std::mutex lock_;
   PageJson edited_;
   Setup setup_;
+  std::uint64_t changes_ = 0;
 };
 
 }  // namespace kadr

@@ -19,6 +19,12 @@ class APanel {
  public:
   explicit APanel(const std::string& program, const std::string& control = "mach3", const Setup& its_setup = {}, PanelKeeper keeper = {}) {
     setup->now = its_setup;
+    if (!keeper.tables)
+      keeper.tables = [setup = setup](const Setup&, const Setup& after) {
+        const std::lock_guard hold(setup->lock);
+        setup->now.offsets = after.offsets, setup->now.work_offsets = after.work_offsets, setup->now.parameters = after.parameters;
+        return std::string();
+      };
     MachineProfile machine = generic_machine();
     for (const char* const axis : {"X", "Y", "Z"}) {
       machine.axes[axis].rapid = 60'000, machine.axes[axis].acceleration = 5'000, machine.axes[axis].jerk = 1e6;

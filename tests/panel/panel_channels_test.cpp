@@ -1,5 +1,8 @@
 // panel/panel_machine with several channels: each has its axes and its clock; at waiting codes they wait for each other.
 
+#include <algorithm>
+#include <cmath>
+
 #include "panel/a_panel.h"
 #include "panel/panel_machine.h"
 
@@ -183,13 +186,220 @@ TEST(PanelChannels, WhoWaitsInVainIsAnAlarm) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 10, 1e-9);
 }
 
-TEST(PanelChannels, CannotGoOnInMidProgram) {
+PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
+  PanelSearch::Answer answer;
+  EXPECT_TRUE(panel.until([&](const PanelState&) { return (answer = panel->find(wish)).ready; }));
+  EXPECT_TRUE(answer.place) << answer.error;
+  return answer;
+}
+
+/// Ways of the sheets, the own channel's first.
+std::vector<PanelWay> ways_to(const APanel& panel, const std::shared_ptr<const PanelPlace>& place) {
+  const auto sheets = panel->sheets(place, {.clearance = 30, .above = 2, .feed = 6000});
+  EXPECT_TRUE(sheets) << sheets.error();
+  std::vector<PanelWay> ways;
+  for (std::size_t i = 0; sheets && i < sheets->size(); ++i) ways.push_back({i == 0 ? panel->own() : place->beside[i - 1].channel, (*sheets)[i].way});
+  return ways;
+}
+
+void go_to(const APanel& panel, const PanelSearch::Wish& wish, const std::set<std::string>& left = {}) {
+  const auto place = found(panel, wish).place;
+  ASSERT_TRUE(place);
+  const auto went = panel->go_there(place, left, ways_to(panel, place));
+  ASSERT_TRUE(went) << went.error();
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && !s.goes_there; }));
+  ASSERT_EQ(panel->state().why, "restart") << panel->state().told;
+}
+
+/// In the middle, where the other is on its way too: each is led to where the program would have had it.
+TEST(PanelChannels, GoOnInMidProgramTogether) {
   const APanel panel = two_channels(first, second);
-  PanelSearch::Wish wish;
-  wish.target.line = 4;
-  const PanelSearch::Answer found = panel->find(wish);
-  EXPECT_TRUE(found.ready);
-  EXPECT_FALSE(found.error.empty());
+  const auto place = found(panel, {.target = {.line = 4}}).place;
+  ASSERT_TRUE(place);
+  ASSERT_EQ(place->beside.size(), 1u);
+  const PanelBeside& other = place->beside.front();
+  EXPECT_EQ(other.number, 2);
+  EXPECT_EQ(other.line.number, 4u) << "both have met at M501";
+  EXPECT_NEAR(other.restart.stand.machine[1], 50, 1e-9);
+  EXPECT_FALSE(other.waits);
+  go_to(panel, {.target = {.line = 4}});
+  const PanelState there = panel->state();
+  EXPECT_EQ(there.line.number, 4u);
+  EXPECT_NEAR(axis(there, 0, 0), 10, 1e-9);
+  EXPECT_NEAR(axis(there, 1, 1), 50, 1e-9);
+  EXPECT_EQ(there.channels[1].line.number, 4u);
+  bool in_order = true, was_there = false;
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([&](const PanelState& s) {
+    was_there = was_there || axis(s, 0, 0) >= 20 - 1e-6 || (s.channels[0].waits && s.channels[0].waits->code == 502);
+    in_order = in_order && (was_there || axis(s, 1, 1) >= 40 - 1e-6);
+    return s.mode == PanelMode::ended;
+  }));
+  EXPECT_TRUE(in_order) << "neither goes beyond M502 before the other";
+  EXPECT_NEAR(axis(panel->state(), 0, 0), 0, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 0), 5, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 0, 1e-9);
+}
+
+/// The other has come to a waiting code that the own channel has still before it: it waits there until that comes too.
+TEST(PanelChannels, GoOnWhileTheOtherWaits) {
+  const char* const own = "G21 G90 G94\nG1 X10 F6000\nG4 P1\nX20\nM501 P12\nX30\nM30\n";
+  const char* const other = "G21 G90 G94\nG1 Z5 F6000\nM501 P12\nZ0\nM30\n";
+  const APanel panel = two_channels(own, other);
+  const auto place = found(panel, {.target = {.line = 4}}).place;
+  ASSERT_TRUE(place && place->beside.front().waits);
+  EXPECT_EQ(place->beside.front().waits->code, 501u);
+  EXPECT_EQ(place->beside.front().line.number, 3u);
+  go_to(panel, {.target = {.line = 4}});
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 5, 1e-9);
+  bool waited = false, in_order = true;
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([&](const PanelState& s) {
+    waited = waited || (s.channels[1].waits && s.channels[1].waits->code == 501 && s.channels[1].waits->here == std::set<int>{2});
+    in_order = in_order && (axis(s, 0, 0) >= 20 - 1e-6 || std::fabs(axis(s, 1, 1) - 5) < 1e-9);
+    return s.mode == PanelMode::ended || s.mode == PanelMode::alarm;
+  }));
+  EXPECT_TRUE(waited);
+  EXPECT_TRUE(in_order);
+  EXPECT_EQ(panel->state().mode, PanelMode::ended);
+  EXPECT_NEAR(axis(panel->state(), 0, 0), 30, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 0, 1e-9);
+}
+
+/// The program of the other is over: nothing of it comes again.
+TEST(PanelChannels, GoOnAfterTheOtherHasEnded) {
+  const APanel panel = two_channels("G21 G90 G94\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nG1 Z5 F6000\nM30\n");
+  go_to(panel, {.target = {.line = 4}});
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 5, 1e-9);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  EXPECT_NEAR(axis(panel->state(), 0, 0), 20, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 5, 1e-9);
+}
+
+/// It goes round for ever: the search comes to its end all the same.
+TEST(PanelChannels, AnotherWithoutAnEndIsNoHindrance) {
+  const APanel panel = two_channels("G21 G90 G94\nG1 X10 F6000\nX20\nM30\n", "G21 G90 G94\nG1 Z5 F6000\nZ0\nM99\n");
+  go_to(panel, {.target = {.line = 3}});
+  PanelSearch::Answer nowhere;
+  ASSERT_TRUE(panel.until([&](const PanelState&) { return (nowhere = panel->find({.target = {.line = 99}})).ready; }));
+  EXPECT_FALSE(nowhere.place);
+  EXPECT_FALSE(nowhere.error.empty());
+}
+
+/// Tool and spindle of each are brought by lines in its own channel, or left.
+TEST(PanelChannels, EachHasASheetOfItsOwn) {
+  const APanel panel = two_channels("G21 G90 G94\nT3 M6\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nT7 M6\nF500\nG1 Z5\nG4 P5\nZ0\nM30\n");
+  const auto place = found(panel, {.target = {.line = 5}}).place;
+  ASSERT_TRUE(place);
+  const auto sheets = panel->sheets(place, {});
+  ASSERT_TRUE(sheets) << sheets.error();
+  ASSERT_EQ(sheets->size(), 2u);
+  const auto tool = [](const PanelSheet& sheet) {
+    for (const PanelSheet::Row& row : sheet.rows)
+      if (row.wanted && row.wanted->kind == InForce::Kind::tool) return row;
+    return PanelSheet::Row{};
+  };
+  ASSERT_TRUE(tool((*sheets)[0]).wanted && tool((*sheets)[1]).wanted);
+  EXPECT_EQ(tool((*sheets)[0]).wanted->value, 3);
+  EXPECT_EQ(tool((*sheets)[1]).wanted->value, 7);
+  EXPECT_EQ(tool((*sheets)[1]).by, PanelSheet::By::line);
+  std::vector<std::pair<std::string, double>> changes;  // of the machine, in their order
+  std::mutex lock;
+  panel->watch([&](const Step& step) {
+    const std::lock_guard hold(lock);
+    if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) changes.emplace_back("tool", double(change->tool));
+  });
+  go_to(panel, {.target = {.line = 5}});
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].second, 3);
+  EXPECT_EQ(changes[1].second, 7);
+  const auto in_force = panel->state().channels[1].block.modes->in_force;
+  EXPECT_TRUE(std::any_of(in_force.begin(), in_force.end(), [](const InForce& one) { return one.kind == InForce::Kind::tool && one.value == 7; }));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  EXPECT_EQ(changes.size(), 2u);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 0, 1e-9);
+}
+
+TEST(PanelChannels, WaysMustEndWhereEachChannelBegins) {
+  const APanel panel = two_channels(first, second);
+  const auto place = found(panel, {.target = {.line = 4}}).place;
+  ASSERT_TRUE(place);
+  auto ways = ways_to(panel, place);
+  EXPECT_FALSE(panel->go_there(place, {}, {ways[0]})) << "the other does not stand there";
+  EXPECT_FALSE(panel->go_there(place, {}, {ways[0], ways[0]}));
+  std::swap(ways[0], ways[1]);  // the other goes first
+  bool other_first = true;
+  ASSERT_TRUE(panel->go_there(place, {}, ways));
+  ASSERT_TRUE(panel.until([&](const PanelState& s) {
+    other_first = other_first && (axis(s, 0, 0) <= 1e-9 || std::fabs(axis(s, 1, 1) - 50) < 1e-3);
+    return s.mode == PanelMode::standing && !s.goes_there;
+  }));
+  EXPECT_EQ(panel->state().why, "restart");
+  EXPECT_TRUE(other_first);
+}
+
+/// In the middle of a block of the other: not from there.
+TEST(PanelChannels, NothingIsLedAwayFromAWaitingCode) {
+  const APanel panel = two_channels("G21 G90 G94\nG4 P1\nM0\nM501 P12\nM30\n", "G21 G90 G94\nM501 P12\nG0 Z1\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.why == "M0"; }));
+  const auto place = found(panel, {.target = {.line = 2}}).place;
+  ASSERT_TRUE(place);
+  EXPECT_FALSE(panel->sheets(place, {}));
+  ASSERT_TRUE(panel->reset());
+  EXPECT_TRUE(panel.until([&](const PanelState&) { return panel->sheets(place, {}).has_value(); }));
+}
+
+/// An edit in mid program: the axes of all stay, what follows is by the new tables.
+TEST(PanelChannels, TablesAreTakenOverInMidProgram) {
+  const APanel panel = two_channels("G21 G90 G94 G54\nG0 X10\nM0\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM501 P12\nG0 Z60\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.why == "M0"; }));
+  panel.edit([](kadr::Setup& tables) { tables.work_offsets["G54"]["X"] = 100; });
+  const auto taken = panel->take_tables();
+  ASSERT_TRUE(taken) << taken.error();
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.takes_tables; }));
+  EXPECT_TRUE(panel->state().told.empty()) << panel->state().told;
+  EXPECT_NEAR(axis(panel->state(), 0, 0), 10, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 50, 1e-9);
+  EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[0], -90, 1e-9);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  EXPECT_NEAR(axis(panel->state(), 0, 0), 120, 1e-9);
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 60, 1e-9);
+}
+
+/// The other's M0 holds in the middle of a block of the own channel's: tables stay as they are, nothing begins anew.
+TEST(PanelChannels, TablesAreNotTakenOverWhereTheOtherHolds) {
+  const APanel panel = two_channels("G21 G90 G94\nG0 X3\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM0\nG0 Z60\nM501 P12\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.why == "M0"; }));
+  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->take_tables());
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  EXPECT_NEAR(axis(panel->state(), 1, 1), 60, 1e-9);
+}
+
+/// Where the axes of all stood is known to who keeps it, and they stand there again.
+TEST(PanelChannels, StandWhereTheyWereKept) {
+  std::mutex lock;
+  PanelSpot last;
+  PanelKeeper keeper;
+  keeper.spot = [&](const PanelSpot& spot) {
+    const std::lock_guard hold(lock);
+    return last = spot, std::string();
+  };
+  const APanel panel = two_channels(first, second, keeper);
+  ASSERT_TRUE(panel->jog("Z", 3, 0, 2));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && axis(s, 1, 1) > 2.9; }));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  const std::lock_guard hold(lock);
+  ASSERT_EQ(last.stands.size(), 2u);
+  EXPECT_NEAR(last.stands[1][0], 5, 1e-9);
 }
 
 /// One that has much to do does not fill the memory while the other is short of motion.

@@ -29,15 +29,15 @@ std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Wish&
   const auto place = found(panel, wish);
   EXPECT_TRUE(place.place) << place.error;
   if (!place.place) return std::nullopt;
-  auto sheet = panel->sheet(place.place, rules);
-  EXPECT_TRUE(sheet) << sheet.error();
-  return sheet ? std::optional(std::move(*sheet)) : std::nullopt;
+  auto sheets = panel->sheets(place.place, rules);
+  EXPECT_TRUE(sheets) << sheets.error();
+  return sheets ? std::optional(std::move(sheets->front())) : std::nullopt;
 }
 
 void go_to(const APanel& panel, const PanelSearch::Wish& wish, const std::set<std::string>& left = {}) {
   const auto sheet = sheet_at(panel, wish);
   ASSERT_TRUE(sheet);
-  const auto went = panel->go_there(found(panel, wish).place, left, sheet->way);
+  const auto went = panel->go_there(found(panel, wish).place, left, {{0, sheet->way}});
   ASSERT_TRUE(went) << went.error();
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && !s.goes_there; }));
 }
@@ -133,10 +133,10 @@ TEST(PanelRestart, AWayThatEndsElsewhereOrOutsideIsRefused) {
   const auto sheet = sheet_at(panel, {.target = {.line = 9}});
   auto way = sheet->way;
   way[0].machine[2] = 501;
-  EXPECT_FALSE(panel->go_there(place, {}, way)) << "beyond the end of the axis";
+  EXPECT_FALSE(panel->go_there(place, {}, {{0, way}})) << "beyond the end of the axis";
   way = sheet->way;
   way.back().feed = 0;
-  EXPECT_FALSE(panel->go_there(place, {}, way));
+  EXPECT_FALSE(panel->go_there(place, {}, {{0, way}}));
   EXPECT_EQ(panel->state().mode, PanelMode::standing);
 }
 
@@ -166,7 +166,7 @@ TEST(PanelRestart, AStopOnTheWayThereIsObeyed) {
   const auto sheet = sheet_at(panel, {.target = {.line = 9}});
   auto way = sheet->way;
   for (WayPoint& point : way) point.rapid = false, point.feed = 600;
-  ASSERT_TRUE(panel->go_there(found(panel, {.target = {.line = 9}}).place, {}, way));
+  ASSERT_TRUE(panel->go_there(found(panel, {.target = {.line = 9}}).place, {}, {{0, way}}));
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[2] > 2; }));
   ASSERT_TRUE(panel->hold());
   ASSERT_TRUE(panel.stands(PanelMode::held));
@@ -184,7 +184,7 @@ TEST(PanelRestart, ALineThatCannotBeCarriedOutStopsTheWay) {
   panel->stop_at_once();
   ASSERT_TRUE(panel.stands(PanelMode::emergency));
   EXPECT_FALSE(panel->go_there(place, {}, {}));
-  EXPECT_FALSE(panel->sheet(place, {}));
+  EXPECT_FALSE(panel->sheets(place, {}));
 }
 
 // ---- the part

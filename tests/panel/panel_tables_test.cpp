@@ -79,6 +79,69 @@ TEST(PanelTables, NotInACompensatedContour) {
   expect_at(panel, {1, -20, 0});
 }
 
+/// G10 by hand: what was confirmed stays, whatever reads the program anew.
+TEST(PanelTables, ALineByHandIsAsAnEdit) {
+  for (const char* const control : {"nct", "mach3", "linuxcnc", "grbl"}) {
+    const APanel panel("G21 G90 G54\nG0 X10\nM0\nG0 X20\nM30\n", control);
+    ASSERT_TRUE(panel->run()) << control;
+    ASSERT_TRUE(stands_at(panel, 4)) << control;
+    ASSERT_TRUE(panel->enter("G10 L2 P1 Y30"));
+    ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == 1; }));
+    panel.edit([](kadr::Setup& tables) { tables.work_offsets["G54"]["X"] = 5; });
+    ASSERT_TRUE(panel->take_tables()) << control;
+    ASSERT_TRUE(stands_at(panel, 4)) << control;
+    const Axes at = panel->state().sample.machine;
+    EXPECT_NEAR(panel->state().block.work_of(at)[1], -30, 1e-9) << control << ": an edit";
+    EXPECT_NEAR(panel->state().block.work_of(at)[0], 5, 1e-9) << control;
+    ASSERT_TRUE(panel->reset());
+    ASSERT_TRUE(stands_at(panel, 1)) << control;
+    EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[1], -30, 1e-9) << control << ": a reset";
+    PanelSearch::Answer found;
+    ASSERT_TRUE(panel.until([&](const PanelState&) { return (found = panel->find({{.line = 4}, 0, false, {}})).ready; }));
+    ASSERT_TRUE(found.place) << found.error;
+    EXPECT_NEAR(found.place->placement.origin[1], 30, 1e-9) << control << ": a restart";
+  }
+}
+
+TEST(PanelTables, ALineThatIsTakenBackIsNoEdit) {
+  const APanel panel("G21 G90 G54\nG0 X10\nM30\n", "mach3");
+  ASSERT_TRUE(panel->enter("G10 L2 P1 Y30"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == 1; }));
+  ASSERT_TRUE(panel->undo());
+  ASSERT_TRUE(panel->reset());
+  ASSERT_TRUE(stands_at(panel, 1));
+  EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[1], 0, 1e-9);
+}
+
+/// Data of tools by hand: they are told as they were and as they are.
+TEST(PanelTables, WhatALineByHandChangesIsTold) {
+  std::mutex lock;
+  std::vector<std::pair<kadr::Setup, kadr::Setup>> changes;
+  PanelKeeper keeper;
+  keeper.tables = [&](const kadr::Setup& before, const kadr::Setup& after) {
+    const std::lock_guard hold(lock);
+    changes.emplace_back(before, after);
+    return std::string("the disk is full");
+  };
+  kadr::Setup setup;
+  setup.offsets[2].radius = 3, setup.offsets[2].length = 50;
+  const APanel panel("G21 G90\nG10 L1 P3 R1\nG0 X1\nM0\nM30\n", "mach3", setup, keeper);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 5));
+  EXPECT_TRUE(changes.empty()) << "what the program writes is the program's";
+  const auto enter = [&](const char* line, std::size_t count) {
+    ASSERT_TRUE(panel->enter(line));
+    ASSERT_TRUE(panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == count; }));
+  };
+  enter("G10 L1 P2 R4", 1);
+  EXPECT_EQ(panel->state().told, "the disk is full");
+  enter("G0 X2", 2);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].first.offsets.at(2).radius, 3);
+  EXPECT_EQ(changes[0].second.offsets.at(2).radius, 4);
+  EXPECT_EQ(changes[0].second.offsets.at(2).length, 50);
+}
+
 TEST(PanelTables, NotWhileItRuns) {
   const APanel panel("G21 G91\nG1 X200 F600\nM30\n");
   ASSERT_TRUE(panel->run());

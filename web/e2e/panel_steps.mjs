@@ -185,6 +185,21 @@ export function panel_steps({ kadr, page, pictures, only }) {
       must(found && found[1] !== found[2], `who waits for whom: ${await text(".channels")}`);
       await page.click(".operator-keys button:has-text('Reset')");
       await mode("standing");
+      await page.click(".restart > summary");
+      await page.fill(".restart input[aria-label='line']", "10");
+      await page.press(".restart input[aria-label='line']", "Enter");
+      await until("a sheet of each channel", () => count(".restart-sheet .restart-beside"), 20_000);
+      must(/Channel 2/.test(await text(".restart-beside")), `whose sheet: ${await text(".restart-beside")}`);
+      await page.click(".restart button[aria-label='Goes first: Channel 2']");
+      await until("its way is the first", async () => (await text(".restart-beside")).includes("way 1"));
+      await page.locator(".restart-beside").evaluate((e) => e.scrollIntoView({ block: "center" }));
+      await page.screenshot({ path: join(pictures, "channels_restart.png") });
+      await page.click(".restart button:has-text('Go there')");
+      await until("both stand there", async () => ((await text(".operator-head")) ?? "").includes("At the place"), 90_000);
+      await page.click(".operator-keys button:has-text('Start')");
+      await mode("running");
+      await page.click(".operator-keys button:has-text('Reset')");
+      await mode("standing");
       await page.click(".operator-keys button:has-text('Switch off')");
       await until("it is off", () => count(".operator button:has-text('Switch on')"), 20_000);
     },

@@ -44,6 +44,7 @@ set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
 const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
+const until_shown = 120; // ms in which a key's effect is shown, before the view takes the browser's time
 const operator = new Operator(() => new WebSocket(address) as unknown as Socket);
 let shapes: Shape[] = [], stock: SceneBox[] = [], shown_file = "";
 
@@ -106,6 +107,7 @@ app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
 app.on_error.on((text) => toast(text, true));
 operator_panel.restart.restart.on_change.on(() => scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []));
 operator.on_error.on((text) => toast(text, true));
+operator.on_press.on(() => scene?.hush(until_shown));
 let was_on = false, panel_line = 0;
 operator.on_panel.on((p) => {
   if (Boolean(p) !== was_on) { was_on = Boolean(p); tabs.draw(); }

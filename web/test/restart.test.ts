@@ -5,7 +5,7 @@ import { Signal } from "../src/model/signal";
 import type { Operator } from "../src/model/operator";
 
 const sheet = {
-  ready: true, line: 9, file: "", text: "X30", calls: [], normal: "Z", zero: { X: 0, Y: 0, Z: -8 }, blocks: [], by_hand: "", search: null,
+  ready: true, number: 1, beside: [] as object[], line: 9, file: "", text: "X30", calls: [], normal: "Z", zero: { X: 0, Y: 0, Z: -8 }, blocks: [], by_hand: "", search: null,
   rows: [{ key: "tool:", kind: "tool", name: "", wanted: 5, now: 0, by: "line", may_be_left: true }, { key: "origin:Z", kind: "origin", name: "Z", wanted: -50, now: -50, by: "", may_be_left: false }],
   way: [{ rapid: true, to: { Z: 40 }, feed: 0 }, { rapid: true, to: { X: 30, Y: 20 }, feed: 0 }, { rapid: false, to: { Z: -11 }, feed: 100 }],
 };
@@ -47,7 +47,7 @@ describe("a restart", () => {
     await restart.find({ line: 9 });
     expect(restart.tips()).toEqual([[1, 2, 3 + 8 - 50], [1, 2, 40 + 8 - 50], [30, 20, 40 + 8 - 50], [30, 20, -11 + 8 - 50]]);
     restart.set_point(0, "Z", 60); // work coordinate
-    expect(restart.way[0]!.to.Z).toBe(52);
+    expect(restart.way()[0]!.to.Z).toBe(52);
     expect(sheet.way[0]!.to.Z).toBe(40);
   });
 
@@ -56,8 +56,24 @@ describe("a restart", () => {
     await restart.find({ line: 9 });
     restart.set_leave("tool:", true);
     await restart.go();
-    expect(asked.at(-1)).toEqual(["go_there", { line: 9, leave: ["tool:"], way: sheet.way }]);
-    expect([restart.sheet, restart.way]).toEqual([null, []]);
+    expect(asked.at(-1)).toEqual(["go_there", { line: 9, leave: ["tool:"], ways: [{ channel: 1, way: sheet.way }] }]);
+    expect([restart.sheet, restart.way()]).toEqual([null, []]);
+  });
+
+  it("leads each of several channels, in the order that is chosen", async () => {
+    const beside = { number: 2, line: 4, text: "G0 X5", stands: "before", rows: [{ key: "2/tool:", kind: "tool", name: "", wanted: 7, now: 0, by: "line", may_be_left: true }], way: [{ rapid: true, to: { X: 1, Z: 5 }, feed: 0 }], zero: { X: 0, Z: 100 }, blocks: [], by_hand: "" };
+    const { restart, asked } = made((what) => (what === "restart" ? { ...sheet, beside: [beside] } : {}));
+    await restart.find({ line: 9 });
+    restart.set_leave("2/tool:", true);
+    restart.set_point(0, "Z", 50, 2);
+    restart.go_first(2);
+    await restart.find({ line: 9 }); // once more, as for another clearance
+    expect([...restart.leave]).toEqual(["2/tool:"]);
+    expect(restart.ways.map((w) => w.channel)).toEqual([2, 1]);
+    restart.set_point(0, "Z", 50, 2);
+    await restart.go();
+    expect(asked.at(-1)![1]).toMatchObject({ leave: ["2/tool:"], ways: [{ channel: 2, way: [{ to: { X: 1, Z: 150 } }] }, { channel: 1, way: sheet.way }] });
+    expect(beside.way[0]!.to.Z).toBe(5);
   });
 
   it("stays where it was refused", async () => {

@@ -101,24 +101,6 @@ void LinuxCnc::note_motion(Interpreter& m, Motion& motion) {
   Dialect::note_motion(m, motion);
 }
 
-/// Work systems with their rotations, and reference points: mm and degrees, where the parameters are in the machine's unit.
-void LinuxCnc::take_tables(Interpreter& m, const Setup& setup) {
-  const auto store = [&](std::uint32_t first, const AxisValues& values) {
-    for (std::size_t a = 0; a < m.axis_count; ++a)
-      if (const auto at = values.find(m.axis_names[a]); at != values.end()) store_axis(m, first, a, at->second);
-  };
-  constexpr std::string_view names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-  for (const auto& [name, offset] : setup.work_offsets) {
-    const auto found = std::find(std::begin(names), std::end(names), name);
-    if (found == std::end(names)) continue;
-    const std::uint32_t first = 5221 + 20 * static_cast<std::uint32_t>(found - std::begin(names));
-    store(first, offset);
-    if (const auto angle = offset.find("G17"); angle != offset.end()) m.variables.set_raw(first + 9, angle->second);
-  }
-  for (const auto& [number, point] : setup.reference_points)
-    if (number == 1 || number == 2) store(number == 1 ? 5161 : 5181, point);
-}
-
 void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
   take_parameters(m);
   take_tables(m, setup);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/units.h"
@@ -14,6 +15,7 @@
 namespace kadr::linuxcnc {
 namespace {
 
+constexpr std::array<std::string_view, 9> systems = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
 constexpr std::uint32_t first_system = 5221, numbers_of_system = 20, place_of_rotation = 9;
 constexpr std::uint32_t first_home = 5161, first_second_home = 5181;
 
@@ -164,6 +166,41 @@ Axes LinuxCnc::stored_axes(const Interpreter& m, std::uint32_t first) const {
 
 void LinuxCnc::store_axis(Interpreter& m, std::uint32_t first, std::size_t axis, double value) const {
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
+}
+
+/// Work systems with their rotations, and reference points: mm and degrees, where the parameters are in the machine's unit.
+void LinuxCnc::take_tables(Interpreter& m, const Setup& setup) {
+  const auto store = [&](std::uint32_t first, const AxisValues& values) {
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (const auto at = values.find(m.axis_names[a]); at != values.end()) store_axis(m, first, a, at->second);
+  };
+  for (const auto& [name, offset] : setup.work_offsets) {
+    const auto found = std::find(systems.begin(), systems.end(), name);
+    if (found == systems.end()) continue;
+    const std::uint32_t first = system_at(1 + static_cast<std::uint32_t>(found - systems.begin()));
+    store(first, offset);
+    if (const auto angle = offset.find("G17"); angle != offset.end()) m.variables.set_raw(first + place_of_rotation, angle->second);
+  }
+  for (const auto& [number, point] : setup.reference_points)
+    if (number == 1 || number == 2) store(number == 1 ? first_home : first_second_home, point);
+}
+
+/// The other way. Wear is part of the lengths here.
+bool LinuxCnc::add_tables(const Interpreter& m, Setup& tables) const {
+  for (const auto& [number, tool] : tools) {
+    ToolOffset& offset = tables.offsets[number];
+    offset.length_x = tool.offset[0], offset.length_y = tool.offset[1], offset.length = tool.offset[2];
+    offset.radius = tool.diameter / 2;
+  }
+  for (std::uint32_t i = 0; i < systems.size(); ++i) {
+    const Axes zero = system_offset(m, i + 1);
+    const double angle = m.variables.raw(system_at(i + 1) + place_of_rotation);
+    if (zero == Axes{} && angle == 0) continue;
+    AxisValues& values = tables.work_offsets[std::string(systems[i])];
+    for (std::size_t a = 0; a < m.axis_count; ++a) values[m.axis_names[a]] = zero[a];
+    if (angle != 0) values["G17"] = angle;
+  }
+  return true;
 }
 
 Axes LinuxCnc::system_offset(const Interpreter& m, std::uint32_t number) const { return stored_axes(m, system_at(number)); }

@@ -99,6 +99,7 @@ class LinuxCnc final : public Dialect {
   bool start(Interpreter& m, const Setup& setup) override;
   void note_motion(Interpreter& m, Motion& motion) override;
   void take_setup(Interpreter& m, const Setup& setup) override;
+  bool add_tables(const Interpreter& m, Setup& tables) const override;
   std::string start_words() const override { return machine.startup; }
   std::pair<double, double> limits_by_file(std::size_t axis) const override;
   void started(Interpreter& m) override;

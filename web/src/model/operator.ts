@@ -5,8 +5,16 @@ import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protoco
 import { language } from "../texts/texts";
 import { Signal } from "./signal";
 
-const moving = 30, standing = 250; // ms between two looks
-const after_act = 10, act_lasts = 400; // ms: what a press does shows at once
+const moving = 30, standing = 250; // ms from what a look has shown to the next one
+const after_act = 15, act_lasts = 400; // ms: what a press does shows at once
+const most_drawn = 200; // ms that a picture may take, or a page that is not seen
+
+/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept waiting by one look after another.
+const drawn = (): Promise<void> => new Promise((yes) => {
+  if (typeof requestAnimationFrame === "undefined" || document.hidden) return yes();
+  const done = (): void => { clearTimeout(late); yes(); }, late = setTimeout(done, most_drawn);
+  requestAnimationFrame(() => setTimeout(done, 0));
+});
 
 export class Operator {
   panel: Panel | null = null;          // null: no machine is on
@@ -15,12 +23,13 @@ export class Operator {
   readonly on_panel = new Signal<Panel | null>();
   readonly on_error = new Signal<string>();
   readonly on_stood = new Signal<void>(); // it has come to stand
+  readonly on_press = new Signal<void>(); // a key is pressed: what it does is to be shown at once
   private client: Client | null = null;
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private looking = false;
+  private looks = 0;        // under way
   private acted_at = -1e9;
-  private again = false; // asked for while it is looking: what comes may be from before
+  private settles = false;  // a line has been entered: it may be over before anybody looks
 
   constructor(private make: () => Socket) {}
 
@@ -44,9 +53,14 @@ export class Operator {
   async ask<K extends keyof Questions>(what: K, body: Questions[K][0], acts = true): Promise<Questions[K][1] | null> {
     if (!this.client) return null;
     try {
-      const answer = await this.client.ask(what, body);
-      if (acts) { this.acted_at = performance.now(); this.look_soon(0); }
-      return answer;
+      const answer = this.client.ask(what, body);
+      if (acts) { // looked at behind it: questions are answered in their order
+        this.acted_at = performance.now();
+        this.settles ||= what === "enter" || what === "undo";
+        if (what === "press") this.on_press.emit();
+        void this.look();
+      }
+      return await answer;
     } catch (e) {
       if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e));
       return null;
@@ -60,7 +74,7 @@ export class Operator {
 
   private async attach(): Promise<void> {
     if (!this.question) return;
-    const on = await this.ask("machine", this.question);
+    const on = await this.ask("machine", this.question, false);
     if (!on) return this.leave();
     this.axes = on.axes;
     this.stood = on.stood;
@@ -79,20 +93,22 @@ export class Operator {
   }
 
   private async look(): Promise<void> {
-    if (this.looking) this.again = true;
-    if (this.looking || !this.client || !this.question) return;
-    this.looking = true, this.again = false;
+    if (!this.client || !this.question) return;
+    clearTimeout(this.timer);
+    this.looks++;
     try {
-      const before = this.panel;
-      this.panel = await this.client.ask("panel", {});
-      this.on_panel.emit(this.panel);
-      const { mode, takes_tables } = this.panel;
-      if (before && (before.mode !== mode || before.takes_tables !== takes_tables) && mode !== "running" && !takes_tables) this.on_stood.emit();
+      const panel = await this.client.ask("panel", {}), before = this.panel;
+      if (!this.question) return void this.looks--; // switched off meanwhile
+      this.panel = panel;
+      this.on_panel.emit(panel);
+      const { mode, takes_tables } = panel, stands = mode !== "running" && !takes_tables;
+      if (before && stands && (this.settles || before.mode !== mode || before.takes_tables !== takes_tables)) { this.settles = false; this.on_stood.emit(); }
       if (mode === "running") this.stood = null;
+      await drawn();
     } catch (e) {
       if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
     }
-    this.looking = false;
-    if (this.panel) this.look_soon(this.again ? 0 : performance.now() - this.acted_at < act_lasts ? after_act : this.panel.mode === "running" ? moving : standing);
+    if (--this.looks > 0 || !this.panel) return;
+    this.look_soon(performance.now() - this.acted_at < act_lasts ? after_act : this.panel.mode === "running" ? moving : standing);
   }
 }

@@ -1,5 +1,5 @@
 // Going on in mid program: the place is found by the server, what leads there is looked at, changed, and carried out.
-import type { Axes, RestartPlace, RestartSheet, WayPoint } from "../protocol/types";
+import type { Axes, ChannelWay, RestartPlace, RestartSheet, WayPoint } from "../protocol/types";
 import type { Operator } from "./operator";
 import { Signal } from "./signal";
 
@@ -9,7 +9,7 @@ export interface WayRules { clearance?: number; above: number; feed: number }
 
 export class Restart {
   sheet: RestartSheet | null = null;
-  way: WayPoint[] = [];                 // as it will be gone
+  ways: ChannelWay[] = [];              // as they will be gone, one after the other
   leave = new Set<string>();            // keys of what stays as it is
   searching = false;
   place: RestartPlace | null = null;
@@ -21,6 +21,9 @@ export class Restart {
     operator.on_panel.on((p) => { if (!p && (this.sheet || this.searching)) this.forget(); });
   }
 
+  /// Of a channel; 0: the program's own.
+  way(channel = 0): WayPoint[] { return this.ways.find((w) => w.channel === (channel || this.sheet?.number))?.way ?? []; }
+
   /// `by_control`: the control's own block search too.
   async find(place: RestartPlace, by_control = false): Promise<void> {
     const mine = ++this.search;
@@ -28,7 +31,7 @@ export class Restart {
     this.searching = true;
     this.on_change.emit();
     while (true) {
-      const answer = await this.operator.ask("restart", { ...place, ...this.rules, ...(by_control || this.sheet?.search ? { by_control: true } : {}) });
+      const answer = await this.operator.ask("restart", { ...place, ...this.rules, ...(by_control || this.sheet?.search ? { by_control: true } : {}) }, false);
       if (mine !== this.search) return;
       if (answer && !answer.ready) { await new Promise((go) => setTimeout(go, ask_again)); continue; }
       this.searching = false;
@@ -43,10 +46,16 @@ export class Restart {
     if (this.place) void this.find(this.place);
   }
 
-  set_point(i: number, axis: string, work: number): void {
-    const point = this.way[i];
-    if (!point || !this.sheet || !Number.isFinite(work)) return;
-    point.to[axis] = work + (this.sheet.zero[axis] ?? 0);
+  set_point(i: number, axis: string, work: number, channel = 0): void {
+    const point = this.way(channel)[i], of = this.sheet?.beside.find((b) => b.number === channel) ?? this.sheet;
+    if (!point || !of || !Number.isFinite(work)) return;
+    point.to[axis] = work + (of.zero[axis] ?? 0);
+    this.on_change.emit();
+  }
+
+  /// Its way is gone before those of the others.
+  go_first(channel: number): void {
+    this.ways.sort((a, b) => Number(b.channel === channel) - Number(a.channel === channel));
     this.on_change.emit();
   }
 
@@ -57,7 +66,7 @@ export class Restart {
 
   async go(): Promise<void> {
     if (!this.place || !this.sheet) return;
-    const went = await this.operator.ask("go_there", { ...this.place, ...(this.sheet.search ? { by_control: true } : {}), leave: [...this.leave], way: this.way });
+    const went = await this.operator.ask("go_there", { ...this.place, ...(this.sheet.search ? { by_control: true } : {}), leave: [...this.leave], ways: this.ways });
     if (went) this.forget();
   }
 
@@ -65,7 +74,7 @@ export class Restart {
     this.search++;
     this.sheet = this.place = null;
     this.searching = false;
-    this.way = [];
+    this.ways = [];
     this.leave.clear();
     this.on_change.emit();
   }
@@ -73,13 +82,13 @@ export class Restart {
   /// Places of the tool's tip along the way, in the coordinates of the path's frames.
   tips(): [number, number, number][] {
     const { sheet } = this, from = this.operator.panel?.machine;
-    if (!sheet || !from || !this.way.length) return [];
+    if (!sheet || !from || !this.way().length) return [];
     const origin: Axes = {};
     for (const r of sheet.rows) if (r.kind === "origin" && typeof r.wanted === "number") origin[r.name] = r.wanted;
     const at = { ...from };
     const tip = (axis: string): number => (at[axis] ?? 0) - (sheet.zero[axis] ?? 0) + (origin[axis] ?? 0);
     const tips: [number, number, number][] = [[tip("X"), tip("Y"), tip("Z")]];
-    for (const p of this.way) {
+    for (const p of this.way()) {
       Object.assign(at, p.to);
       tips.push([tip("X"), tip("Y"), tip("Z")]);
     }
@@ -87,8 +96,11 @@ export class Restart {
   }
 
   private take(sheet: RestartSheet): void {
+    const order = this.ways.map((w) => w.channel), copy = (way: WayPoint[]): WayPoint[] => way.map((p) => ({ ...p, to: { ...p.to } }));
     this.sheet = sheet;
-    this.way = sheet.way.map((p) => ({ ...p, to: { ...p.to } }));
-    for (const key of [...this.leave]) if (!sheet.rows.some((r) => r.key === key && r.may_be_left)) this.leave.delete(key);
+    this.ways = [sheet, ...sheet.beside].map((s) => ({ channel: s.number, way: copy(s.way) }));
+    if (order.length === this.ways.length) this.ways.sort((a, b) => order.indexOf(a.channel) - order.indexOf(b.channel)); // as it was chosen
+    const rows = [sheet, ...sheet.beside].flatMap((s) => s.rows);
+    for (const key of [...this.leave]) if (!rows.some((r) => r.key === key && r.may_be_left)) this.leave.delete(key);
   }
 }

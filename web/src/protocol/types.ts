@@ -108,7 +108,14 @@ export interface SearchCode { text: string; line: number }
 export interface RestartSheet {
   ready: true; line: number; file: string; text: string; calls: Call[]; rows: RestartRow[]; way: WayPoint[]; normal: string; zero: Axes; blocks: string[]; by_hand: string;
   search: { carried_out: SearchCode[]; of_no_group: SearchCode[]; forgotten: string } | null;
+  number: number; beside: BesideSheet[];
 }
+/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own channel's.
+export interface BesideSheet {
+  number: number; line: number; text: string; stands: "before" | "within" | "waits" | "over"; rows: RestartRow[]; way: WayPoint[]; zero: Axes; blocks: string[]; by_hand: string;
+}
+/// Of one channel; the ways are gone one after the other.
+export interface ChannelWay { channel: number; way: WayPoint[] }
 
 /// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set them (0: none of the program).
 export interface Tables { sections: string[]; setup: string; file: JsonTable; edited: JsonTable; now: JsonTable; variables: { name: string; value: number | null; line: number }[]; lasts: boolean }
@@ -168,7 +175,7 @@ export interface Questions {
   jog: [{ axis: string; way: number; feed?: number; channel?: number }, object];
   restart: [RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number }, RestartSheet | { ready: false }];
   lead: [{ way: WayPoint[] }, object];
-  go_there: [RestartPlace & { by_control?: boolean; leave?: string[]; way: WayPoint[] }, object];
+  go_there: [RestartPlace & { by_control?: boolean; leave?: string[]; ways: ChannelWay[] }, object];
   tables: [object, Tables];
   edit: [{ tables: JsonTable }, { edited: JsonTable }];
   keep_tables: [{ setup: string }, { digest: string }];

@@ -9,6 +9,7 @@ export class Canvas {
   readonly renderer: WebGLRenderer;
   readonly element: HTMLCanvasElement;
   readonly soft: boolean;            // no graphics card
+  took = 0;                          // ms, by the last picture while something moved
   private moving: Pace;
   private resting: Pace;
   private watch: Stopwatch;
@@ -27,7 +28,10 @@ export class Canvas {
     this.renderer.debug.checkShaderErrors = false; // asking waits for the compiler
     this.moving = new Pace(this.soft ? soft_moving : card_moving);
     this.resting = new Pace(this.soft ? soft_resting : card_resting);
-    this.watch = new Stopwatch(context, (ms, segments, fine) => (fine ? this.resting : this.moving).took(ms, segments));
+    this.watch = new Stopwatch(context, (ms, segments, fine) => {
+      (fine ? this.resting : this.moving).took(ms, segments);
+      if (!fine) this.took = ms;
+    });
     const copied = new ShaderMaterial({
       uniforms: { picture: { value: this.smooth.texture } }, depthTest: false, depthWrite: false,
       vertexShader: "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }",

@@ -140,8 +140,13 @@ export class Scene {
   showMachine(machine: { at: Point; tool: number } | null): void {
     if (!machine && !this.machine_at) return;
     this.machine_at = machine;
-    this.setInstant(this.path.instant);
+    const left = this.drawn_at + 2 * this.canvas.took - performance.now(); // half of the time is the page's, however slow pictures are
+    if (left <= 0) this.setInstant(this.path.instant);
+    else this.follows ??= setTimeout(() => { this.follows = undefined; this.setInstant(this.path.instant); }, left);
   }
+
+  /// No picture is begun for so long: what a key does is shown first.
+  hush(ms: number): void { this.hushed_until = performance.now() + ms; }
 
   /// A way that is to be gone, machine coordinates of the tip; its end is marked.
   showWay(tips: Point[]): void {
@@ -321,13 +326,22 @@ export class Scene {
     this.dirty = true;
     this.ask();
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => { this.fine = true; this.dirty = true; this.ask(); }, still);
+    this.rest = setTimeout(() => { this.fine = true; this.dirty = true; this.ask(); }, still + 5 * this.canvas.took); // a key may be pressed as soon as it stands
     this.fine = false;
   }
-  private ask(): void { this.asked ||= requestAnimationFrame(() => this.frame()); }
+  private drawn_at = 0;
+  private follows: ReturnType<typeof setTimeout> | undefined;
+  private hushed_until = 0;
+  private waits: ReturnType<typeof setTimeout> | undefined;
+  private ask(): void {
+    const left = this.hushed_until - performance.now();
+    if (left > 0) this.waits ??= setTimeout(() => { this.waits = undefined; this.ask(); }, left);
+    else this.asked ||= requestAnimationFrame(() => this.frame());
+  }
 
   private frame(): void {
     this.asked = 0;
+    if (performance.now() < this.hushed_until) return this.ask();
     if (this.dirty) this.render(this.fine);
     if (!this.pointer) return;
     const [x, y] = this.pointer, v: SceneVertex | null = this.pick(x, y)?.vertex ?? null;
@@ -347,6 +361,7 @@ export class Scene {
     this.machine.matrixWorldNeedsUpdate = true;
     const { drawn, all: count, finished, cost } = this.path.refresh(this.eye, this.canvas.budget(fine), this.canvas.pixels, until);
     if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
+    this.drawn_at = performance.now();
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, cost);
     this.events.turned(this.seen());
     if (drawn === this.counted[0] && count === this.counted[1]) return;

@@ -50,6 +50,15 @@ export function redraw(root: HTMLElement, draw: () => void): void {
   const typed = new Map([...root.querySelectorAll("input")].filter((i) => i.type !== "range" && i.value !== i.defaultValue).map((i) => [name(i), i.value]));
   const focused = active && active !== root && root.contains(active) ? `${active.tagName} ${name(active)}` : null;
   draw();
-  for (const i of root.querySelectorAll("input")) if (typed.has(name(i))) i.value = typed.get(name(i))!;
+  for (const i of root.querySelectorAll("input")) if (typed.has(name(i))) { i.value = typed.get(name(i))!; keep_change(i); }
   if (focused) [...root.querySelectorAll<HTMLElement>("input, select, button")].find((e) => `${e.tagName} ${name(e)}` === focused)?.focus();
+}
+
+/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is left or Enter is pressed.
+function keep_change(input: HTMLInputElement): void {
+  let told = false;
+  const tell = (): void => { if (!told && input.value !== input.defaultValue) input.dispatchEvent(new Event("change")); };
+  input.addEventListener("change", () => { told = true; });
+  input.addEventListener("keydown", (e) => { if (e.key === "Enter") tell(); });
+  input.addEventListener("blur", tell);
 }

@@ -106,7 +106,7 @@ export class OperatorPanel {
     fill(this.figures, h("table", { class: "positions big" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
       h("tbody", null, ...this.operator.axes.map((a) => h("tr", null, h("th", { scope: "row" }, a), cell(p.position[a]), cell(p.machine[a]), cell(p.togo[a]))))),
       h("div", { class: "row wrap" }, ...([["F", short(p.feed, 1)], ["V", short(p.speed, 0)], ["S", p.rpm === null ? "–" : short(p.rpm)], ["T", p.tool ?? "–"], ["D", p.offsets.D ?? "–"], ["H", p.offsets.H ?? "–"]] as const).map(([name, v]) => h("span", null, h("b", null, name), ` ${v}`)),
-        h("span", { class: "dim" }, `${Math.round(100 * p.share)} %`), h("span", { class: "dim limit", title: t("limit_long") }, p.limit)),
+        h("span", { class: "dim share" }, `${Math.floor(100 * p.share + 1e-6)} %`), h("span", { class: "dim limit", title: t("limit_long") }, p.limit)),
       p.channels.length > 1 && this.channels(p.channels),
       h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...p.modal.map((m) => h("span", { class: is_new(m.code) ? "code changed" : "code", role: "listitem", title: m.group }, m.code))));
   }

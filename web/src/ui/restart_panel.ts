@@ -2,7 +2,7 @@
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import { Restart } from "../model/restart";
-import type { RestartPlace, RestartRow } from "../protocol/types";
+import type { BesideSheet, RestartPlace, RestartRow, RestartSheet } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, redraw } from "./dom";
 import { coordinate } from "./figures";
@@ -37,7 +37,7 @@ export class RestartPanel {
     this.element.hidden = !p;
     if (!p) return;
     const may = p.holds && ["standing", "ended"].includes(p.mode);
-    const wanted = JSON.stringify([may, r.sheet, r.way, [...r.leave], r.searching, this.element.open]);
+    const wanted = JSON.stringify([may, r.sheet, r.ways, [...r.leave], r.searching, this.element.open]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
     fill(this.element, h("summary", null, h("b", null, t("restart"))), this.body);
@@ -68,15 +68,33 @@ export class RestartPanel {
   }
 
   private sheet(may: boolean): HTMLElement {
-    const { restart: r } = this, s = r.sheet!, other = s.rows.filter((row) => row.by !== ""), same = s.rows.filter((row) => row.by === "");
+    const { restart: r } = this, s = r.sheet!, beside = s.beside.length > 0;
     return h("div", { class: "restart-sheet" },
+      beside && this.channel(s, may),
       h("p", null, h("b", null, s.file ? `${s.file}:${s.line}` : t("line_n", { line: s.line })), " ", h("code", null, s.text), ...s.calls.map((c) => h("span", { class: "dim" }, ` ← ${c.what} (${c.line})`))),
-      h("table", { class: "restart-rows" }, h("thead", null, h("tr", null, h("th", null), ...(["restart_wanted", "restart_now", "restart_by"] as const).map((x) => h("th", { scope: "col" }, t(x))))), h("tbody", null, ...other.map((row) => this.row(row, may)))),
-      h("details", null, h("summary", { class: "dim" }, t("restart_same", { n: same.length })), h("table", { class: "restart-rows" }, h("tbody", null, ...same.map((row) => this.row(row, false))))),
-      this.way(may),
+      ...this.rows(s, may), this.rules(may), this.way(s, may), ...s.beside.map((b) => this.beside(b, may)),
       h("div", { class: "row" }, button(t("restart_go"), () => void r.go(), { class: "main", disabled: !may || r.searching, title: t("restart_go_long") })),
       h("details", null, h("summary", null, t("restart_blocks")), h("pre", { class: "restart-blocks" }, s.blocks.join("\n")), s.by_hand && h("p", { class: "note" }, `${t("restart_by_hand")} ${s.by_hand}`)),
       this.own_search());
+  }
+
+  private rows(s: RestartSheet | BesideSheet, may: boolean): HTMLElement[] {
+    const other = s.rows.filter((row) => row.by !== ""), same = s.rows.filter((row) => row.by === "");
+    return [h("table", { class: "restart-rows" }, h("thead", null, h("tr", null, h("th", null), ...(["restart_wanted", "restart_now", "restart_by"] as const).map((x) => h("th", { scope: "col" }, t(x))))), h("tbody", null, ...other.map((row) => this.row(row, may)))),
+      h("details", null, h("summary", { class: "dim" }, t("restart_same", { n: same.length })), h("table", { class: "restart-rows" }, h("tbody", null, ...same.map((row) => this.row(row, false)))))];
+  }
+
+  /// Its heading, where there are several: in which order their ways are gone.
+  private channel(s: RestartSheet | BesideSheet, may: boolean): HTMLElement {
+    const at = this.restart.ways.findIndex((w) => w.channel === s.number);
+    return h("div", { class: "row" }, h("h3", { class: "grow" }, t("channel_n", { n: s.number })), h("span", { class: "dim" }, t("restart_turn", { n: at + 1 })),
+      button(t("restart_first"), () => this.restart.go_first(s.number), { disabled: !may || at === 0, "aria-label": `${t("restart_first")}: ${t("channel_n", { n: s.number })}` }));
+  }
+
+  /// Another channel: where it stands when the program goes on, and what leads it there.
+  private beside(b: BesideSheet, may: boolean): HTMLElement {
+    return h("section", { class: "restart-beside" }, this.channel(b, may),
+      h("p", null, h("b", null, b.line ? t("line_n", { line: b.line }) : ""), " ", h("code", null, b.text), " ", h("span", { class: "dim" }, t(`beside_${b.stands}`))), ...this.rows(b, may), this.way(b, may));
   }
 
   private row(row: RestartRow, may: boolean): HTMLElement {
@@ -87,20 +105,24 @@ export class RestartPanel {
     return h("tr", { class: row.by && !leaves ? "differs" : "" }, h("th", { scope: "row" }, `${name} ${row.name}`), h("td", null, written(row, row.wanted)), h("td", null, written(row, row.now)), h("td", null, how));
   }
 
-  private way(may: boolean): HTMLElement {
-    const { restart: r } = this, s = r.sheet!, rules = r.rules;
-    const rule = (name: "clearance" | "above" | "feed"): HTMLElement => {
-      const input = h("input", { size: "6", inputmode: "decimal", "aria-label": t(`restart_${name}`), disabled: !may, value: rules[name] === undefined ? "" : String(rules[name]), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; if (Number.isFinite(v)) r.set_rules({ [name]: v }); } });
+  private rules(may: boolean): HTMLElement {
+    const { restart: r } = this, rule = (name: "clearance" | "above" | "feed"): HTMLElement => {
+      const input = h("input", { size: "6", inputmode: "decimal", "aria-label": t(`restart_${name}`), disabled: !may, value: r.rules[name] === undefined ? "" : String(r.rules[name]), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; if (Number.isFinite(v)) r.set_rules({ [name]: v }); } });
       return h("label", { class: "field" }, h("span", null, t(`restart_${name}`)), input);
     };
+    return h("section", null, h("h3", null, t("restart_way")), h("div", { class: "row wrap" }, rule("clearance"), rule("above"), rule("feed")));
+  }
+
+  private way(s: RestartSheet | BesideSheet, may: boolean): HTMLElement {
+    const { restart: r } = this, way = r.way(s.number), own = s.number === r.sheet!.number, name = own ? t("restart_way") : `${t("channel_n", { n: s.number })}: ${t("restart_way")}`;
     const point = (i: number): HTMLElement => {
-      const p = r.way[i]!;
+      const p = way[i]!;
       return h("li", { class: "row" }, h("b", null, p.rapid ? "G0" : "G1"), ...Object.entries(p.to).map(([axis, v]) => {
-        const input = h("input", { size: "8", inputmode: "decimal", "aria-label": `${t("restart_way")} ${i + 1} ${axis}`, disabled: !may, value: (v - (s.zero[axis] ?? 0)).toFixed(3), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; r.set_point(i, axis, v); } });
+        const input = h("input", { size: "8", inputmode: "decimal", "aria-label": `${name} ${i + 1} ${axis}`, disabled: !may, value: (v - (s.zero[axis] ?? 0)).toFixed(3), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; r.set_point(i, axis, v, s.number); } });
         return h("label", { class: "field" }, h("span", null, axis), input);
       }), !p.rapid && h("span", { class: "dim" }, `F${p.feed}`));
     };
-    return h("section", null, h("h3", null, t("restart_way")), h("div", { class: "row wrap" }, rule("clearance"), rule("above"), rule("feed")), h("ol", { class: "restart-way" }, ...r.way.map((_, i) => point(i))), !r.way.length && h("p", { class: "note" }, t("restart_no_way")));
+    return h("section", null, h("ol", { class: "restart-way" }, ...way.map((_, i) => point(i))), !way.length && h("p", { class: "note" }, t("restart_no_way")));
   }
 
   /// What the control's own block search would bring, and forget.
