@@ -24,7 +24,6 @@ bool is_axis(const AddressRow& row) { return row.function == Function::axis || r
 /// Numbers are written with a point, or the point is implied: the letter counts lengths.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
-constexpr int continuous = 64;      // of feed_control
 constexpr std::int32_t tenths_of_code = 10;
 
 /// Of a code.
@@ -325,7 +324,7 @@ Status BlockRewriter::exact_stop(const Kinds& kinds, BlockMaker& out) {
 
 Status BlockRewriter::end(BlockMaker& out) {
   if (!std::exchange(stops_.goes_on, false)) return {};
-  KADR_TRY(out.code({{Function::constant_velocity, any_argument}, {Function::feed_control, continuous}}));
+  KADR_TRY(out.code({{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}}));
   return out.end();
 }
 

@@ -51,7 +51,7 @@ constexpr std::array<std::array<Meaning, 4>, 35> families = {{
     {{{Function::set_data, any_argument}, {Function::table_data, any_argument}, {Function::stored_offsets, any_argument}, {Function::set_tables, any_argument}}},
     {{{Function::home_through, any_argument}, {Function::reference_return, any_argument}, {Function::reference_move, any_argument}, {Function::stored_move, any_argument}}},
     {{{Function::polar_on, any_argument}, {Function::polar_data_on, any_argument}}},
-    {{{Function::constant_velocity, any_argument}, {Function::feed_control, 64}}},
+    {{{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}}},
     {{{Function::polar_off, any_argument}, {Function::polar_data_off, any_argument}}},
 }};
 

@@ -146,8 +146,7 @@ std::string sentence_of(const MachineCodes::Fault& fault) {
 
 /// A return to rounding corners, or an exact stop: every control that has exact stops says it in its words.
 bool is_of_exact_stop(const CodeRow& row) {
-  constexpr int go_on = 64;
-  return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode || row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == go_on);
+  return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode || row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
 }  // namespace

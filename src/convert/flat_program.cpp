@@ -148,7 +148,8 @@ Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
 
 Status FlatProgram::close(const FlatBefore& after) {
   KADR_TRY(end_block());
-  if (unit_ && unit_ != source_unit_) KADR_TRY(feed_unit(source_unit_));
+  if (unit_ && unit_ != source_unit_ && (source_unit_ != FeedUnit::mm_per_rev || row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr))
+    KADR_TRY(feed_unit(source_unit_));
   if (has_stop_modes() && is_exact_ != after.exact) KADR_TRY(stop_mode(after.exact));
   if (after.inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
   return blocks_.end();
@@ -209,8 +210,8 @@ Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInFor
     case MotionKind::rapid:
     case MotionKind::home: KADR_TRY(is_in_machine(motion) ? machine_motion(motion) : straight(Function::rapid, motion)); break;
     case MotionKind::feed:
-      KADR_TRY(end_of_motion(motion.exact));
       KADR_TRY(rounding(motion));
+      KADR_TRY(end_of_motion(motion.exact));
       KADR_TRY(feed(motion));
       KADR_TRY(straight(Function::linear, motion));
       break;

@@ -4,14 +4,14 @@
 
 #include "compare/path_modes.h"
 #include "config/machine_codes.h"
+#include "convert/code_match.h"
 #include "convert/source_setup.h"
 #include "out/program/words.h"
 
 namespace kadr {
 namespace {
 
-constexpr int continuous = 64;
-constexpr std::initializer_list<Wanted> go_on_codes = {{Function::constant_velocity, any_argument}, {Function::feed_control, continuous}};
+constexpr std::initializer_list<Wanted> go_on_codes = {{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}};
 
 Status not_there(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
@@ -122,14 +122,13 @@ Status FlatProgram::dwell(double seconds) {
 
 /// Controls whose file has none of these count mm/min.
 Status FlatProgram::feed_unit(FeedUnit unit) {
+  if (unit_ == unit) return {};
   constexpr Function by[] = {Function::feed_per_minute, Function::feed_per_revolution, Function::feed_inverse_time};
   const auto has = [&](Function function) { return row_that_does(blocks_.def(), {{function, any_argument}}) != nullptr; };
-  const bool is_one = !has(by[1]) && !has(by[2]);
-  if (unit_ == unit || (is_one && unit == FeedUnit::mm_per_min)) return {};
-  const bool is_usual = !unit_ && unit == FeedUnit::mm_per_min && !has(by[0]);
+  const bool is_one = !has(by[1]) && !has(by[2]), is_usual = unit == FeedUnit::mm_per_min && (is_one || (!unit_ && !has(by[0])));
   unit_ = unit;
-  if (is_usual) return {};
   feed_ = -1;
+  if (is_usual) return {};
   return blocks_.code({{by[std::size_t(unit)], any_argument}});
 }
 
@@ -156,6 +155,7 @@ bool FlatProgram::has_stop_modes() const {
 
 Status FlatProgram::stop_mode(bool exact) {
   is_exact_ = exact;
+  tolerance_ = 0;
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(go_on_codes);
 }
 
@@ -170,8 +170,9 @@ Status FlatProgram::end_of_motion(bool exact) {
 
 /// G64 P, where the control has it.
 Status FlatProgram::rounding(const Motion& motion) {
-  if (motion.exact || motion.tolerance == tolerance_ || !path_modes_of(blocks_.def()).tolerance) return {};
+  if (motion.exact || motion.tolerance == tolerance_) return {};
   tolerance_ = motion.tolerance;
+  if (!path_modes_of(blocks_.def()).tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
   return tolerance_ > 0 ? blocks_.word('P', tolerance_) : Status();
