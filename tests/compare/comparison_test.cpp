@@ -156,7 +156,7 @@ TEST(Comparison, CornersCountAlongTheWay) {
   const auto kind_of = [](const Comparison& c) { return c.differences.size() == 1 ? int(c.differences[0].kind) : -int(c.differences.size()); };
   EXPECT_EQ(kind_of(compared("G64 P0.01\nG1 X10 F100\nX20\nM2\n", "G64 P0.02\nG1 X10 F100\nX20\nM2\n")), int(CourseDifference::Kind::corners));
   EXPECT_EQ(kind_of(compared_as("G1 X10 F100\nX20\nM2\n", "nct", "G62 G1 X10 F100\nX20\nM2\n", "nct")), int(CourseDifference::Kind::corners));
-  EXPECT_TRUE(compared_as("G64 P0.01\nG1 X10 F100\nX20\nM2\n", "linuxcnc", "G1 X10 F100\nX20\nM2\n", "nct").equal()) << "the NCT has no P";
+  EXPECT_TRUE(compared_as("G21 G90 G64 P0.01\nG1 X10 F100\nX20\nM2\n", "linuxcnc", "G21 G90\nG1 X10 F100\nX20\nM2\n", "nct").equal()) << "the NCT has no P";
 }
 
 TEST(Comparison, SwitchesAfterTheLastMotionCount) {
@@ -166,7 +166,7 @@ TEST(Comparison, SwitchesAfterTheLastMotionCount) {
   ASSERT_EQ(left_on.differences.size(), 1U) << told(left_on);
   EXPECT_EQ(left_on.differences[0].kind, CourseDifference::Kind::spindle);
   EXPECT_FALSE(compared_as(motion + "N3 M02 LF\n", "gost", motion + "N3 M08 LF\nN4 M02 LF\n", "gost").equal());
-  const std::string iso = "G21 G90 F100 S500 M3\nG1 X10\n";
+  const std::string iso = "G21 G90 F10 S500 M3\nG1 X10\n";
   EXPECT_TRUE(compared_as(motion + "N3 M02 LF\n", "gost", iso + "M2\n", "mach3").equal()) << "M2 of Mach3 stops the spindle";
   EXPECT_FALSE(compared_as(iso + "M2\n", "mach3", motion + "N3 M02 LF\n", "gost").equal()) << "that of GOST does not";
 }

@@ -46,7 +46,7 @@ TEST(WrittenLetters, WhatABytesCodeHasNot) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().id, AlarmId::bad_encoding);
   EXPECT_EQ(made.error().where, (Span{4, 7}));
-  EXPECT_FALSE(bytes_of("G1 (#5)", letters("eia"))) << "EIA has no #";
+  EXPECT_FALSE(bytes_of("G1 (A:5)", letters("eia"))) << "EIA has no :";
 }
 
 /// Of a few characters of every kind.
