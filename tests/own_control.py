@@ -41,6 +41,16 @@ REFUSED = [
     ("gost", '[g]\n"10" = { does = "set_data", takes = "LPXYZ" }\n', ["G10", "'set_data'", "fixture"]),
     ("mach3", "[grammar]\nvariables = 999\n", ["beyond"]),
     ("s2c42", "[behaviour]\narc_radius_difference = nan\n", ["own.toml:5: ", "arc_radius_difference"]),
+    # M functions by a table, and what programs are written in.
+    ("mach3", '[convert]\nM27 = "M8"\n', ["own.toml:5: ", "M27", "'machine_function'"]),
+    ("fanuc", '[convert]\nM8 = "M27"\n', ["own.toml:5: ", "M8", "'machine_function'"]),
+    ("haas", '[convert]\nM88 = "coolant"\n', ["own.toml:5: ", "M88", "an M code"]),
+    ("haas", '[convert]\nM88 = { fanuc = 8 }\n', ["own.toml:5: ", "M88", "an M code"]),
+    ("haas", '[convert]\nM88 = { mine = "M8" }\n', ["own.toml:5: ", "this control itself"]),
+    ("haas", '[convert]\nM88 = { nct = "M8" }\nM51 = { nct = "M8" }\n', ["own.toml:", "M51", "M88", "way back"]),
+    ("haas", 'convert = "M8"\n', ["own.toml:4: ", "convert must be a table"]),
+    ("haas", 'encoding = "koi9"\n', ["own.toml:4: ", "encoding", "koi8-r"]),
+    ("haas", 'encoding = 8\n', ["own.toml:4: ", "encoding must be a text"]),
     # Keys that passed in silence.
     ("gost", "[grammar]\nmacros = true\n", ["own.toml:5: ", "unknown key 'macros'", "nearest: 'macro'"]),
     ("gost", "[behavior]\n", ["own.toml:4: ", "unknown key 'behavior'", "nearest: 'behaviour'"]),

@@ -39,6 +39,7 @@ class ConvertCommand {
     auto to = load_control(o_.to);
     if (!to) return complain(to.error()), wrong_usage;
     to_ = std::make_shared<const ControlDef>(std::move(*to));
+    letters_ = o_.encoding_out.empty() ? to_->letters : written_letters_named(o_.encoding_out).value_or(to_->letters);
     outputs_.reads(job_->file);
     outputs_.reads(job_->setup_file);
     outputs_.writes("--out", o_.out.empty() ? "-" : o_.out);
@@ -71,6 +72,7 @@ class ConvertCommand {
     spec.to = to_.get();
     spec.flat = o_.flat;
     if (!o_.way.empty()) spec.only = ConvertedAs(std::find(ways.begin(), ways.end(), o_.way) - ways.begin());
+    spec.letters = letters_;
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
     spec.source_text = std::make_shared<const std::string>(SourceText(open_text(job_->file, job_->encoding)).whole());
@@ -96,9 +98,15 @@ class ConvertCommand {
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
+    std::string changed = unproven ? transliterated(unproven_mark() + *one.text, letters_).text : std::string();
+    if (const std::string& text = unproven ? changed : *one.text; !is_written_so(text, letters_)) {
+      auto bytes = bytes_of(text, letters_);
+      if (!bytes) return complain(of_target->sentence(bytes.error(), language(o_.run))), alarms;
+      changed = std::move(*bytes);
+    }
+    const std::string& written = changed.empty() ? *one.text : changed;
     if (!outputs_.open()) return wrong_usage;
-    if (unproven) fmt::print(outputs_.stream("--out"), "{}", unproven_mark());
-    std::fwrite(one.text->data(), 1, one.text->size(), outputs_.stream("--out"));
+    std::fwrite(written.data(), 1, written.size(), outputs_.stream("--out"));
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
@@ -138,6 +146,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
+  WrittenLetters letters_;  // of what is written
 };
 
 }  // namespace
@@ -151,6 +160,7 @@ void add_convert(CLI::App& app, Commands& c) {
   control_id(convert->add_option("--to", o.to, told("control that it is to be for", "УЧПУ, для которого перевести")))->required();
   takes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
   takes_file(convert->add_option("--setup-out", o.setup_out, told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
+  written_letters(convert->add_option("--encoding-out", o.encoding_out, told("encoding of the program that is written (default: the control's)", "кодировка записанной УП (по умолчанию кодировка УЧПУ)")));
   convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
   convert->add_flag("--explain", o.explain, told("which lines are written out, and why", "какие кадры расписаны и почему"));
   convert->add_flag("--force", o.force, told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));

@@ -103,6 +103,11 @@ CLI::Option* encoding(CLI::Option* option) {
   return known_by(option, "NAME", "КОДИРОВКА", knows, encodings());
 }
 
+CLI::Option* written_letters(CLI::Option* option) {
+  return known_by(option, "NAME", "КОДИРОВКА", [](std::string_view word) { return written_letters_named(word).has_value(); },
+                  {"ascii", "utf-8", "cp1251", "koi8-r", "cp866", "iso7", "eia"});
+}
+
 const std::vector<std::string>& encodings() {
   static const std::vector<std::string> names = {"utf-8", "cp1251", "koi8-r", "cp866", "utf-16", "utf-16le", "utf-16be", "iso7", "eia"};
   return names;

@@ -37,6 +37,9 @@ CLI::Option* machine_id(CLI::Option* option);
 /// An encoding of text, by any of its names (lang/text/encoding.h).
 CLI::Option* encoding(CLI::Option* option);
 
+/// What a program is written in (lang/text/written_letters.h).
+CLI::Option* written_letters(CLI::Option* option);
+
 /// The first names of the encodings.
 const std::vector<std::string>& encodings();
 

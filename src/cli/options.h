@@ -86,7 +86,7 @@ struct DiffOptions {
   std::string control_a, control_b, setup_a, setup_b;
   double tolerance = 0.001;  // mm
   bool all = false;          // differences; else the first ones
-  bool no_messages = false, tools_by_hand = false;  // as kadr convert proves: CompareRules
+  bool no_messages = false, tools_by_hand = false, feeds_at_speed = false;  // as kadr convert proves: CompareRules
   std::string plot;          // .svg or .png
 };
 int diff(const DiffOptions& options);
@@ -94,7 +94,7 @@ int diff(const DiffOptions& options);
 struct ConvertOptions {
   std::string program;
   Options run;  // of the program under its own control
-  std::string from, to, out, setup_out, way;
+  std::string from, to, out, setup_out, way, encoding_out;
   bool flat = false, force = false, explain = false;
   double tolerance = 0;  // mm; 0: half of the coarser word format
 };

@@ -9,6 +9,7 @@
 
 #include "compare/piece_follower.h"
 #include "compare/stretch.h"
+#include "config/machine_codes.h"
 
 namespace kadr {
 namespace {
@@ -25,13 +26,22 @@ bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::m
 
 bool is_same(const CourseAct& a, const CourseAct& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
 
-/// The first of what is in force that differs; nothing: nothing does.
-std::optional<Kind> first_difference(const CourseState& a, const CourseState& b) {
+/// What it makes in a minute at the speed in force; 0: that is not known.
+double per_minute(const CourseState& s) {
+  if (s.unit == FeedUnit::mm_per_min) return s.feed;
+  return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
+}
+
+/// The first of what is in force that differs, but for the unit of the feed; nothing: nothing does.
+std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, bool feeds_at_speed) {
   if (a.move != b.move) return Kind::move;
-  if (a.unit != b.unit || !is_same(a.feed, b.feed) || !is_same(a.lead, b.lead)) return Kind::feed;
+  const bool at_speed = feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
+  if (!at_speed && (a.unit != b.unit || !is_same(a.feed, b.feed))) return Kind::feed;
+  if (!is_same(a.lead, b.lead)) return Kind::feed;
   if (a.tool != b.tool) return Kind::tool;
   if (a.spindle != b.spindle || a.surface != b.surface || !is_same(a.speed, b.speed)) return Kind::spindle;
   if (a.coolant != b.coolant) return Kind::coolant;
+  if (!is_same(a.tolerance, b.tolerance) || a.corners != b.corners || a.smoothing != b.smoothing) return Kind::corners;
   return std::nullopt;
 }
 
@@ -40,6 +50,7 @@ std::string words_of_state(const CourseState& s, Kind of) {
   constexpr std::array units = {"mm/min", "mm/rev", "1/min"};
   constexpr std::array spindles = {"M5", "M3", "M4", "M19", "M19"};
   constexpr std::array coolants = {"M9", "M7", "M8"};
+  constexpr std::array speeds = {"G64", "G62", "G63"};
   switch (of) {
     case Kind::move: return moves[std::size_t(s.move)];
     case Kind::feed:
@@ -49,7 +60,23 @@ std::string words_of_state(const CourseState& s, Kind of) {
     case Kind::spindle:
       return s.speed == 0 ? spindles[std::size_t(s.spindle)]
                           : fmt::format("S{:.6g}{} {}", s.speed, s.surface ? " m/min" : "", spindles[std::size_t(s.spindle)]);
+    case Kind::corners:
+      if (s.smoothing != 0) return fmt::format("G5.1 Q{}", s.smoothing);
+      return s.tolerance > 0 ? fmt::format("G64 P{:.6g}", s.tolerance) : speeds[std::size_t(s.corners)];
     default: return coolants[std::size_t(s.coolant)];
+  }
+}
+
+constexpr std::uint32_t not_of_b = 1'000'000'000;  // added to numbers of M functions
+
+std::optional<Coolant> coolant_of(const ControlDef& def, std::uint32_t code) {
+  const CodeRow* const row = machine_row(def, code);
+  if (row == nullptr) return std::nullopt;
+  switch (row->function) {
+    case Function::coolant_off: return Coolant::off;
+    case Function::coolant_mist: return Coolant::mist;
+    case Function::coolant_flood: return Coolant::flood;
+    default: return std::nullopt;
   }
 }
 
@@ -72,7 +99,7 @@ class Comparer {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
     while (!out_.lost && !is_enough() && !rules_.stop.asked() && (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
       go_on();
-    if (!out_.lost && !is_enough() && a_.item(0).fault != b_.item(0).fault) ends_differ();
+    if (!out_.lost && !is_enough() && !rules_.stop.asked()) ends();
     out_.cancelled = rules_.stop.asked();
     out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
     out_.stopped_a = course_a_.stopped(), out_.stopped_b = course_b_.stopped();
@@ -104,7 +131,7 @@ class Comparer {
 
   /// Both do the same; what is in force meanwhile counts too.
   void act() {
-    if (const auto differs = first_difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
+    if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
       follower_.begin(ComparedPiece::Part::changed, tell_state(*differs));
     a_.pass(), b_.pass();
     follower_.end();
@@ -113,14 +140,16 @@ class Comparer {
     state.move = CourseMove::rapid, state.feed = state.lead = 0, state.unit = FeedUnit::mm_per_min;
     return state;
   }
+  std::optional<Kind> difference(const CourseState& a, const CourseState& b) const { return first_difference(a, b, rules_.feeds_at_speed); }
 
   void move() {
     const CourseState a = a_.item(0).state, b = b_.item(0).state;
-    const auto differs = first_difference(a, b);
+    const auto differs = difference(a, b);
+    out_.feeds_at_speed = out_.feeds_at_speed || (!differs && a.unit != b.unit);
     if (differs) {
-      if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(next.state, b); }))
+      if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(next.state, b); }))
         return;
-      if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(a, next.state); }))
+      if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(a, next.state); }))
         return;
     }
     const CourseSpot from_a = spot(a_), from_b = spot(b_);
@@ -151,6 +180,18 @@ class Comparer {
     const std::size_t number = number_of_next(d);
     add(d);
     return number;
+  }
+  /// How both end, and what spindle and coolant do then: b's end may switch off what a's leaves on, for most controls do so by themselves;
+  /// a's may not.
+  void ends() {
+    const CourseItem &a = a_.item(0), &b = b_.item(0);
+    if (a.fault != b.fault) return ends_differ();
+    if (a.fault) return;
+    const auto differs = difference(as_act(a.state), as_act(b.state));
+    if (!differs) return;
+    const bool is_off = b.state.coolant == Coolant::off && b.state.speed == 0;
+    if (is_off && !difference(as_act(a.state), as_act(course_b_.before_last_block()))) return;
+    (void)tell_state(*differs);
   }
   void ends_differ() {
     const auto name = [](const CourseItem& end) { return end.fault ? std::string(name_of(*end.fault)) : std::string("end"); };
@@ -209,7 +250,7 @@ class Comparer {
     if (a.kind == ItemKind::end) return a.fault == b.fault || !strictly;
     if (a.kind == ItemKind::act) return is_same(*a.act, *b.act);
     if (!strictly) return a.state.move == b.state.move && space_.distance(a_.begin(i), a.to) > rules_.tolerance;
-    return is_near(a.to, b.to) && !first_difference(a.state, b.state);
+    return is_near(a.to, b.to) && !difference(a.state, b.state);
   }
   static bool is_behind_end(Lane& lane, std::size_t i) { return i > 0 && lane.item(i - 1).kind == ItemKind::end; }
   bool is_near(const Axes& a, const Axes& b) const {
@@ -285,6 +326,22 @@ class Comparer {
   Comparison out_;
 };
 
+/// M functions of both as the numbers of b, or as the coolant that they switch on either; a number of a that is another function of b is
+/// none of those.
+void match_codes(Course& a, Course& b) {
+  using Meaning = Course::CodeMeaning;
+  const ControlDef &of_a = a.session().def(), &of_b = b.session().def();
+  const MachineCodes codes(of_a, of_b);
+  std::map<std::uint32_t, Meaning> means_a, means_b;
+  for (const auto& [here, there] : codes.pairs()) {
+    const std::optional<Coolant> coolant_a = coolant_of(of_a, here), coolant_b = coolant_of(of_b, there);
+    means_a[here] = {coolant_b, there};
+    if (coolant_a) means_b[there] = {coolant_a, there};
+    if (!coolant_b && !codes.there(there)) means_a[there] = {std::nullopt, there + not_of_b};
+  }
+  a.read_codes(std::move(means_a)), b.read_codes(std::move(means_b));
+}
+
 }  // namespace
 
 std::string text_of(const CourseAct& act) {
@@ -295,7 +352,8 @@ std::string text_of(const CourseAct& act) {
     case Act::stop: return "M0";
     case Act::optional_stop: return "M1";
     case Act::message: return act.text;
-    case Act::function: return fmt::format("M{:g}", act.value);
+    case Act::function: return fmt::format("M{:.0f}", act.value >= not_of_b ? act.value - not_of_b : act.value);
+    case Act::exact_stop: return "G9";
     default: return fmt::format("{} {:.6g}", act.text, act.value);
   }
 }
@@ -313,6 +371,11 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
+  const PathModes of_b = path_modes_of(course_b.session().def());
+  PathModes modes = path_modes_of(course_a.session().def()) & of_b;
+  modes.exact = of_b.exact;  // where a's control cannot stop so, b's should not
+  course_a.look_at(modes), course_b.look_at(modes);
+  match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
   made.axes = frame;
   made.passed_messages = course_a.passed_messages();

@@ -32,6 +32,7 @@ struct CompareRules {
   double tolerance = 0.001;      // mm; degrees of rotary axes
   bool messages = true;          // what is shown to the operator counts
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
+  bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
   bool first_only = false;       // it is over with the first difference
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
@@ -47,7 +48,7 @@ struct CourseSpot {
 };
 
 struct CourseDifference {
-  enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, act, end };
+  enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, corners, act, end };
   Kind kind = Kind::way;
   CourseSpot a, b;             // where it begins
   CourseSpot a_to, b_to;       // where both do the same again
@@ -68,6 +69,7 @@ struct Comparison {
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: those that pieces stand in, but for the programs
   Vec3 zero;                                                  // of the work system of the first cut, machine coordinates
   std::size_t passed_messages = 0;                            // of a, that do not count by the rules
+  bool feeds_at_speed = false;                                // they were equal so somewhere
   bool lost = false;                                          // from the last difference on they have no place in common that was found
 
   bool equal() const { return !cancelled && differences.empty(); }

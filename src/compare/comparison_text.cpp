@@ -13,12 +13,13 @@ namespace {
 struct KindText {
   const char *name, *en, *ru;
 };
-constexpr std::array<KindText, 8> kinds = {{{"way", "another way", "другой путь"},
+constexpr std::array<KindText, 9> kinds = {{{"way", "another way", "другой путь"},
                                             {"move", "kind of motion", "вид движения"},
                                             {"feed", "feed", "подача"},
                                             {"tool", "tool", "инструмент"},
                                             {"spindle", "spindle", "шпиндель"},
                                             {"coolant", "coolant", "охлаждение"},
+                                            {"corners", "how corners are gone round", "как проходятся углы"},
                                             {"act", "what is done between", "что делается между движениями"},
                                             {"end", "how it ends", "чем кончается"}}};
 

@@ -3,6 +3,7 @@
 #include "compare/course.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "path/curve/machine_path.h"
 
@@ -61,7 +62,7 @@ void Course::more(ItemRing& to) {
   ahead_ = &to;
   while (to.size() == before && !over_) {
     over_ = stop_.asked() || session_->go_on() != Session::State::running;
-    if (over_) to.add() = end_;
+    if (over_) end_.state = state_, to.add() = end_;
   }
 }
 
@@ -72,9 +73,18 @@ void Course::put_in_frame(Axes& to, const Axes& machine) const {
 
 void Course::take(const Step& step) {
   end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
+  if (const std::uint32_t block = step.action.origin.number; block != end_.origin.number) before_block_ = state_;
+  end_.origin = step.action.origin;
+  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
+  take_switch(step);
+  const bool turns = state_.spindle == SpindleDir::cw || state_.spindle == SpindleDir::ccw;
+  state_.speed = turns ? rpm_ : 0;
+  state_.surface = turns && surface_;
+}
+
+void Course::take_switch(const Step& step) {
   using Kind = CourseAct::Kind;
   const auto& what = step.action.what;
-  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
   if (const auto* const turned = std::get_if<Spindle>(&what)) {
     if (turned->number != 1) return take_act(step, Kind::other, double(turned->dir), "spindle " + std::to_string(turned->number));
     state_.spindle = turned->dir;
@@ -95,7 +105,7 @@ void Course::take(const Step& step) {
     if (!messages_) ++passed_messages_;
     else take_act(step, Kind::message, message->number, message->text);
   } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
-    take_act(step, Kind::function, function->code);
+    take_function(step, function->code);
   } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
     take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
   } else if (const auto* const frame = std::get_if<FrameChange>(&what)) {
@@ -105,12 +115,39 @@ void Course::take(const Step& step) {
   } else if (std::holds_alternative<Uncouple>(what)) {
     take_act(step, Kind::other, 0, "uncouple " + std::get<Uncouple>(what).slave);
   }
-  const bool turns = state_.spindle == SpindleDir::cw || state_.spindle == SpindleDir::ccw;
-  state_.speed = turns ? rpm_ : 0;
-  state_.surface = turns && surface_;
+}
+
+void Course::take_function(const Step& step, std::uint32_t code) {
+  const auto meaning = codes_.find(code);
+  if (meaning == codes_.end()) return take_act(step, CourseAct::Kind::function, code);
+  if (meaning->second.coolant) state_.coolant = *meaning->second.coolant;
+  else take_act(step, CourseAct::Kind::function, meaning->second.code);
+}
+
+/// An exact stop counts where the axes go on from it: where something is done before, they stand anyway.
+void Course::stop_exactly(const Step& next) {
+  static const auto act = std::make_shared<const CourseAct>(CourseAct{CourseAct::Kind::exact_stop, 0, {}});
+  CourseItem& item = ahead_->add();
+  item.kind = CourseItem::Kind::act;
+  put_in_frame(item.to, next.from.machine);
+  item.state = state_;
+  item.act = act;
+  item.origin = *exact_end_;
+  item.begins = item.ends = next.begins;
+  exact_end_.reset();
+}
+
+/// Its axes are where it leads.
+bool Course::stands(const Step& step, const Motion& motion) const {
+  constexpr double same_place = 1e-9;  // mm
+  if (!is_plain_line(step, motion)) return false;
+  for (const int axis : axis_of_)
+    if (axis >= 0 && std::abs(step.from.machine[std::size_t(axis)] - motion.machine[std::size_t(axis)]) > same_place) return false;
+  return true;
 }
 
 void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std::string text) {
+  exact_end_.reset();
   CourseItem& item = ahead_->add();
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, step.from.machine);
@@ -131,6 +168,16 @@ void Course::take_motion(const Step& step, const Motion& motion) {
   state.move = move_of(motion.kind);
   if (state.move == CourseMove::feed || state.move == CourseMove::probe) state.unit = motion.unit, state.feed = motion.feed;
   if (state.move == CourseMove::thread && motion.detail) state.lead = motion.detail->lead.value_or(0);
+  if (state.move == CourseMove::feed) {
+    if (modes_.tolerance) state.tolerance = motion.tolerance;
+    if (modes_.speeds) state.corners = motion.corner_speed;
+    if (modes_.smoothing) state.smoothing = motion.smoothing;
+  }
+  if (modes_.exact) {
+    const bool goes = (exact_end_ || motion.exact) && !stands(step, motion);
+    if (goes && exact_end_) stop_exactly(step);
+    if (motion.exact && state.move == CourseMove::feed && (goes || exact_end_)) exact_end_ = step.action.origin;
+  }
   if (!zero_ && state.move == CourseMove::feed) zero_ = frame_zero_;
   const auto add = [&](double begins, double ends) -> Axes& {
     CourseItem& item = ahead_->add();

@@ -2,12 +2,14 @@
 // Course: what a program makes the machine do, in the order of time, such that two programs can be compared: straight pieces of the axes'
 // way with what is in force along them, and acts between them.
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/item_ring.h"
+#include "compare/path_modes.h"
 #include "kinematics/chain.h"
 #include "session/session.h"
 
@@ -25,6 +27,16 @@ class Course {
   std::size_t passed_messages() const { return passed_messages_; }
   /// A change of the tool is a stop, and which one it is does not count: it is changed by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
+  /// These count of how corners are gone round.
+  void look_at(const PathModes& modes) { modes_ = modes; }
+  /// An M function of the machine by its number: what it is on the other control, by the tables of both (config/machine_codes).
+  struct CodeMeaning {
+    std::optional<Coolant> coolant{};  // it switches that; else …
+    std::uint32_t code = 0;            // … it is the function of this number
+  };
+  void read_codes(std::map<std::uint32_t, CodeMeaning> codes) { codes_ = std::move(codes); }
+  /// What was in force before the last block so far.
+  const CourseState& before_last_block() const { return before_block_; }
   /// Where its axes stand before the first item.
   const Axes& start() const { return start_; }
   /// Adds what comes next, one or more; after its end nothing.
@@ -39,6 +51,10 @@ class Course {
   void take(const Step& step);
   void take_motion(const Step& step, const Motion& motion);
   void take_act(const Step& step, CourseAct::Kind kind, double value, std::string text = {});
+  void take_switch(const Step& step);
+  void take_function(const Step& step, std::uint32_t code);
+  void stop_exactly(const Step& next);
+  bool stands(const Step& step, const Motion& motion) const;
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
@@ -50,7 +66,10 @@ class Course {
   Vec3 frame_zero_;
   std::optional<Vec3> zero_;
   ItemRing* ahead_ = nullptr;  // where they are wanted
-  CourseState state_;
+  CourseState state_, before_block_;
+  PathModes modes_;
+  std::map<std::uint32_t, CodeMeaning> codes_;
+  std::optional<Origin> exact_end_;  // of the motion that the axes have just stopped after
   double rpm_ = 0;
   bool surface_ = false;
   Axes start_{};

@@ -23,12 +23,15 @@ struct CourseState {
   bool surface = false;  // the speed is m/min
   double speed = 0;      // of a spindle that turns
   Coolant coolant = Coolant::off;
+  double tolerance = 0;  // mm that corners may be rounded by (G64 P)
+  CornerSpeed corners = CornerSpeed::limited;
+  std::uint8_t smoothing = 0;  // Q of G5.1
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 
 /// What happens while the axes stand, but for what is in force afterwards.
 struct CourseAct {
-  enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, other };
+  enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };
   Kind kind = Kind::other;
   double value = 0;  // tool; s; number of a message or function
   std::string text;  // of a message; which other

@@ -14,6 +14,7 @@
 #include "base/vec.h"
 #include "config/function.h"
 #include "lang/block/grammar.h"
+#include "lang/text/written_letters.h"
 
 namespace kadr {
 
@@ -270,6 +271,13 @@ struct AlarmText {
 enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl };
 inline constexpr std::array<std::string_view, 6> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl"};
 
+/// An M function of the machine that another control's machine has under another code.
+struct MachineCodeRow {
+  std::uint32_t code = 0;
+  std::string control;      // id of the other one; "*": of all
+  std::uint32_t there = 0;  // its M code
+};
+
 struct ControlDef {
   std::string id;
   std::vector<std::string> aliases;  // other names for --control: "haas-vf"
@@ -297,6 +305,8 @@ struct ControlDef {
   std::map<AlarmId, AlarmText> alarms;        // the control's own wording
   std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3), empty: direct
   std::map<std::int32_t, double> speed_codes;
+  std::vector<MachineCodeRow> machine_codes;  // [convert]
+  WrittenLetters letters;                     // that programs written for it hold
 
   static constexpr std::int32_t most_tenths = 100'000;       // G9999.9, M9999.9: codes with a row
   static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: codes at all

@@ -77,7 +77,7 @@ void take_away(toml::table& merged_table) {
 /// A row of the file, or a key of a section without rows, that says what the control below says already: where.
 std::optional<std::string> said_again(const toml::table& under, const toml::table& over, const std::string& file) {
   constexpr std::string_view with_rows[] = {"g", "m", "address", "groups", "cycle", "alarms"};
-  constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes"};
+  constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes", "convert"};
   const auto each = [&](std::string_view name, bool rows) -> std::optional<std::string> {
     const toml::table *const below = under[name].as_table(), *const own = over[name].as_table();
     if (below == nullptr || own == nullptr) return std::nullopt;

@@ -115,6 +115,10 @@ class ControlLoader {
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
+  // ---- [convert], encoding (control_loader_convert.cpp)
+  Done encoding();
+  Done machine_codes();
+  Done machine_code(std::uint32_t code, const std::string& control, const toml::node& node);
   static std::map<std::int32_t, double> coded_progression();
   Done code_table(std::string_view key, std::map<std::int32_t, double>& to);
   const toml::table& file_;

@@ -76,8 +76,10 @@ Done ControlLoader::sections() {
   def_.spec = text(file_, "spec");
   KADR_LOAD(known_keys(file_, {"id",      "aliases",     "guess",     "name",       "spec",   "extends",  "dialect",    "format",
                                "grammar", "expressions", "behaviour", "axes",       "order",  "address",  "groups",     "g",
-                               "m",       "cycle",       "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}));
+                               "m",       "cycle",       "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes",
+                               "convert", "encoding"}));
   KADR_LOAD(names());
+  KADR_LOAD(encoding());
   KADR_LOAD(dialect());
   KADR_LOAD(grammar());
   KADR_LOAD(expressions());
@@ -96,6 +98,7 @@ Done ControlLoader::sections() {
   KADR_LOAD(alarms());
   KADR_LOAD(code_table("feed_codes", def_.feed_codes));
   KADR_LOAD(code_table("speed_codes", def_.speed_codes));
+  KADR_LOAD(machine_codes());
   KADR_LOAD(check_grammar());
   KADR_LOAD(check_behaviour());
   KADR_LOAD(check_axes());

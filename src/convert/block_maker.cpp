@@ -36,7 +36,9 @@ Status BlockMaker::word(char letter, double value, int more) {
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  return word(Words(def_, letter, more), value);
+  const Words form(def_, letter, more);
+  if (letter == 'F' && value > 0 && form.rounded(value) == 0) return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));
+  return word(form, value);
 }
 
 Status BlockMaker::word(const Words& form, double value) {

@@ -34,7 +34,7 @@ class BlockMaker {
   /// A word, its value in mm, degrees, s, … as the address counts it; a feed or speed, where the control codes them, as the code that
   /// stands for it.
   ///   more    decimals, where the address has any number of them: of inches one
-  ///   alarms  word_has_no_room
+  ///   alarms  word_has_no_room; word_below_format  of F: it would be 0
   Status word(char letter, double value, int more = 0);
   /// The same of an address whose form is known.
   Status word(const Words& form, double value);

@@ -24,6 +24,11 @@ bool is_axis(const AddressRow& row) { return row.function == Function::axis || r
 /// Numbers are written with a point, or the point is implied: the letter counts lengths.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
+constexpr std::int32_t tenths_of_code = 10;
+
+/// Of a code.
+std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(word.code / tenths_of_code); }
+
 constexpr int more_decimals = 3;  // than thousandths, as the program has them: inches, finer CAM programs
 
 
@@ -43,7 +48,8 @@ struct BlockRewriter::Kinds {
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
   const CodeRow* macro = nullptr;  // G65
-  const CodeRow* path_mode = nullptr;  // that the other control has not
+  const CodeRow* exact_stop = nullptr;  // at the end of this block
+  std::uint64_t left_out = 0;          // words of a mode of corners that the other control's has not
   bool returns = false;            // M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code that its axis words belong to, other than a motion
@@ -51,7 +57,9 @@ struct BlockRewriter::Kinds {
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), codes_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
+  const bool has_mode = row_that_does(to, {{Function::exact_stop_mode, any_argument}}) != nullptr, has_block = row_that_does(to, {{Function::exact_stop_block, any_argument}}) != nullptr;
+  stops_.by_block = has_block && !has_mode, stops_.by_mode = has_mode && !has_block;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if (letter == 'F' || letter == 'H' || letter == 'K' || letter == 'L' || letter == 'P' || letter == 'Q' || letter == 'S' || letter == 'T') continue;
     if (from.grammar.word(letter).code || !is_axis(from.address(letter)) || !is_axis(to.address(letter)) || !to.grammar.word(letter).known) continue;
@@ -89,7 +97,8 @@ void BlockRewriter::look(const Block& block, Kinds& kinds) const {
       if (row->function == Function::dwell || row->function == Function::dwell_or_turns) kinds.dwell = row;
       if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered) kinds.call = row;
       if (row->function == Function::macro_call) kinds.macro = row;
-      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) kinds.path_mode = row;
+      if (row->function == Function::exact_stop_block) kinds.exact_stop = row;
+      if (traits_of(row->function).phase == Phase::path_mode) kinds.left_out |= row->takes & ~(match_.of(*row) != nullptr ? match_.of(*row)->takes : std::uint64_t{0});
       kinds.returns = kinds.returns || row->function == Function::return_program;
       continue;
     }
@@ -109,6 +118,8 @@ void BlockRewriter::pass(const Block& block) {
     if (const CodeRow* const row = row_of(word)) {
       if (row->function == Function::inch) is_inch_ = true;
       if (row->function == Function::millimetre) is_inch_ = false;
+      if (row->function == Function::exact_stop_mode) stops_.is_mode = true;
+      else if (row->function == Function::constant_velocity || row->function == Function::feed_control) stops_.is_mode = false;
     }
     if (word.address == 'F' && !word.expression) feed_ = value_of(word);
     if (word.address == 'T' && !word.expression) tool_ = value_of(word);
@@ -177,6 +188,24 @@ Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   if (match == nullptr) return cannot(row.code);
   out.text(with_digits(to_, *match));
   return {};
+}
+
+/// Its number is that of another function there.
+bool BlockRewriter::is_other_code(const Word& word, const CodeRow& row) const {
+  const std::uint32_t number = number_of(word);
+  return row.function == Function::machine_function && !codes_.there(number) && codes_.here(number);
+}
+
+/// By its number: what the tables of both controls say, or the same where it is one of the machine's without a row of its own.
+///   returns  false: it is matched by what it does
+bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const {
+  const std::uint32_t number = number_of(word);
+  const auto mapped = codes_.there(number);
+  if (!mapped && row.function != Function::machine_function) return false;
+  const CodeRow* const there = machine_row(to_, mapped.value_or(number));
+  if (there == nullptr || (!mapped && there->function != Function::machine_function)) return false;
+  out.text(machine_code_text(to_, mapped.value_or(number)));
+  return true;
 }
 
 double BlockRewriter::seconds(const Word& word) const {
@@ -283,6 +312,22 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   return words_of(block, kinds, out);
 }
 
+/// Where one of the two has a mode and the other a code of the block.
+Status BlockRewriter::exact_stop(const Kinds& kinds, BlockMaker& out) {
+  const bool cuts = motion_ != nullptr && kinds.has_axes && !kinds.takes_axes && !kinds.drills && motion_->function != Function::rapid;
+  if (!cuts) return {};
+  if (stops_.is_mode && stops_.by_block && kinds.exact_stop == nullptr) return out.code({{Function::exact_stop_block, any_argument}});
+  if (kinds.exact_stop == nullptr || stops_.is_mode || !stops_.by_mode) return {};
+  stops_.goes_on = true;
+  return out.code({{Function::exact_stop_mode, any_argument}});
+}
+
+Status BlockRewriter::end(BlockMaker& out) {
+  if (!std::exchange(stops_.goes_on, false)) return {};
+  KADR_TRY(out.code({{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}}));
+  return out.end();
+}
+
 /// What stands behind a condition is a block of its own there.
 Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
   return o_lines_.write(block, [&]() -> Status {
@@ -318,6 +363,7 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     }
     return {};
   };
+  KADR_TRY(exact_stop(kinds, out));
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
     if (one.address == 'N') continue;
@@ -327,9 +373,10 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
       if (row == nullptr) return cannot(block.text_of(one.where));
       if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // told: conversion_text
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
-      KADR_TRY(code(*row, out));
+      if (one.address == 'M' && is_other_code(one, *row)) return cannot(row->code);
+      if (one.address != 'M' || !machine_code(one, *row, out)) KADR_TRY(code(*row, out));
       KADR_TRY(implied_number(block, *row, out));
-    } else if (kinds.path_mode == nullptr || (kinds.path_mode->takes >> (one.address - 'A') & 1U) == 0) {
+    } else if (one.address > 'Z' || (kinds.left_out >> (one.address - 'A') & 1U) == 0) {
       KADR_TRY(word(block, one, kinds, out));
     }
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "config/machine_codes.h"
 #include "convert/block_maker.h"
 #include "convert/code_match.h"
 #include "convert/flow_rewriter.h"
@@ -22,6 +23,8 @@ class BlockRewriter {
   /// The words of a block, into `out`; on an alarm something may stand there.
   ///   alarms  function_has_no_code, word_has_no_room: the other control cannot say it
   Status write(const Block& block, BlockMaker& out);
+  /// Behind the block: what it has put in force for itself alone is over.
+  Status end(BlockMaker& out);
   /// Numbers of variables that the program uses.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
@@ -42,7 +45,7 @@ class BlockRewriter {
     Words form;    // of the other control
     double scale;  // of this one
   };
-  bool is_plain(const Block& block) const { return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_; }
+  bool is_plain(const Block& block) const { return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block); }
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;
@@ -50,10 +53,13 @@ class BlockRewriter {
   Status implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const;
   Status said_again(const Kinds& kinds, BlockMaker& out);
   Status code(const CodeRow& row, BlockMaker& out) const;
+  bool is_other_code(const Word& word, const CodeRow& row) const;
+  bool machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const;
   std::optional<char> letter_of(const Word& word, const Kinds& kinds) const;
   bool is_to_o_lines() const { return from_.grammar.macro && to_.grammar.o_words; }
   Status o_line(const Block& block, BlockMaker& out);
   Status macro_call(const Block& block, BlockMaker& out);
+  Status exact_stop(const Kinds& kinds, BlockMaker& out);
   Status words_of(const Block& block, const Kinds& kinds, BlockMaker& out);
   Status word(const Block& block, const Word& word, const Kinds& kinds, BlockMaker& out);
   Status section_call(const Word& word, BlockMaker& out) const;
@@ -67,11 +73,17 @@ class BlockRewriter {
   const ControlDef& from_;
   const ControlDef& to_;
   const CodeMatch match_;
+  const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
   std::uint8_t motion_group_ = 0;         // of the codes of `from`
   const CodeRow* motion_ = nullptr;       // in force in the text
   bool motion_is_cycle_ = false;
+  struct Stops {
+    bool by_block = false, by_mode = false;  // the other control has nothing but this
+    bool is_mode = false;                    // exact stops are in force in the text
+    bool goes_on = false;                    // behind this block they are not
+  } stops_;
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
   double feed_ = -1;                      // last F of the text

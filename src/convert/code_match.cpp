@@ -17,7 +17,7 @@ struct Meaning {
 };
 
 /// Functions of different families that do the same.
-constexpr std::array<std::array<Meaning, 4>, 34> families = {{
+constexpr std::array<std::array<Meaning, 4>, 35> families = {{
     {{{Function::plane_xy, any_argument}, {Function::select_plane, 17}}},
     {{{Function::plane_zx, any_argument}, {Function::select_plane, 18}}},
     {{{Function::plane_yz, any_argument}, {Function::select_plane, 19}}},
@@ -51,6 +51,7 @@ constexpr std::array<std::array<Meaning, 4>, 34> families = {{
     {{{Function::set_data, any_argument}, {Function::table_data, any_argument}, {Function::stored_offsets, any_argument}, {Function::set_tables, any_argument}}},
     {{{Function::home_through, any_argument}, {Function::reference_return, any_argument}, {Function::reference_move, any_argument}, {Function::stored_move, any_argument}}},
     {{{Function::polar_on, any_argument}, {Function::polar_data_on, any_argument}}},
+    {{{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}}},
     {{{Function::polar_off, any_argument}, {Function::polar_data_off, any_argument}}},
 }};
 

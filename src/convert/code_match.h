@@ -8,6 +8,8 @@
 
 namespace kadr {
 
+constexpr int continuous_cutting = 64;  // CodeRow::arg of Function::feed_control: G64 of the NCT
+
 class CodeMatch {
  public:
   CodeMatch(const ControlDef& from, const ControlDef& to);

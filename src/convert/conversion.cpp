@@ -2,9 +2,13 @@
 
 #include "convert/conversion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "config/machine_codes.h"
+#include "config/told.h"
 #include "convert/code_match.h"
 #include "convert/flat_program.h"
 #include "convert/source_comments.h"
@@ -102,6 +106,25 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
   return one;
 }
 
+/// What its text has no letters for is written with others; it is read once more then.
+tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Setup& setup, CompareRules rules) {
+  const WrittenLetters letters = spec.letters.value_or(spec.to->letters);
+  if (is_written_so(*one.text, letters)) return {};
+  Transliterated made = transliterated(*one.text, letters);
+  if (made.characters == 0) return {};
+  one.transliterated = made.characters;
+  one.text = std::make_shared<const std::string>(std::move(made.text));
+  auto a = spec.source();
+  if (!a) return tl::unexpected(a.error());
+  auto b = spec.target(one.text, setup);
+  if (!b) return tl::unexpected(b.error());
+  rules.messages = false;  // their letters are others; that they come is proven
+  const std::size_t passed = one.proof.passed_messages;
+  one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
+  one.proof.passed_messages = passed;
+  return {};
+}
+
 /// A program that probes must do the same wherever what it touches lies: once more, elsewhere.
 tl::expected<void, std::string> prove_elsewhere(const ConversionSpec& spec, ConversionTry& one, Setup setup, const CompareRules& rules) {
   probe_elsewhere(setup);
@@ -115,10 +138,28 @@ tl::expected<void, std::string> prove_elsewhere(const ConversionSpec& spec, Conv
   return {};
 }
 
+std::string sentence_of(const MachineCodes::Fault& fault) {
+  return fmt::format(fmt::runtime(told("[convert] of {}: M{} = M{}: that is no function of the machine of {}, and no coolant",
+                                       "[convert] системы {}: M{} = M{}: у {} это не функция станка и не охлаждение")),
+                     fault.control, fault.code, fault.there, fault.other);
+}
+
+/// A return to rounding corners, or an exact stop: every control that has exact stops says it in its words.
+bool is_of_exact_stop(const CodeRow& row) {
+  return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode || row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
+}
+
 }  // namespace
 
 double usual_tolerance(const ControlDef& from, const ControlDef& to) {
-  return std::sqrt(3.0) / 2 * std::max(Words(from, 'X').increment(), Words(to, 'X').increment());
+  double sum = 0;  // of squares: spec/gost 3 has hundredths for Z alone
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    double coarser = 0;
+    for (const ControlDef* const def : {&from, &to})
+      if (const Words form(*def, axis); form.known()) coarser = std::max(coarser, form.increment());
+    sum += coarser * coarser;
+  }
+  return std::sqrt(sum) / 2;
 }
 
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
@@ -126,18 +167,26 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   auto session = spec.source();
   if (!session) return tl::unexpected(session.error());
   const std::unique_ptr<Session> opened = std::move(*session);
+  if (const auto fault = MachineCodes(opened->def(), *spec.to).fault()) return tl::unexpected(sentence_of(*fault));
   const ProgramShape shape(shared_text_source(spec.source_text), opened->def(), spec.stop);
   all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
   all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   const CodeMatch match(opened->def(), *spec.to);
+  const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
     const CodeRow& code = opened->def().codes[row];
+    if (there.exact && is_of_exact_stop(code)) continue;
     all.path_modes.push_back(code.code);
     if (match.of(code) == nullptr) all.path_modes_unknown.push_back(code.code);
+  }
+  if (shape.rounds_corners()) {
+    all.path_modes.emplace_back("G64 P");
+    if (!there.tolerance) all.path_modes_unknown.emplace_back("G64 P");
   }
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
+  rules.feeds_at_speed = true;
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
   rules.first_only = true;
   rules.messages = shows_same_messages(opened->def(), *spec.to);
@@ -148,6 +197,9 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     if (!one) return tl::unexpected(one.error());
     if (one->is_proven() && spec.elsewhere) {
       if (const auto told = prove_elsewhere(spec, *one, all.setup_of(as), rules); !told) return tl::unexpected(told.error());
+    }
+    if (one->is_proven()) {
+      if (const auto told = write_in_letters(spec, *one, all.setup_of(as), rules); !told) return tl::unexpected(told.error());
     }
     const bool is_proven = one->is_proven(), never = one->proof.stopped_a.has_value();
     all.tries.push_back(std::move(*one));

@@ -36,6 +36,7 @@ struct ConversionSpec {
   bool flat = false;          // calls, loops and cycles are written out even where the other control has them
   std::optional<ConvertedAs> only{};  // this way and no other
   double tolerance = 0.001;   // mm
+  std::optional<WrittenLetters> letters{};  // of the text; else those of the control
   StopToken stop{};
 };
 
@@ -55,13 +56,15 @@ struct ConversionTry {
   Comparison proof;                 // where it could be said
   std::shared_ptr<const std::string> text = std::make_shared<std::string>();
   bool is_proven() const { return !cannot_say && !text->empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
+  std::size_t transliterated = 0;  // characters that the other control's text has not
   std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };
 
 struct Converted {
   /// From which each of the tries was run: corresponding_setup().
   Setup setup, plain_setup;
-  /// Codes of exact stop, smoothing and the like that the program names; those that the other control has not. They are not compared.
+  /// Codes of smoothing and the like that the program names and that written out blocks do not say, and of exact stops where the other
+  /// control has none; those that it has not at all. They are not compared.
   std::vector<std::string> path_modes, path_modes_unknown;
   bool tools_by_hand = false;  // the other control cannot change tools: it stops there
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }

@@ -85,20 +85,28 @@ class PlaceWriter {
     text_.clear();
     begun_at_ = flat_.motions();
     if (!afresh) return;
-    bool incremental = false;
-    inch_ = false;
+    const FlatBefore before = in_force();
+    inch_ = before.inch;
+    note(flat_.open(before, offsets_of(control_)));
+  }
+  FlatBefore in_force() const {
+    FlatBefore modes;
     for (const InForce& one : control_.in_force()) {
       if (one.kind != InForce::Kind::code) continue;
-      for (const CodeRow& row : session_.def().codes)
-        if (row.code == one.code) incremental = incremental || row.function == Function::incremental, inch_ = inch_ || row.function == Function::inch;
+      for (const CodeRow& row : session_.def().codes) {
+        if (row.code != one.code) continue;
+        modes.incremental = modes.incremental || row.function == Function::incremental;
+        modes.inch = modes.inch || row.function == Function::inch;
+        modes.exact = modes.exact || row.function == Function::exact_stop_mode;
+      }
     }
-    note(flat_.open(incremental, inch_, offsets_of(control_)));
+    return modes;
   }
 
   ///   at_end  such blocks follow
   void close(bool at_end = true) {
     if (open_ == nowhere) return;
-    note(flat_.close(at_end && inch_));
+    note(at_end ? close_flat() : flat_.end_block());
     FlatPlace& place = places_[open_];
     // A line that is read over, as subprograms are before they are called, is not carried out.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
@@ -107,6 +115,12 @@ class PlaceWriter {
     else place.differs = place.differs || place.text != text_;
     text_.clear();
     open_ = nowhere;
+  }
+
+  Status close_flat() {
+    FlatBefore after = in_force();
+    after.inch = inch_;
+    return flat_.close(after);
   }
 
   void take(const Action& action) {

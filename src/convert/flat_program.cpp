@@ -118,8 +118,9 @@ void FlatProgram::pass(const Action& action) {
     at_ = m->machine;
     has_probed_ = has_probed_ || m->kind == MotionKind::probe;
     system_ = m->system, side_ = m->side;
-    if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = m->unit;
+    if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = source_unit_ = m->unit;
     if (is_arc(m->kind) || m->side != 0) plane_ = plane_of(*m, axes_);
+    if (m->kind != MotionKind::rapid) tolerance_ = m->tolerance;
   } else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
     placement_ = frame->placement;
     said_origin_ = placement_.origin;
@@ -135,18 +136,22 @@ void FlatProgram::pass(const Action& action) {
   }
 }
 
-Status FlatProgram::open(bool incremental, bool inch, const OffsetsInForce& now) {
+Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
   said_ = now;
+  is_exact_ = before.exact && has_stop_modes();
   system_is_said_ = true;
   known_ = 0, code_ = Function::count, feed_ = -1;
-  relative_ = incremental;
-  if (inch) KADR_TRY(blocks_.code({{Function::millimetre, any_argument}}));
+  relative_ = before.incremental;
+  if (before.inch) KADR_TRY(blocks_.code({{Function::millimetre, any_argument}}));
   return blocks_.end();
 }
 
-Status FlatProgram::close(bool inch) {
+Status FlatProgram::close(const FlatBefore& after) {
   KADR_TRY(end_block());
-  if (inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
+  if (unit_ && unit_ != source_unit_ && (source_unit_ != FeedUnit::mm_per_rev || row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr))
+    KADR_TRY(feed_unit(source_unit_));
+  if (has_stop_modes() && is_exact_ != after.exact) KADR_TRY(stop_mode(after.exact));
+  if (after.inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
   return blocks_.end();
 }
 
@@ -205,11 +210,14 @@ Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInFor
     case MotionKind::rapid:
     case MotionKind::home: KADR_TRY(is_in_machine(motion) ? machine_motion(motion) : straight(Function::rapid, motion)); break;
     case MotionKind::feed:
+      KADR_TRY(rounding(motion));
+      KADR_TRY(end_of_motion(motion.exact));
       KADR_TRY(feed(motion));
       KADR_TRY(straight(Function::linear, motion));
       break;
     case MotionKind::arc_cw:
     case MotionKind::arc_ccw:
+      KADR_TRY(rounding(motion));
       KADR_TRY(feed(motion));
       KADR_TRY(arc(motion));
       break;
@@ -276,23 +284,6 @@ Status FlatProgram::axis_words(const Motion& motion) {
   return {};
 }
 
-Status FlatProgram::feed(const Motion& motion) {
-  if (unit_ != motion.unit) {
-    switch (motion.unit) {
-      case FeedUnit::mm_per_min:
-        if (!blocks_.code_if_there({{Function::feed_per_minute, any_argument}}) && unit_) return no_code("feed_per_minute");
-        break;
-      case FeedUnit::mm_per_rev: KADR_TRY(blocks_.code({{Function::feed_per_revolution, any_argument}})); break;
-      case FeedUnit::per_min: KADR_TRY(blocks_.code({{Function::feed_inverse_time, any_argument}})); break;
-    }
-    unit_ = motion.unit;
-    feed_ = -1;
-  }
-  if (motion.feed == feed_ && motion.unit != FeedUnit::per_min) return {};
-  feed_ = motion.feed;
-  return blocks_.word('F', motion.feed);
-}
-
 Status FlatProgram::arc(const Motion& motion) {
   if (motion.detail && motion.detail->surface != PathSurface::plane) return no_code("polar_surface_on");
   const std::size_t first = motion.first, second = motion.second;
@@ -301,7 +292,7 @@ Status FlatProgram::arc(const Motion& motion) {
   const Axes on_machine = placement_.machine_of(middle);
   const Vec2 centre{on_machine[first], on_machine[second]};
   const Function function = motion.kind == MotionKind::arc_cw ? Function::arc_cw : Function::arc_ccw;
-  const int pieces = std::max(1, int(std::ceil(motion.turns - tol::whole_number)));
+  const int turns = std::max(1, int(std::ceil(motion.turns - tol::whole_number))), pieces = is_said_by_lead(motion, turns) ? 1 : turns;
   if (pieces > most_turns) return no_code("arc_cw");
   const Axes from = at_;
   const double radius = std::hypot(from[first] - centre.x, from[second] - centre.y), begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
@@ -313,18 +304,39 @@ Status FlatProgram::arc(const Motion& motion) {
       for (std::size_t a = 0; a < max_axes; ++a) end[a] = from[a] + (motion.machine[a] - from[a]) * part;
       end[first] = centre.x + radius * std::cos(angle), end[second] = centre.y + radius * std::sin(angle);
     }
-    KADR_TRY(one_arc(function, motion, centre, end));
+    KADR_TRY(end_of_motion(motion.exact && i == pieces));
+    KADR_TRY(one_arc(function, motion, centre, end, turns / pieces));
     if (i < pieces) KADR_TRY(blocks_.end());
     at_ = end;
   }
   return {};
 }
 
-/// `centre`, `to`: machine coordinates.
-Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to) {
+/// How far the words of an axis lead.
+double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
+  const Words form(blocks_.def(), axes_[axis].front());
+  const double zero = base()[axis];
+  return std::fabs(relative_ ? form.rounded(to[axis] - at_[axis]) : form.rounded(to[axis] - zero) - form.rounded(at_[axis] - zero));
+}
+
+/// A helix of several turns is one block: its lead can be written (spec/s2c42 7).
+bool FlatProgram::is_said_by_lead(const Motion& motion, int turns) const {
+  if (!blocks_.def().behaviour.helix_by_lead || turns < 2) return false;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if (a == motion.first || a == motion.second || std::fabs(motion.machine[a] - at_[a]) <= same_value) continue;
+    const double rise = rise_of(a, motion.machine), lead = Words(blocks_.def(), centre_letter(axes_[a])).rounded(rise / turns);
+    return letter_of(a) && lead > 0 && std::fabs(rise / lead - turns) <= tol::whole_turns;
+  }
+  return false;
+}
+
+/// `centre`, `to`: machine coordinates; `turns`: whole ones that it takes at least a part of.
+Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns) {
   KADR_TRY(motion_code(function));
   const Axes zero = base();
   const std::size_t plane[] = {motion.first, motion.second};
+  double lead = 0;
+  char lead_letter = 'K';
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     const bool in_plane = a == plane[0] || a == plane[1];
     if (!in_plane && std::fabs(to[a] - at_[a]) <= same_value) continue;
@@ -332,14 +344,15 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
     if (!letter) return no_code(axes_[a].c_str());
     KADR_TRY(blocks_.word(*letter, word_of(a, to[a], zero[a])));
     known_ |= AxisMask{1} << a;
+    if (!in_plane && blocks_.def().behaviour.helix_by_lead) lead = rise_of(a, to) / turns, lead_letter = centre_letter(axes_[a]);
   }
-  const bool absolute = blocks_.def().behaviour.arc_centers == ArcCenters::as_distance;
+  const bool absolute = blocks_.def().behaviour.arc_centers == ArcCenters::as_distance && !relative_;  // spec/s2c42 7
   const double of[] = {centre.x, centre.y};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const std::size_t axis = plane[i];
     KADR_TRY(blocks_.word(centre_letter(axes_[axis]), of[i] - (absolute ? zero[axis] : at_[axis])));
   }
-  return {};
+  return lead != 0 ? blocks_.word(lead_letter, lead) : Status();
 }
 
 }  // namespace kadr

@@ -2,6 +2,7 @@
 // FlatProgram: what a control does, action by action, as blocks of another one: without calls, loops, cycles and variables. It says what it
 // can and nothing else; whether that is the same, the proof says (convert/conversion).
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,12 +30,20 @@ struct OffsetsInForce {
   friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
 };
 
+/// Modes that blocks which are said otherwise have put in force.
+struct FlatBefore {
+  bool incremental = false, inch = false;
+  bool exact = false;  // exact stop mode
+};
+
 /// What is known of the program that is converted.
 struct FlatSource {
   std::vector<std::string> axes;  // names
   std::map<int, Axes> zeros;      // of its set-up, by number of the work system
   bool has_systems = true;        // its control has work systems at all
   bool same_messages = true;      // the other control shows messages in the same way: they cannot be said by codes; else they are comments
+  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that are others there, by the tables of both controls
+  std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes there that switch it, where the tables say so
   std::vector<std::string> systems{};  // of the other control, by number: "G54", "G54.1 P1"
 };
 
@@ -55,12 +64,12 @@ class FlatProgram {
   /// An action that is said otherwise: how things stand behind it.
   void pass(const Action& action);
   /// Blocks begin behind some that were said otherwise.
-  ///   incremental, inch, now  what those have put in force
-  Status open(bool incremental, bool inch, const OffsetsInForce& now);
+  ///   before, now  what those have put in force
+  Status open(const FlatBefore& before, const OffsetsInForce& now);
   /// From here on the work system is said by these blocks, no more by others.
   void system_changes() { system_is_said_ = false; }
-  /// … and end before such.
-  Status close(bool inch);
+  /// … and end before such, which take for granted what the program has put in force by then.
+  Status close(const FlatBefore& after);
   /// Motions behind a probe motion may be said: whoever asks looks whether their figures depend on it.
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
@@ -74,12 +83,19 @@ class FlatProgram {
   Status straight(Function function, const Motion& motion);
   Status axis_words(const Motion& motion);
   Status arc(const Motion& motion);
-  Status one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to);
+  Status one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns);
+  bool is_said_by_lead(const Motion& motion, int turns) const;
+  double rise_of(std::size_t axis, const Axes& to) const;
   bool has_no_zeroless_system() const;
   bool is_in_machine(const Motion& motion) const;
   Status machine_motion(const Motion& motion);
   Status motion_code(Function function);
   Status feed(const Motion& motion);
+  Status feed_unit(FeedUnit unit);
+  bool has_stop_modes() const;
+  Status stop_mode(bool exact);
+  Status end_of_motion(bool exact);
+  Status rounding(const Motion& motion);
   Status spindle(const Spindle& spindle);
   Status spindle_on();
   Status speed(const Speed& speed);
@@ -107,7 +123,8 @@ class FlatProgram {
   Placement placement_;
   AxisMask known_ = 0;
   Function code_ = Function::count;
-  std::optional<FeedUnit> unit_;
+  std::optional<FeedUnit> unit_;                     // that is said
+  FeedUnit source_unit_ = FeedUnit::mm_per_min;     // of the program
   double feed_ = -1;
   int plane_ = 17;
   std::uint16_t system_ = 0;
@@ -125,6 +142,8 @@ class FlatProgram {
   Coolant coolant_ = Coolant::off;
   double said_length_ = 0;  // mm, by word
   bool surface_ = false, has_acts_ = false;
+  bool is_exact_ = false;         // exact stop mode
+  double tolerance_ = 0;          // mm that corners may be rounded by
   bool wants_direction_ = false;  // S stands in the block, and M3 or M4 must beside it
 };
 

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
+#include "compare/path_modes.h"
+#include "config/machine_codes.h"
+#include "convert/code_match.h"
 #include "convert/source_setup.h"
 #include "out/program/words.h"
 
 namespace kadr {
 namespace {
+
+constexpr std::initializer_list<Wanted> go_on_codes = {{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}};
 
 Status not_there(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
@@ -49,6 +54,7 @@ Status FlatProgram::speed(const Speed& speed) {
 
 Status FlatProgram::coolant(Coolant what) {
   constexpr Function by[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
+  if (const auto code = source_.coolants[std::size_t(what)]) return blocks_.text(machine_code_text(blocks_.def(), *code)), Status();
   return blocks_.code({{by[std::size_t(what)], any_argument}});
 }
 
@@ -114,13 +120,74 @@ Status FlatProgram::dwell(double seconds) {
   return end_block();
 }
 
-/// M codes go through under their number where the other control hands that number to its machine too.
+/// Controls whose file has none of these count mm/min.
+Status FlatProgram::feed_unit(FeedUnit unit) {
+  if (unit_ == unit) return {};
+  constexpr Function by[] = {Function::feed_per_minute, Function::feed_per_revolution, Function::feed_inverse_time};
+  const auto has = [&](Function function) { return row_that_does(blocks_.def(), {{function, any_argument}}) != nullptr; };
+  const bool is_one = !has(by[1]) && !has(by[2]), is_usual = unit == FeedUnit::mm_per_min && (is_one || (!unit_ && !has(by[0])));
+  unit_ = unit;
+  feed_ = -1;
+  if (is_usual) return {};
+  return blocks_.code({{by[std::size_t(unit)], any_argument}});
+}
+
+/// A feed per revolution that cannot be written, or that the format makes nothing of, is written per minute, at the speed in force.
+Status FlatProgram::feed(const Motion& motion) {
+  FeedUnit unit = source_unit_ = motion.unit;
+  double feed = motion.feed;
+  const bool is_at_speed = (turns_ == SpindleDir::cw || turns_ == SpindleDir::ccw) && !surface_ && rpm_ > 0;
+  if (unit == FeedUnit::mm_per_rev && is_at_speed) {
+    const bool has_code = row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr;
+    if (!has_code || Words(blocks_.def(), 'F').rounded(feed) == 0) unit = FeedUnit::mm_per_min, feed *= rpm_;
+  }
+  KADR_TRY(feed_unit(unit));
+  if (feed == feed_ && unit != FeedUnit::per_min) return {};
+  feed_ = feed;
+  return blocks_.word('F', feed);
+}
+
+/// It can be told to stop exactly from here on, and no more.
+bool FlatProgram::has_stop_modes() const {
+  const ControlDef& def = blocks_.def();
+  return row_that_does(def, {{Function::exact_stop_mode, any_argument}}) != nullptr && row_that_does(def, go_on_codes) != nullptr;
+}
+
+Status FlatProgram::stop_mode(bool exact) {
+  is_exact_ = exact;
+  tolerance_ = 0;
+  return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(go_on_codes);
+}
+
+/// In the block of the motion: the axes stop at its end, or they need not. A control that cannot do it goes on: that is told
+/// (convert/conversion).
+Status FlatProgram::end_of_motion(bool exact) {
+  if (exact == is_exact_) return {};
+  const bool has_modes = has_stop_modes();
+  if (exact && (is_between() || !has_modes) && blocks_.code_if_there({{Function::exact_stop_block, any_argument}})) return {};
+  return has_modes ? stop_mode(exact) : Status();
+}
+
+/// G64 P, where the control has it.
+Status FlatProgram::rounding(const Motion& motion) {
+  if (motion.exact || motion.tolerance == tolerance_) return {};
+  tolerance_ = motion.tolerance;
+  if (!path_modes_of(blocks_.def()).tolerance) return {};
+  is_exact_ = false;
+  KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
+  return tolerance_ > 0 ? blocks_.word('P', tolerance_) : Status();
+}
+
+/// M codes are those that the tables say, or go through under their number where the other control hands that number to its machine too.
 Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
-  const std::int32_t row = def.row_of('M', std::int32_t(10 * code));
-  if (row < 0 || def.codes[std::size_t(row)].function != Function::machine_function) return not_there(("M" + std::to_string(code)).c_str());
+  const auto mapped = source_.machine_codes.find(code);
+  const std::uint32_t there = mapped != source_.machine_codes.end() ? mapped->second : code;
+  const bool is_taken = mapped == source_.machine_codes.end() && std::any_of(source_.machine_codes.begin(), source_.machine_codes.end(), [&](const auto& one) { return one.second == code; });
+  const CodeRow* const row = machine_row(def, there);
+  if (is_taken || row == nullptr || (mapped == source_.machine_codes.end() && row->function != Function::machine_function)) return not_there(("M" + std::to_string(code)).c_str());
   KADR_TRY(end_block());
-  blocks_.text(with_digits(def, def.codes[std::size_t(row)]));
+  blocks_.text(machine_code_text(def, there));
   return end_block();
 }
 

@@ -210,6 +210,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     }
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     if (traits_of(function).phase == Phase::path_mode) path_modes_.insert(static_cast<std::size_t>(row));
+    rounds_corners_ = rounds_corners_ || (function == Function::constant_velocity && block.has('P'));
     note_flow(function, block.position.line);
     is_call = is_call || calls(function);
     if (function == Function::macro_call && block.has('P') && !block.find('P')->expression) macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));

@@ -51,8 +51,10 @@ class ProgramShape {
   const std::vector<TextLines>& contours() const { return contours_; }
   /// Lines that call what stands in other files.
   std::vector<std::uint32_t> calls_outside() const;
-  /// Codes of exact stop, smoothing and the like that it names: what they change is not compared. Indices in ControlDef::codes.
+  /// Codes of exact stop, smoothing and the like that it names. Indices in ControlDef::codes.
   const std::set<std::size_t>& path_modes() const { return path_modes_; }
+  /// A path within a tolerance of its corners: G64 P.
+  bool rounds_corners() const { return rounds_corners_; }
   /// Jumps back, and subprograms that are called with arguments.
   MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
@@ -85,6 +87,7 @@ class ProgramShape {
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
   std::set<std::uint32_t> variables_;
   std::set<std::size_t> path_modes_;
+  bool rounds_corners_ = false;
   ProgramNames names_of_words_;
   std::map<std::uint32_t, std::uint32_t> numbers_;           // N → line, of macro programs that are not very long
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N

@@ -11,6 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_told = 60;  // bytes of a block in a comment
+constexpr std::uint32_t early_end = 1000;  // lines: what cannot be said stands together mostly, at the beginning
 
 /// Whole characters.
 std::string_view beginning_of(std::string_view text) {
@@ -49,6 +50,7 @@ class Rewriter {
       const std::uint32_t line = block_.position.line;
       lines_before(line);
       source_line_ = line;
+      if (spec_.ends_early && !made_.unsaid.empty() && line > made_.unsaid.back().line + early_end) return std::move(made_);
       if (is_over_ && is_all_behind_end()) {
         last_block_ = line;
         continue;  // nothing behind the end is read
@@ -184,12 +186,14 @@ class Rewriter {
       words_.pass(block_);
       if (place != last_place_) written_out(*place);
       last_place_ = place;
+      if (is_end() && !in_section_) end_program();
       return;
     }
     if (const Status status = words_.write(block_, blocks_); !status) unsaid(status.error());
     for (const Span one : block_.comments)
       if (block_.statement.kind != StatementKind::message) blocks_.comment(block_.text_of(one));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
+    if (const Status status = words_.end(blocks_); !status) unsaid(status.error());
   }
 
   void written_out(const FlatPlace& place) {

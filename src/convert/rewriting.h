@@ -31,6 +31,7 @@ struct RewriteSpec {
   MacroShape macros{};
   std::size_t lines = 0;                              // of the source, about
   StopToken stop{};
+  bool ends_early = false;                            // some way behind the last line that cannot be said: it is written anew anyway
   bool russian = false;                               // what is said about it
 };
 
@@ -39,7 +40,7 @@ struct Rewritten {
   std::vector<std::uint32_t> lines;  // of the source, by line of the text, from 0
 };
 
-/// Lines that cannot be said are left out and told.
+/// Lines that cannot be said are left out and told; of a text that ends early not all.
 ///   alarms  conversion_too_long
 Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put);
 

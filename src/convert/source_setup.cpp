@@ -3,8 +3,10 @@
 #include "convert/source_setup.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "config/machine_codes.h"
 #include "config/setup_check.h"
 #include "config/setup_names.h"
 #include "out/program/codes.h"
@@ -98,7 +100,16 @@ OffsetsInForce offsets_of(const Control& control) {
 }
 
 FlatSource flat_source_of(const Session& session, const ControlDef& to) {
-  FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to), system_names(to)};
+  FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to)};
+  source.systems = system_names(to);
+  const MachineCodes codes(session.def(), to);
+  for (const auto& [here, there] : codes.pairs()) {
+    source.machine_codes[here] = there;
+    const CodeRow* const row = machine_row(session.def(), here);
+    constexpr Function coolants[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
+    for (std::size_t i = 0; i < std::size(coolants); ++i)
+      if (row != nullptr && row->function == coolants[i]) source.coolants[i] = there;
+  }
   for (const auto& [number, values] : zeros_of(session.setup(), session.def()))
     for (std::size_t a = 0; a < source.axes.size() && a < max_axes; ++a)
       if (const auto found = values.find(source.axes[a]); found != values.end()) source.zeros[number][a] = found->second;

@@ -12,7 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr int most_rounds = 100;             // of writing and proving
+constexpr int most_rounds = 100;              // of writing and proving
+constexpr int early_rounds = 3;               // that may end soon after a line that cannot be said
 constexpr std::size_t most_work = 6'000'000;  // lines, blocks and motions gone through in all
 
 class WordByWord {
@@ -26,7 +27,7 @@ class WordByWord {
     opened_ = std::move(*session);
     write_out_calls();
     for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
-      auto grown = one_round();
+      auto grown = one_round(round < early_rounds);
       if (!grown) return tl::unexpected(grown.error());
       work_ += shape_.lines() + 1 + made_.proof.moves_a + made_.proof.moves_b;
       if (!*grown && (made_.is_proven() || is_hopeless() || !begin_anew())) return std::move(made_);
@@ -40,7 +41,7 @@ class WordByWord {
   std::shared_ptr<ByteSource> source_text() const { return shared_text_source(spec_.source_text); }
 
   /// True: more must be written out.
-  tl::expected<bool, std::string> one_round() {
+  tl::expected<bool, std::string> one_round(bool ends_early) {
     made_.text = std::make_shared<std::string>(), made_.cannot_say.reset(), made_.proof = {};
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
@@ -58,7 +59,7 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), spec_.stop, shape_.is_russian()};
+    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), spec_.stop, ends_early, shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
     const auto text = std::make_shared<std::string>();
     text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
     const auto written = rewrite(rewriting, [&text](std::string_view line) { return text->append(line).size() <= most_made; });

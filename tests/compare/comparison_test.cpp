@@ -22,6 +22,11 @@ std::unique_ptr<Session> session_of(const std::string& text, const std::string& 
   return std::move(*session);
 }
 
+/// Of two controls.
+Comparison compared_as(const std::string& a, const std::string& of_a, const std::string& b, const std::string& of_b) {
+  return compare_sessions(session_of(a, of_a), session_of(b, of_b), {});
+}
+
 Comparison compared(const std::string& a, const std::string& b, double tolerance = 0.001) {
   CompareRules rules;
   rules.tolerance = tolerance;
@@ -120,6 +125,60 @@ TEST(Comparison, ManyTurnsWithinTheToleranceStayTogether) {
   std::string a = "G21 G90 F100\nG1 X1\n";
   for (int i = 0; i < 500; ++i) a += fmt::format("G1 X{}\n", 1 + (i % 2) * 0.0004);
   EXPECT_TRUE(compared(a + "G1 X5\nM2\n", "G21 G90 F100\nG1 X5\nM2\n").equal());
+}
+
+TEST(Comparison, AnExactStopIsAtTheEndOfItsMotion) {
+  const std::string a = "G21 G90 G61\nG1 X10 F100\nX20\nY5\nM2\n";
+  EXPECT_TRUE(compared(a, a).equal());
+  EXPECT_TRUE(compared(a, "G21 G90 G61\nG1 X10 F100\nX20\nX20\nG64 Y5\nM2\n").equal()) << "nothing goes on from the last one";
+  const Comparison gone = compared(a, "G21 G90 G61\nG1 X10 F100\nG64 X20\nG61 Y5\nM2\n");
+  ASSERT_EQ(gone.differences.size(), 1U) << told(gone);
+  EXPECT_EQ(gone.differences[0].kind, CourseDifference::Kind::act);
+  EXPECT_EQ(gone.differences[0].a_says, "G9");
+  EXPECT_NEAR(gone.differences[0].a.stand[0], 20, 1e-9);
+  EXPECT_FALSE(compared(a, "G21 G90 G61\nG1 X5 F100\nX10\nX20\nY5\nM2\n").equal()) << "it stops in mid line";
+}
+
+TEST(Comparison, WhereSomethingIsDoneTheAxesStandAnyway) {
+  EXPECT_TRUE(compared("G61\nG1 X10 F100\nG4 P1\nG64 X20\nM2\n", "G1 X10 F100\nG4 P1\nX20\nM2\n").equal());
+  EXPECT_TRUE(compared("G61 G0 X10\nX20\nM2\n", "G0 X10\nX20\nM2\n").equal()) << "rapids stop by themselves";
+}
+
+TEST(Comparison, ExactStopsOfTwoControlsAreTheSameWhereBothHaveThem) {
+  const std::string mode = "G21 G90 G61\nG1 X10 F100\nX20\nY5\nM2\n", block = "N1 G90 G1 G9 X10000 F100 ПС\nN2 G9 X20000 ПС\nN3 Y5000 ПС\nN4 M2 ПС\n";
+  const Comparison same = compared_as(mode, "mach3", "% ПС\n" + block, "s2c42");
+  EXPECT_TRUE(same.equal()) << told(same);
+  EXPECT_FALSE(compared_as("G21 G90\nG1 X10 F100\nX20\nY5\nM2\n", "mach3", "% ПС\n" + block, "s2c42").equal());
+  EXPECT_TRUE(compared_as(mode, "mach3", "G21 G90\nG1 X10 F100\nX20\nY5\nM2\n", "grbl").equal()) << "Grbl has none";
+}
+
+TEST(Comparison, CornersCountAlongTheWay) {
+  const auto kind_of = [](const Comparison& c) { return c.differences.size() == 1 ? int(c.differences[0].kind) : -int(c.differences.size()); };
+  EXPECT_EQ(kind_of(compared("G64 P0.01\nG1 X10 F100\nX20\nM2\n", "G64 P0.02\nG1 X10 F100\nX20\nM2\n")), int(CourseDifference::Kind::corners));
+  EXPECT_EQ(kind_of(compared_as("G1 X10 F100\nX20\nM2\n", "nct", "G62 G1 X10 F100\nX20\nM2\n", "nct")), int(CourseDifference::Kind::corners));
+  EXPECT_TRUE(compared_as("G21 G90 G64 P0.01\nG1 X10 F100\nX20\nM2\n", "linuxcnc", "G21 G90\nG1 X10 F100\nX20\nM2\n", "nct").equal()) << "the NCT has no P";
+}
+
+TEST(Comparison, SwitchesAfterTheLastMotionCount) {
+  const std::string motion = "% LF\nN1 G90 F100 S500 M03 LF\nN2 G01 X10000 LF\n";
+  EXPECT_TRUE(compared_as(motion + "N3 M05 LF\nN4 M02 LF\n", "gost", motion + "N3 M05 M02 LF\n", "gost").equal());
+  const Comparison left_on = compared_as(motion + "N3 M05 LF\nN4 M02 LF\n", "gost", motion + "N3 M02 LF\n", "gost");
+  ASSERT_EQ(left_on.differences.size(), 1U) << told(left_on);
+  EXPECT_EQ(left_on.differences[0].kind, CourseDifference::Kind::spindle);
+  EXPECT_FALSE(compared_as(motion + "N3 M02 LF\n", "gost", motion + "N3 M08 LF\nN4 M02 LF\n", "gost").equal());
+  const std::string iso = "G21 G90 F10 S500 M3\nG1 X10\n";
+  EXPECT_TRUE(compared_as(motion + "N3 M02 LF\n", "gost", iso + "M2\n", "mach3").equal()) << "M2 of Mach3 stops the spindle";
+}
+
+TEST(Comparison, AFeedPerRevolutionIsOnePerMinuteAtItsSpeedByTheRules) {
+  const std::string by_turns = "G21 G90 G95 S500 M3\nG1 X10 F0.2\nS1000\nX20\nM2\n", by_time = "G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nF200 X20\nM2\n";
+  EXPECT_FALSE(compared(by_turns, by_time).equal());
+  CompareRules rules;
+  rules.feeds_at_speed = true;
+  const Comparison c = compare_sessions(session_of(by_turns), session_of(by_time), rules);
+  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_TRUE(c.feeds_at_speed);
+  EXPECT_FALSE(compare_sessions(session_of(by_turns), session_of("G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nX20\nM2\n"), rules).equal());
 }
 
 /// A way of random corners, and the same with points put in along its lines: equal. One corner moved: found, as far as it was moved.

@@ -10,7 +10,8 @@ CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / 'examples'
 SECONDS = 120
 # What `kadr convert` says of the proof, and how `kadr diff` is told the same.
-NOTES = {'messages': ('what the program shows to the operator is a comment there', '--no-messages'), 'tools': ('tools are changed by hand', '--tools-by-hand')}
+NOTES = {'messages': ('what the program shows to the operator is a comment there', '--no-messages'), 'tools': ('tools are changed by hand', '--tools-by-hand'),
+         'feeds': ('feed per revolution is written per minute', '--feeds-at-speed')}
 
 
 @dataclasses.dataclass
@@ -89,8 +90,14 @@ def all_of(work, jobs, threads=2):
         return list(pool.map(work, jobs))
 
 
-def diff(kadr, made, other=None, tolerance=0.001):
+def tolerance_of(*controls):
+    """mm: what `kadr convert` proves with, and its rounding: GOST writes Z in hundredths."""
+    return 0.0051 if 'gost' in controls else 0.001
+
+
+def diff(kadr, made, other=None, tolerance=None):
     """… against the source, by `kadr diff`."""
+    tolerance = tolerance or tolerance_of(made.control, made.to)
     return run(kadr, 'diff', made.file, other or made.out, '--control-a', made.control, '--control-b', made.to, '--tolerance', tolerance, '--setup-b', made.out_setup(), '--lang', 'en',
                *(['--setup-a', made.setup] if made.setup else []), *made.rules())
 

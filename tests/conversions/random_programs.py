@@ -13,6 +13,7 @@ class Dialect:
     lengths, work, sides, cycles, arcs_by_radius, planes, changes_tools, iso = 'H', ('G54', 'G55', 'G56'), True, True, True, True, True, True
     loop = sub = shift = None
     two_digits = False  # G01
+    exact = ('G61', 'G64'), None  # exact stops: a mode and its end, a code of the block
     absolute_centres = False
     dwell = staticmethod(lambda seconds: f'G4 P{plain(seconds)}')
 
@@ -42,6 +43,7 @@ class LinuxCnc(Dialect):
 
 class Fanuc(Dialect):
     sub, loop, shift, start = 'O', 'WHILE', 'G52', '%\nO0001'
+    exact = ('G61', 'G64'), 'G9'
 
     def length(self, _axis, mm):
         return with_point(mm)
@@ -61,12 +63,12 @@ class Nct(Fanuc):
 
 class Grbl(Dialect):
     start, lengths, sides, cycles, changes_tools, stop = None, None, False, False, False, 'M30'
-    shift = 'G92'
+    shift, exact = 'G92', (None, None)
 
 
 class S2c42(Dialect):
     start, end, number, stop, lengths, cycles, arcs_by_radius, planes, iso = '%7 ПС', ' ПС', 'N{} ', 'M2', 'D', False, False, False, False
-    sub, absolute_centres = 'L', True
+    sub, absolute_centres, exact = 'L', True, (None, 'G9')
     dwell = staticmethod(lambda seconds: f'G4 E{round(10 * seconds)}')
 
     def length(self, _axis, mm):
@@ -75,6 +77,7 @@ class S2c42(Dialect):
 
 class Gost(Dialect):
     start, end, number, stop, cycles, arcs_by_radius, planes, two_digits, iso = '%7 LF', ' LF', 'N{} ', 'M02', False, False, False, True, False
+    exact = None, 'G60'
     dwell = staticmethod(lambda seconds: f'G04 P{round(1000 * seconds)}')
 
     def length(self, axis, mm):
@@ -83,7 +86,7 @@ class Gost(Dialect):
 
 class Correctors(Dialect):
     start, end, number, stop, lengths, cycles, arcs_by_radius, planes, two_digits = '% LF', ' LF', 'N{:03} ', 'M02', None, False, False, False, True
-    work, sides, iso = (), False, False
+    work, sides, iso, exact = (), False, False, (None, None)
     dwell = None
 
     def length(self, _axis, mm):
@@ -187,6 +190,20 @@ class Program:
         axes = self.chance.sample('XYZ', self.chance.choice((1, 1, 2, 3)))
         words = self.to(**{axis: self.near() if axis != 'Z' else self.near(5, 30) for axis in sorted(axes)})
         self.say(self.motion(code), *words, self.feed_word() if code == 'G1' else '')
+
+    def exact_stops(self):
+        """A few lines that are stopped after, and one that is not."""
+        mode, block = self.of.exact
+        if not (mode or block):
+            return
+        by_mode = mode and (not block or self.chance.random() < 0.5)
+        if by_mode:
+            self.say(mode[0])
+        for _ in range(self.chance.choice((1, 2, 3))):
+            self.say('' if by_mode else block, self.motion('G1'), *self.to(X=self.near(), Y=self.near()), self.feed_word())
+        if by_mode:
+            self.say(mode[1])
+        self.say(self.motion('G1'), *self.to(Z=self.near(5, 30)), self.feed_word())
 
     def distance_mode(self):
         self.incremental = not self.incremental
@@ -357,12 +374,13 @@ class Program:
 
     def end(self):
         self.safe()
-        self.say('M5')
+        if self.chance.random() < 0.8:  # else the end of the program does it, or nobody
+            self.say('M5')
         self.say(self.of.stop)
 
     def text(self):
         pieces = [self.line] * 5 + [self.arc] * 3 + [self.distance_mode, self.dwell, self.switch, self.comment, self.change, self.work_zero, self.cycle, self.cycle,
-                                                     self.contour, self.subprogram, self.loop, self.shift]
+                                                     self.contour, self.subprogram, self.loop, self.shift, self.exact_stops, self.exact_stops]
         self.begin()
         for _ in range(self.chance.randrange(3, FEW)):
             self.chance.choice(pieces)()

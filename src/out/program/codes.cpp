@@ -2,6 +2,8 @@
 
 #include "out/program/codes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/tolerance.h"
@@ -14,6 +16,10 @@ std::string with_digits(const ControlDef& def, const CodeRow& row) {
   std::string code = row.code;
   if (point - 1 < least) code.insert(1, least - (point - 1), '0');
   return code;
+}
+
+std::string machine_code_text(const ControlDef& def, std::uint32_t code) {
+  return fmt::format("M{:0{}}", code, std::max<std::size_t>(def.grammar.word('M').code_digits, 1));
 }
 
 const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted) {

@@ -1,6 +1,7 @@
 #pragma once
 // Codes as one control writes them, looked up by what they do.
 
+#include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -17,6 +18,9 @@ using Wanted = std::pair<Function, int>;
 
 /// As many digits as the format prints (spec/gost 3: 3G2): G01.
 std::string with_digits(const ControlDef& def, const CodeRow& row);
+
+/// An M code by its number, with such digits.
+std::string machine_code_text(const ControlDef& def, std::uint32_t code);
 
 /// The row that does one of these; of several the first. nullptr: the control has none that works.
 const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted);
