@@ -141,14 +141,9 @@ double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits)
   for (std::size_t k = 0; k < stretch.cells.laws.size(); ++k) {
     const double h = stretch.cells.laws[k].length;
     double most = std::numeric_limits<double>::infinity();
-    std::vector<Place> places;
-    for (const double part : TimedPath::part) most = std::min(most, places.emplace_back(place(stretch, limits, k, part * h)).most);
-    for (std::size_t a = 0; a < path.axes; ++a)
-      for (const Place& at : places) {
-        path.x1.push_back(at.x1[a]);
-        path.x2.push_back(at.x2[a]);
-        path.x3.push_back(at.x3[a]);
-      }
+    for (const double part : LeastTime::place_parts) most = std::min(most, place(stretch, limits, k, part * h).most);
+    const auto shape = stretch.cells.path.begin() + static_cast<std::ptrdiff_t>(k * path.axes * TimedPath::terms);
+    path.shapes.insert(path.shapes.end(), shape, shape + static_cast<std::ptrdiff_t>(path.axes * TimedPath::terms));
     path.h.push_back(h);
     path.most.push_back(most);
     path.turns.push_back(0);

@@ -25,7 +25,7 @@ TimedPath line(double length, double speed, double acceleration, double jerk) {
     path.h.push_back(h);
     path.most.push_back(speed * speed);
     path.turns.push_back(0);
-    for (std::size_t p = 0; p < TimedPath::places; ++p) path.x1.push_back(1), path.x2.push_back(0), path.x3.push_back(0);
+    path.shapes.insert(path.shapes.end(), {s, 1, 0, 0, 0, 0});
     s += h;
   }
   return path;
@@ -87,7 +87,7 @@ TEST(LeastTime, WithoutALimitThatCanBeKeptThereIsNone) {
   LeastTime solver;
   EXPECT_FALSE(solver.solve(path, {}));
   path = line(10, 100, 1000, 20000);
-  path.x2[path.x2.size() / 2] = std::numeric_limits<double>::quiet_NaN();
+  path.shapes[path.shapes.size() / 2 + 2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(solver.solve(path, {}));
 }
 
@@ -97,7 +97,7 @@ TEST(LeastTime, GoesOnFromAnEarlierSolution) {
   LeastTime solver;
   ASSERT_TRUE(solver.solve(path, {}));
   const std::size_t from = path.cells() / 3;
-  LeastTime::Ends ends;
+  PathEnds ends;
   ends.from_stop = false;
   ends.from = solver.speeds()[from].start;
   ends.guess.assign(solver.middles().begin() + static_cast<std::ptrdiff_t>(from), solver.middles().end());
@@ -109,7 +109,7 @@ TEST(LeastTime, GoesOnFromAnEarlierSolution) {
     rest.h.push_back(path.h[k]);
     rest.most.push_back(path.most[k]);
     rest.turns.push_back(0);
-    for (std::size_t p = 0; p < TimedPath::places; ++p) rest.x1.push_back(1), rest.x2.push_back(0), rest.x3.push_back(0);
+    rest.shapes.insert(rest.shapes.end(), path.shape(k, 0), path.shape(k, 0) + TimedPath::terms);
   }
   const auto before = solver.speeds();
   ASSERT_TRUE(solver.solve(rest, ends));

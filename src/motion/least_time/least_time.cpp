@@ -113,7 +113,7 @@ bool LeastTime::goes_on_to_stop() {
   for (std::size_t k = 0; k < n_; ++k) pass(k, k > 0 && turns_behind(k - 1));
   way = std::numeric_limits<double>::infinity();
   for (std::size_t k = n_; k-- > 0;) pass(k, k + 1 == n_ || turns_behind(k));
-  double part = soonest();
+  double part = soonest_rise(*path_);
   for (int tries = 0; tries < most_tries; ++tries, part *= 0.7) {
     std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::infinity());
     for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
@@ -144,7 +144,7 @@ bool LeastTime::first_guess() {
   return false;
 }
 
-bool LeastTime::solve(const TimedPath& path, const Ends& ends, StopToken stop) {
+bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr double smaller = 0.2;      // μ, when its point is near
   constexpr double accurate = 5e-4;    // of the time: what μ may cost
   constexpr double near_enough = 0.3;  // of what μ may cost: what the next step promises
@@ -155,7 +155,7 @@ bool LeastTime::solve(const TimedPath& path, const Ends& ends, StopToken stop) {
   prepare();
   steps_ = 0;
   if (!first_guess()) return false;
-  const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(TimedPath::places * path.axes));
+  const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(places * path.axes));
   height_ = height(y_);
   double mu = height_.time / conditions;
   while (steps_++ < most_steps && !stop.asked()) {

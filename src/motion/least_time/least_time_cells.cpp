@@ -14,14 +14,14 @@ constexpr double most_of_slack = 0.95;  // that a step may use up
 constexpr double bend_of_time = 0.1;    // 0.75 in truth: far from the limits the steps are longer so, near them these bend more
 constexpr std::size_t group_size = 16;  // cells
 
-constexpr auto& part = TimedPath::part;
+constexpr auto& place_parts = LeastTime::place_parts;
 
-using AtPlaces = std::array<double, TimedPath::places>;
+using AtPlaces = std::array<double, LeastTime::places>;
 
 template <class Function>
 constexpr AtPlaces at_places_of(const Function& f) {
   AtPlaces values{};
-  for (std::size_t p = 0; p < values.size(); ++p) values[p] = f(part[p]);
+  for (std::size_t p = 0; p < values.size(); ++p) values[p] = f(place_parts[p]);
   return values;
 }
 
@@ -99,7 +99,8 @@ struct CellSpeed {
 template <class Lanes>
 struct Shape {
   Lanes x1, x2, x3;
-  KADR_LANES Shape(const TimedPath& path, std::size_t at) : x1(0.5 * Lanes(&path.x1[at])), x2(&path.x2[at]), x3(&path.x3[at]) {}
+  KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
+      : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
   /// Divided by √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
@@ -137,7 +138,7 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
     if (is_stop_cell(k)) continue;
     const CellSpeed<Lanes> speed(ordinates(k), path_->h[k]);
     for (const Moving& moving : moving_) {
-      const Shape<Lanes> x(*path_, at_places(k, moving));
+      const Shape<Lanes> x(x1_, x2_, x3_, at_places(k, moving));
       const Lanes a = moving.by_acceleration * x.acceleration(speed), j = moving.by_jerk * x.jerk(speed);
       const Lanes slack = 1 - a * a, jerk_slack = 1 - speed.b * (j * j);
       const double product = product_of(slack * jerk_slack);
@@ -174,7 +175,7 @@ KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   const Lanes root = root_of(speed.b), half = where_positive(speed.b, 0.5 / root, Lanes{});
   Sums<Lanes> sums;
   for (const Moving& moving : moving_) {
-    const Shape<Lanes> x(*path_, at_places(cell, moving));
+    const Shape<Lanes> x(x1_, x2_, x3_, at_places(cell, moving));
     const Lanes a = x.acceleration(speed), j = x.jerk(speed);
     sums.barrier(moving.by_acceleration * a, moving.by_acceleration, x.x2, x.x1);
     sums.barrier(moving.by_jerk * root * j, moving.by_jerk, root * x.x3 + half * j, root * (1.5 * x.x2), root * x.x1);
@@ -239,7 +240,7 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
   Sums<Lanes> sums;
   bool any = false;
   for (const Moving& moving : moving_) {
-    const Shape<Lanes> x(*path_, at_places(cell, moving));
+    const Shape<Lanes> x(x1_, x2_, x3_, at_places(cell, moving));
     const Lanes a = moving.by_acceleration * x.acceleration(speed), da = moving.by_acceleration * x.acceleration(step);
     const Lanes along = x.jerk(speed), j = moving.by_jerk * root * along;
     const Lanes dj = moving.by_jerk * (root * x.jerk(step) + half * along * step.b);

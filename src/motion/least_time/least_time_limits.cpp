@@ -9,17 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr double margin = 0.99, jerk_margin = 0.975;  // of the limits: between the places they are looked at they are a little exceeded
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double square(double x) { return x * x; }
-
 }  // namespace
-
-void TimedPath::clear() {
-  for (std::vector<double>* const all : {&h, &most, &x1, &x2, &x3}) all->clear();
-  turns.clear();
-}
 
 /// A cell beside a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle is a third of b₁.
 void LeastTime::number_variables() {
@@ -33,8 +25,8 @@ void LeastTime::number_variables() {
     const bool front = k == 0, back = k + 2 == n_ && ends_.to_stop;
     if (k + 1 < n_ && turns_behind(k)) scale_[k + 1] = scale_[k] * h[k + 1] / h[k];
     else if (!front && !back) ++count;
-    if (front && !turns_behind(k)) scale_[0] = 1.0 / 3 / (1 + 2.0 / 3 * h[1] / h[0]);
-    if (back && !turns_behind(k)) scale_[n_ - 1] = scale_[k] / 3 / (1 + 2.0 / 3 * h[n_ - 2] / h[n_ - 1]);
+    if (front && !turns_behind(k)) scale_[0] = share_beside_stop(h[0], h[1]);
+    if (back && !turns_behind(k)) scale_[n_ - 1] = scale_[k] * share_beside_stop(h[n_ - 1], h[n_ - 2]);
   }
   variables_ = variable_[n_ - 1] + 1;
 }
@@ -48,6 +40,7 @@ void LeastTime::prepare() {
   for (std::vector<double>* const all : {&y_, &trial_}) all->assign(variables_, 0);
   step_.assign(variables_ + beyond, 0);
   find_mixes();
+  find_places();
   find_moving();
   cap_.assign(variables_, infinite);
   // b in a cell lies between its middle and those of its neighbours, so a middle obeys the neighbours' limits too
@@ -91,75 +84,28 @@ void LeastTime::find_moving() {
     bool moves = false;
     for (std::size_t k = 0; k < n_; ++k)
       for (std::size_t i = (k * path.axes + a) * places, end = i + places; i < end; ++i)
-        moves = moves || path.x1[i] != 0 || path.x2[i] != 0;
-    if (moves) moving_.push_back({a, 1 / (margin * path.acceleration[a]), 1 / (jerk_margin * path.jerk[a])});
+        moves = moves || x1_[i] != 0 || x2_[i] != 0;
+    if (moves) moving_.push_back({a, 1 / (margins_.acceleration * path.acceleration[a]), 1 / (margins_.jerk * path.jerk[a])});
   }
 }
 
-/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². What
-/// that comes to as a limit of its variable: its middle is a third of b₁.
 void LeastTime::keep_stop(std::size_t cell) {
-  const TimedPath& path = *path_;
-  const double h = path.h[cell], ahead = cell == 0 ? 1 : -1;  // the stop is before it, or after
-  double most = infinite;                                     // of b₁
-  for (std::size_t a = 0; a < path.axes; ++a)
-    for (std::size_t p = 0; p < places; ++p) {
-      const std::size_t i = (cell * path.axes + a) * places + p;
-      const double part = cell == 0 ? TimedPath::part[p] : 1 - TimedPath::part[p];
-      const double jerk = 2.0 / 9 * path.x1[i] / (h * h) + ahead * 2 * path.x2[i] * part / h + path.x3[i] * square(part);
-      const double acceleration = ahead * 2.0 / 3 * path.x1[i] / h * std::cbrt(part) + path.x2[i] * part * std::cbrt(part);
-      if (jerk != 0) most = std::min(most, std::cbrt(square(jerk_margin * path.jerk[a] / jerk)));
-      if (acceleration != 0) most = std::min(most, margin * path.acceleration[a] / std::fabs(acceleration));
-    }
   double& cap = cap_[variable_[cell]];
-  cap = std::min(cap, most / (3 * scale_[cell]));
+  cap = std::min(cap, most_beside_stop(*path_, cell, cell == 0, margins_) / scale_[cell]);
 }
 
-/// What a cell allows by itself, ṡ².
-double LeastTime::alone(const TimedPath& path, std::size_t cell) {
-  constexpr double none = 1e-12;  // a derivative of this size limits nothing
-  double most = path.most[cell];
-  for (std::size_t a = 0; a < path.axes; ++a)
-    for (std::size_t i = (cell * path.axes + a) * places, end = i + places; i < end; ++i) {
-      most = std::min(most, path.acceleration[a] / std::max(std::fabs(path.x2[i]), none));
-      most = std::min(most, std::cbrt(square(path.jerk[a] / std::max(std::fabs(path.x3[i]), none))));
-    }
-  return most;
+void LeastTime::find_places() {
+  const TimedPath& path = *path_;
+  for (std::vector<double>* const all : {&x1_, &x2_, &x3_}) all->resize(n_ * path.axes * places);
+  for (std::size_t k = 0, i = 0; k < n_; ++k)
+    for (std::size_t a = 0; a < path.axes; ++a)
+      for (const double place : place_parts) {
+        const Derivatives x = Derivatives::at(path.shape(k, a), place * path.h[k]);
+        x1_[i] = x.x1, x2_[i] = x.x2, x3_[i] = x.x3;
+        ++i;
+      }
 }
 
-double LeastTime::slowest(const TimedPath& path) {
-  double least = infinite;
-  for (std::size_t k = 0; k < path.cells(); ++k) least = std::min(least, alone(path, k));
-  return least;
-}
-
-/// d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3).
-double LeastTime::soonest() const {
-  double least = infinite;
-  for (std::size_t a = 0; a < path_->axes; ++a) least = std::min(least, 2.12 * std::sqrt(path_->jerk[a]));
-  return least;
-}
-
-/// About how fast the path may be passed, into m_: by what each cell allows by itself, and by how soon jerk lets it get there.
-void LeastTime::find_envelope() {
-  const double soonest = this->soonest();
-  double reached = 0;  // b^(3/4)
-  for (std::size_t k = 0; k < n_; ++k) {
-    const double most = alone(*path_, k);
-    reached = k > 0 && turns_behind(k - 1) ? 0 : reached;
-    reached = std::min(std::pow(most, 0.75), reached + soonest * path_->h[k]);
-    m_[k] = reached;
-  }
-  reached = ends_.to_stop ? 0 : m_[n_ - 1];
-  for (std::size_t k = n_; k-- > 0;) {
-    if (turns_behind(k)) reached = 0;
-    m_[k] = reached = std::min(m_[k], reached + soonest * path_->h[k]);
-  }
-  constexpr int rounds = 8;
-  for (int round = 0; round < rounds; ++round)  // its corners are rounded
-    for (std::size_t k = 1; k + 1 < n_; ++k)
-      if (!turns_behind(k) && !turns_behind(k - 1)) m_[k] = (m_[k - 1] + 2 * m_[k] + m_[k + 1]) / 4;
-  for (double& m : m_) m = std::pow(m, 4.0 / 3);
-}
+void LeastTime::find_envelope() { kadr::find_envelope(*path_, ends_, m_); }
 
 }  // namespace kadr

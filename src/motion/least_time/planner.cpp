@@ -22,7 +22,7 @@ constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell all
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
 constexpr double gentle = 0.1;      // |Δu| of corners that are like those of a curve
-constexpr double longest_s = 0.01;  // of a cell, at the commanded speed
+constexpr double longest_s = 0.014;  // of a cell, at the commanded speed
 constexpr double fastest = 1e12;    // mm²/s²: no limit of ṡ², in numbers that can be calculated with
 
 double square(double x) { return x * x; }
@@ -52,7 +52,6 @@ void Planner::begin(const double* at) {
   now_.way.clear();
   now_.path.begin(at);
   now_.cells.clear();
-  now_.shapes.clear();
   now_.sources.clear();
   now_.cut = 0;
   now_.has_knot = false;
@@ -146,22 +145,37 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
   const auto rest = [&](std::size_t vertex) { return ramp_part(now_.path.room(vertex)); };
   size = std::min(size, rest(0) + growth * s);
   if (last) size = std::min(size, rest(now_.path.pieces()) + growth * (now_.path.ends() - s));
+  const SmoothPath& path = now_.path;
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
-    const double w = now_.path.width(i), away = std::fabs(s - now_.path.at(i));
-    if (now_.path.turns_back(i)) size = std::min(size, rest(i) + growth * away);
+    const double w = path.width(i), away = std::fabs(s - path.at(i));
+    if (path.turns_back(i)) size = std::min(size, rest(i) + growth * away);
     else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
-    if (w > 0)
-      size = std::min(
-          size, w * (now_.path.on_curve(i) || now_.path.turn(i) < gentle ? curve_part : corner_part) + growth * std::max(0.0, away - w));
+    if (w > 0 && !path.is_chained(i))
+      size = std::min(size, w * (path.on_curve(i) || path.turn(i) < gentle ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
-  for (std::size_t i = piece + 1; i-- > 1 && s - now_.path.at(i) < reach;) take(i);
-  for (std::size_t i = piece + 1; i < now_.path.pieces() && now_.path.at(i) - s < reach; ++i) take(i);
-  return size;
+  const std::vector<std::size_t>& marks = path.marks();
+  auto mark = std::lower_bound(marks.begin(), marks.end(), s - reach, [&](std::size_t i, double from) { return path.at(i) < from; });
+  for (; mark != marks.end() && path.at(*mark) < s + reach; ++mark) take(*mark);
+  return std::min(size, size_in_chain(s, piece, reach));
+}
+
+/// Of a cell among the chain's corners.
+double Planner::size_in_chain(double s, std::size_t piece, double reach) const {
+  constexpr double part = 1;  // of the width
+  const SmoothPath& path = now_.path;
+  double away = reach;
+  for (std::size_t i = piece + 1; i-- > 1 && s - path.at(i) < away;)
+    if (path.is_chained(i)) away = s - path.at(i);
+  for (std::size_t i = piece + 1; i < path.pieces() && path.at(i) - s < away; ++i)
+    if (path.is_chained(i)) away = path.at(i) - s;
+  if (away >= reach) return reach;
+  const double w = path.width_at(s, piece).w;
+  return part * w + growth * std::max(0.0, away - w);
 }
 
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
-bool Planner::is_even(double h) const {
+bool Planner::is_even(double h) {
   constexpr double uneven = 0.02;        // of the curvature
   constexpr double unimportant = 0.008;  // of the acceleration that the axis may have
   Memory::Knot middle, end;
@@ -178,7 +192,7 @@ bool Planner::is_even(double h) const {
   return off <= uneven * most;
 }
 
-double Planner::next_size(bool last) const {
+double Planner::next_size(bool last) {
   constexpr double wide = 0.2;
   double size = size_at(now_.cut, now_.piece, last, wide);
   const double least = size_at(now_.cut, now_.piece, last, corner_part);
@@ -191,29 +205,47 @@ void Planner::set_knot(double s, std::size_t piece) {
 }
 
 /// Of the roundings that reach into a cell the tightest one.
-Bend Planner::bend_at(double from, double to) const {
+Bend Planner::bend_at(double to, std::size_t end_piece) const {
+  const SmoothPath& path = now_.path;
+  const double from = now_.cut, chain_before = path.width_at(from, now_.piece).w, chain_behind = path.width_at(to, end_piece).w;
   Bend bend = Bend::none;
   double tightest = 0;
-  const auto take = [&](std::size_t i) {
-    const double w = now_.path.width(i);
-    if (w <= 0 || now_.path.at(i) - w >= to || now_.path.at(i) + w <= from || now_.path.turn(i) <= tightest * w) return;
-    tightest = now_.path.turn(i) / w;
-    bend = now_.path.on_curve(i) ? Bend::curve : Bend::corner;
+  const auto take = [&](std::size_t i, double chain) {
+    const double w = path.is_chained(i) ? chain : path.width(i);
+    if (w <= 0 || path.at(i) - w >= to || path.at(i) + w <= from || path.turn(i) <= tightest * w) return;
+    tightest = path.turn(i) / w;
+    bend = path.on_curve(i) ? Bend::curve : Bend::corner;
   };
-  for (std::size_t i = now_.piece + 1; i-- > 1 && from - now_.path.at(i) < SmoothPath::widest;) take(i);
-  for (std::size_t i = now_.piece + 1; i < now_.path.pieces() && now_.path.at(i) - to < SmoothPath::widest; ++i) take(i);
+  for (std::size_t i = now_.piece + 1; i-- > 1 && from - path.at(i) < SmoothPath::widest;) take(i, chain_before);
+  for (std::size_t i = now_.piece + 1; i < path.pieces() && path.at(i) - to < SmoothPath::widest; ++i) take(i, chain_behind);
   return bend;
 }
 
-/// How far the last cell, begun in a piece, is beyond the tolerance of the path, in its middle and at its end, the knot.
-double Planner::beyond(double from, double h, std::size_t piece) const {
-  if (now_.sources.back().bend == Bend::none) return 0;
-  std::array<double, max_axes> middle{};
-  const double half = h / 2, *c = now_.shapes.data() + now_.shapes.size() - now_.cells.axes * TimedCells::terms;
-  for (std::size_t a = 0; a < now_.cells.axes; ++a, c += TimedCells::terms)
-    middle[a] = c[0] + half * (c[1] + half * (c[2] + half * (c[3] + half * (c[4] + half * c[5]))));
-  return std::max(now_.path.beyond(from + half, now_.path.piece_at(from + half, piece), middle.data()),
-                  now_.path.beyond(from + h, now_.piece, now_.knot.x.data()));
+/// How far a cell with these polynomials, from the knot on, is beyond the tolerance of the path, as a share of it: at vertices, halfway
+/// between, and in more places if it has few pieces.
+double Planner::beyond(const double* c, double to, std::size_t last_piece) const {
+  constexpr double dense = 12;  // places in a cell within one piece
+  const SmoothPath& path = now_.path;
+  double most = 0;
+  const auto look = [&](double s, std::size_t piece) {
+    const double z = s - now_.cut;
+    std::array<double, max_axes> x{};
+    double squares = 0;
+    for (std::size_t a = 0; a < now_.cells.axes; ++a) {
+      const double* const q = c + a * TimedPath::terms;
+      x[a] = q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * (q[4] + z * q[5]))));
+      squares += square(x[a] - path.point(piece)[a] - (s - path.at(piece)) * path.direction(piece)[a]);
+    }
+    const double tolerance = std::max(path.tolerance(piece), path.tolerance(piece + 1));
+    if (squares > square(tolerance)) most = std::max(most, path.beyond(s, piece, x.data()));
+  };
+  for (std::size_t i = now_.piece; i <= last_piece; ++i) {
+    const double from = std::max(now_.cut, path.at(i)), until = std::min(to, path.at(i + 1));
+    const double places = std::clamp(std::ceil(dense * (until - from) / (to - now_.cut)), 2.0, dense);
+    for (double k = 0; k < places; ++k) look(from + (until - from) * k / places, i);
+  }
+  look(to, last_piece);
+  return most;
 }
 
 /// The lowest feed of the pieces from where the last cell ends; where it changes with the path, the lowest in places of the cell.
@@ -241,42 +273,55 @@ double Planner::feed_between(double from, double to) const {
   return feed;
 }
 
-void Planner::add_cell(double from, double to, bool turns) {
-  const std::size_t axes = now_.cells.axes, shape = now_.shapes.size();
-  const double h = to - from;
-  const Memory::Knot start = now_.knot;
-  const double feed = feed_between(from, to);
-  now_.sources.push_back({now_.path.tag(now_.piece), feed, bend_at(from, to)});
-  const std::size_t begun = now_.piece, next = now_.path.piece_at(to, now_.piece);
-  set_knot(to, turns ? next - 1 : next);
-  now_.piece = next;
-  now_.shapes.resize(shape + axes * TimedCells::terms);
-  const bool straight = now_.sources.back().bend == Bend::none;
-  for (std::size_t a = 0; a < axes; ++a) {
-    double* const c = now_.shapes.data() + shape + a * TimedCells::terms;
-    if (straight) c[0] = start.x[a], c[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
-    else quintic({start.x[a], start.x1[a], start.x2[a]}, {now_.knot.x[a], now_.knot.x1[a], now_.knot.x2[a]}, h, c);
+/// The polynomials of a cell from the knot to a length, and the knot there.
+///   returns  how far it is beyond the tolerance
+double Planner::draw_cell(double to, std::size_t end_piece, double* c, Memory::Knot& end) {
+  const bool straight = bend_at(to, end_piece) == Bend::none;
+  now_.path.evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
+  const Memory::Knot& start = now_.knot;
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) {
+    double* const of_axis = c + a * TimedPath::terms;
+    std::fill(of_axis, of_axis + TimedPath::terms, 0);
+    if (straight) of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+    else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - now_.cut, of_axis);
   }
-  now_.sources.back().beyond = beyond(from, h, begun);
+  return straight ? 0 : beyond(c, to, end_piece);
+}
+
+/// A cell from the knot on, of this size or, where that leaves the tolerance, a smaller one.
+///   returns  where it ends
+double Planner::add_cell(double to, double least, bool turns) {
+  constexpr double smaller = 0.6;
+  double* const c = now_.cells.add_shapes();
+  const double from = now_.cut;
+  Memory::Knot end;
+  std::size_t next = now_.path.piece_at(to, now_.piece);
+  double beyond = draw_cell(to, turns ? next - 1 : next, c, end);
+  for (double size = smaller * (to - from); beyond > 0 && size > least; size *= smaller) {
+    turns = false;
+    to = from + size;
+    next = now_.path.piece_at(to, now_.piece);
+    beyond = draw_cell(to, next, c, end);
+  }
+  const double h = to - from, feed = feed_between(from, to);
+  now_.sources.push_back({now_.path.tag(now_.piece), feed, bend_at(to, next)});
+  now_.sources.back().beyond = beyond;
+  now_.piece = next;
+  now_.knot = end;
   double most = fastest;
-  std::array<double, TimedPath::places> squares{};
-  for (std::size_t a = 0; a < axes; ++a) {
-    const double* const c = now_.shapes.data() + shape + a * TimedCells::terms;
-    for (std::size_t p = 0; p < TimedPath::places; ++p) {
-      const double s = TimedPath::part[p] * h;
-      const double x1 = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));
-      now_.cells.x1.push_back(x1);
-      now_.cells.x2.push_back(2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])));
-      now_.cells.x3.push_back(6 * c[3] + s * (24 * c[4] + s * 60 * c[5]));
+  std::array<double, LeastTime::places> squares{};
+  for (std::size_t a = 0; a < now_.cells.axes; ++a)
+    for (std::size_t p = 0; p < squares.size(); ++p) {
+      const double x1 = Derivatives::at(c + a * TimedPath::terms, LeastTime::place_parts[p] * h).x1;
       if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
       squares[p] += square(x1);
     }
-  }
   for (const double way : squares) most = std::min(most, square(feed) / way);
   now_.cells.h.push_back(h);
   now_.cells.most.push_back(most);
   now_.cells.turns.push_back(turns ? 1 : 0);
   if (turns) set_knot(to, next);
+  return to;
 }
 
 void Planner::cut_cells(bool last) {
@@ -291,14 +336,13 @@ void Planner::cut_cells(bool last) {
     const bool at_end = (known || last) && now_.cut + rest * size >= end;
     const double to = at_end ? end : now_.cut + size;
     if (to > settled) break;
-    add_cell(now_.cut, to, at_end && known);
-    now_.cut = to;
+    now_.cut = add_cell(to, size_at(now_.cut, now_.piece, last, corner_part) / 4, at_end && known);
   }
 }
 
 /// How many cells of a solution that ends crawling are as they will be: up to the last speed that the end has not lowered.
 std::size_t Planner::sure_cells() const {
-  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
+  const std::vector<CellSpeeds>& speeds = timer_.speeds();
   std::size_t cell = now_.cells.cells();
   while (cell > 1 && speeds[cell - 1].start.b >= speeds[cell - 1].end.b) --cell;
   return cell;
@@ -306,12 +350,12 @@ std::size_t Planner::sure_cells() const {
 
 void Planner::solve(bool last) {
   now_.ends.to_stop = last;
-  now_.ends.crawl = crawl_of_slowest * least_.slowest(now_.cells);
-  bool found = now_.cells.cells() >= least_cells && least_.solve(now_.cells, now_.ends, stop_);
+  now_.ends.crawl = crawl_of_slowest * slowest_alone(now_.cells);
+  bool found = timer_.solve(now_.cells, now_.ends, stop_);
   constexpr double as_slow = 2, a_little = 1e-6;  // the earlier solution's crawl does, where the new cells are hardly slower than its own
   if (const auto& known = now_.ends.guess; !found && !halted() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
-    found = now_.cells.cells() >= least_cells && least_.solve(now_.cells, now_.ends, stop_);
+    found = timer_.solve(now_.cells, now_.ends, stop_);
   }
   if (halted()) return;
   if (!found && stop_where_known()) return last || now_.cells.cells() >= least_window ? solve(last) : void();

@@ -3,7 +3,7 @@
 // tolerances allow (mode `optimal` of a machine profile; the controls of old had nothing like it). Constant memory: it plans a
 // window of the path, hands out what later pieces cannot change any more, and goes on from there.
 //
-//   pieces ─path/smooth/smooth_path─▶ smooth curve ─cells─▶ motion/least_time/least_time ─▶ TimedCells
+//   pieces ─path/smooth/smooth_path─▶ smooth curve ─cells─▶ motion/least_time/path_timer ─▶ TimedCells
 //
 // Ahead of what is handed out: at most the way to stop, plus some hundred pieces.
 
@@ -14,7 +14,7 @@
 
 #include "action/action.h"
 #include "base/stop.h"
-#include "motion/least_time/least_time.h"
+#include "motion/least_time/path_timer.h"
 #include "motion/least_time/rest_to_rest.h"
 #include "motion/least_time/timed_cells.h"
 #include "path/smooth/smooth_path.h"
@@ -69,6 +69,9 @@ class Planner {
   /// Stretches for which no speed was found, planned cell by cell with a stop after each (TimedCells::unsolved).
   std::size_t failures() const { return now_.failures; }
 
+  /// What finding the speed took.
+  const PathTimer::Work& work() const { return timer_.work(); }
+
   /// What it remembers from piece to piece: the window of the path that is not handed out yet.
   struct Memory {
     explicit Memory(std::size_t axes) : path(axes) {}
@@ -79,7 +82,6 @@ class Planner {
     double fresh_s = 0;       // s of them, at the commanded feeds
     // cells not yet handed out
     TimedPath cells;
-    std::vector<double> shapes;  // their polynomials
     std::vector<CellSource> sources;
     struct Knot {
       std::array<double, max_axes> x{}, x1{}, x2{};
@@ -87,7 +89,7 @@ class Planner {
     bool has_knot = false;
     double cut = 0;         // length at the last knot
     std::size_t piece = 0;  // that holds it
-    LeastTime::Ends ends;
+    PathEnds ends;
     std::size_t failures = 0;
     PlanEnd ended = PlanEnd::none;
     Refused refused;
@@ -102,13 +104,15 @@ class Planner {
   void cut_cells(bool last);
   double ramp_s(double speed) const;
   double size_at(double s, std::size_t piece, bool last, double curve_part) const;
-  bool is_even(double h) const;
+  double size_in_chain(double s, std::size_t piece, double reach) const;
+  bool is_even(double h);
   bool feed_changes(std::size_t vertex) const;
   double room_at_feed_change(std::size_t vertex) const;
-  double next_size(bool last) const;
-  Bend bend_at(double from, double to) const;
+  double next_size(bool last);
+  Bend bend_at(double to, std::size_t end_piece) const;
   double feed_between(double from, double to) const;
-  void add_cell(double from, double to, bool turns);
+  double draw_cell(double to, std::size_t end_piece, double* c, Memory::Knot& end);
+  double add_cell(double to, double least, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);
   void hand_out(std::size_t cells, bool stops = false);
@@ -119,14 +123,14 @@ class Planner {
   double standing_s(double from, double to) const;
   void hand_on(double from, double to);
   double way_of_cells() const;
-  double beyond(double from, double h, std::size_t piece) const;
+  double beyond(const double* c, double to, std::size_t last_piece) const;
   LineLimits limits_along(const double* way, double feed) const;
   std::size_t sure_cells() const;
 
   MotionLimits limits_;
   Sink sink_;
   Memory now_;
-  LeastTime least_;
+  PathTimer timer_;
   TimedCells out_;
   StopToken stop_;
   double plan_each_ = 0;  // s; 0: by pieces alone

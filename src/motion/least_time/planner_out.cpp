@@ -70,7 +70,7 @@ void Planner::hand_on(double from, double to) {
 /// The first cells go out; the path begins anew after them, from a stop if they end with one.
 void Planner::hand_out(std::size_t count, bool stops) {
   const std::size_t axes = now_.cells.axes, all = now_.cells.cells();
-  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
+  const std::vector<CellSpeeds>& speeds = timer_.speeds();
   out_.clear();
   for (std::size_t k = 0; k < count; ++k) {
     const PathSpeed from = speeds[k].start, to = speeds[k].end;
@@ -80,7 +80,7 @@ void Planner::hand_out(std::size_t count, bool stops) {
       out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
     else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
   }
-  out_.path.assign(now_.shapes.begin(), now_.shapes.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
+  out_.path.assign(now_.cells.shapes.begin(), now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
   out_.sources.assign(now_.sources.begin(), now_.sources.begin() + static_cast<std::ptrdiff_t>(count));
   const double from = now_.cut - way_of_cells();
   hand_on(from, from + std::accumulate(now_.cells.h.begin(), now_.cells.h.begin() + static_cast<std::ptrdiff_t>(count), 0.0));
@@ -90,15 +90,10 @@ void Planner::hand_out(std::size_t count, bool stops) {
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   now_.ends.guess.clear();
   if (!stops)
-    now_.ends.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
-                           least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
+    now_.ends.guess.assign(timer_.middles().begin() + static_cast<std::ptrdiff_t>(count),
+                           timer_.middles().begin() + static_cast<std::ptrdiff_t>(all));
   cut(now_.sources, count);
-  cut(now_.cells.h, count);
-  cut(now_.cells.most, count);
-  cut(now_.cells.turns, count);
-  for (std::vector<double>* const of_places : {&now_.cells.x1, &now_.cells.x2, &now_.cells.x3})
-    cut(*of_places, count * TimedPath::places * axes);
-  cut(now_.shapes, count * axes * TimedCells::terms);
+  now_.cells.forget(count);
   const std::size_t before = now_.path.pieces();
   now_.path.forget(now_.cut - way_of_cells());
   now_.piece -= before - now_.path.pieces();
@@ -109,20 +104,9 @@ void Planner::hand_out(std::size_t count, bool stops) {
 bool Planner::stop_where_known() {
   const std::size_t known = now_.ends.guess.size();
   if (now_.ends.from_stop || known < least_cells || known >= now_.cells.cells()) return false;
-  TimedPath first{now_.cells.axes, now_.cells.acceleration, now_.cells.jerk, {}, {}, {}, {}, {}, {}};
-  const auto take = [](const auto& from, auto& to, std::size_t count) {
-    to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
-  };
-  const std::size_t row = TimedPath::places * now_.cells.axes;
-  take(now_.cells.h, first.h, known);
-  take(now_.cells.most, first.most, known);
-  take(now_.cells.turns, first.turns, known);
-  take(now_.cells.x1, first.x1, known * row);
-  take(now_.cells.x2, first.x2, known * row);
-  take(now_.cells.x3, first.x3, known * row);
-  LeastTime::Ends ends = now_.ends;
+  PathEnds ends = now_.ends;
   ends.to_stop = true;
-  if (!least_.solve(first, ends, stop_)) return false;
+  if (!timer_.solve(now_.cells.first(known), ends, stop_)) return false;
   hand_out(known, true);
   return true;
 }
@@ -138,7 +122,7 @@ void Planner::cell_by_cell() {
         axes,
         {},
         {},
-        {now_.shapes.begin() + static_cast<std::ptrdiff_t>(k * row), now_.shapes.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
+        {now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>(k * row), now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
     cell.position(0, 0, from.data());
     cell.position(0, now_.cells.h[k], to.data());
     double squares = 0;
@@ -157,7 +141,6 @@ void Planner::cell_by_cell() {
   out_.unsolved = true;
   hand_on(now_.cut - way_of_cells(), now_.cut);
   now_.cells.clear();
-  now_.shapes.clear();
   now_.sources.clear();
   now_.ends = {};
 }

@@ -1,21 +1,26 @@
 #pragma once
-// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). Roundings of
-// neighbouring corners may overlap: their ways add up, so that a chain of short pieces becomes one smooth curve. A window of a longer
-// path: pieces come in at the end, what is done with is forgotten.
+// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance, so that a chain of short pieces becomes
+// one smooth curve. A window of a longer path: pieces come in at the end, what is done with is forgotten.
+//
+//   gentle corners   all together, as wide as the place asks for (path/smooth/chain_sums, slow_width): work per piece does not depend on how
+//                    many are felt at a place
+//   sharp corners,   each as wide as its own tolerance and its neighbours allow (path/smooth/soft_corner); where several are felt, their ways
+//   near an end      add up. Ends: where the axes stand for an instant; a rounding does not reach over them
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "base/stop.h"
+#include "path/smooth/chain_sums.h"
+#include "path/smooth/slow_width.h"
+#include "path/smooth/soft_corner.h"
 
 namespace kadr {
 
-class SoftCorner;
-
 class SmoothPath {
  public:
-  explicit SmoothPath(std::size_t axes) : axes_(axes) {}
+  explicit SmoothPath(std::size_t axes) : axes_(axes), sums_(axes) {}
   std::size_t axes() const { return axes_; }
 
   /// Empty: it begins here, with length 0.
@@ -51,7 +56,17 @@ class SmoothPath {
   /// nearer: mm, exact below `widest`. Of vertices that are settled.
   double room(std::size_t vertex) const { return room_[vertex]; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
+  /// Rounded together with its neighbours, as wide as width_at() says.
+  bool is_chained(std::size_t vertex) const { return is_chained_[vertex] != 0; }
+  /// Of the chain's corners, at a length.
+  WidthAt width_at(double s, std::size_t piece) const { return slow_.at(squeezed(s, piece)); }
+  /// How far its rounding is felt at a length, to either side.
+  double felt(std::size_t vertex, double s, std::size_t piece) const { return is_chained(vertex) ? width_at(s, piece).w : width_[vertex]; }
+  /// Vertices, in their order, that are rounded by themselves, where it turns back, and where the feed changes.
+  const std::vector<std::size_t>& marks() const { return marks_; }
   double feed(std::size_t piece) const { return feed_[piece]; }
+  double tolerance(std::size_t vertex) const { return tolerance_[vertex]; }
+  const double* point(std::size_t vertex) const { return point_.data() + vertex * axes_; }
   /// A unit vector.
   const double* direction(std::size_t piece) const { return direction_.data() + piece * axes_; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
@@ -61,7 +76,7 @@ class SmoothPath {
   bool is_one_line() const;
 
   /// Position and its first two derivatives by the length, of each axis. `piece`: that holds s.
-  void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const;
+  void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
   /// The feed goes over into that of the next piece as the corner between them is rounded.
   bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
@@ -72,16 +87,38 @@ class SmoothPath {
   /// 0: not at all.
   double beyond(double s, std::size_t piece, const double* x) const;
 
-  static constexpr double widest = 2;  // mm: a rounding to either side; wider ones cost work and gain little below 12 m/min
+  static constexpr double widest = SoftCorner::widest;
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // |Δu|
-  double width_on_curve(std::size_t vertex) const;
+  static constexpr double squeezed_to = 40;  // mm: a piece, for what is known along it
+  double squeezed(double s, std::size_t piece) const;
+  ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
+  void find_ends(std::size_t first, bool last);
+  bool makes_chain(std::size_t i) const;
+  void tell_kinds(std::size_t first);
+  void round_single_ones(std::size_t first, const StopToken& stop);
+  double width_alone(std::size_t vertex) const;
   double moved(double s, std::size_t around) const;
   double moved_beside(std::size_t vertex, int side) const;
   bool overlaps(std::size_t vertex) const;
-  void look_at_roundings();
+  double share_alone(std::size_t vertex) const;
+  void look_at_roundings(std::size_t first);
   bool shrink(std::size_t first, std::size_t end);
+  void round_chain(bool last, const StopToken& stop);
+  void add_single_ways(double s, std::size_t around, double* x) const;
+  double square_moved(double s, std::size_t around, double width);
+  double square_beside(std::size_t vertex, double width, double most);
+  double widest_in_chain(std::size_t vertex, double width);
+  void open_widths();
+  struct Looks {  // of a piece
+    double felt, step;  // how far from its ends, how dense, mm
+  };
+  Looks looks(std::size_t piece, double tolerance) const;
+  double farthest(std::size_t piece);
+  bool narrow(double known);
+  void narrow_at(std::size_t piece, double over);
+  double tolerance_at(double s, std::size_t piece) const;
   double squared_way_to(std::size_t piece, const double* x) const;
   template <class Take>
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
@@ -91,22 +128,35 @@ class SmoothPath {
   std::vector<double> bend_;       // Δu of each vertex; of the ends 0
   std::vector<double> turn_;       // its length
   std::vector<double> at_;         // length at each vertex
+  std::vector<double> squeezed_;   // the same, but no piece longer than squeezed_to
   std::vector<double> width_;      // of its rounding
+  std::vector<double> in_chain_;   // its own limit of the chain's width; 0: not found yet
   std::vector<double> tolerance_;  // of each vertex
   std::vector<double> room_;       // of each vertex; where the axes do not stand of no meaning
   std::vector<double> direction_;  // of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
-  std::vector<char> on_curve_, paced_;  // of each vertex
-  struct Rounding {                     // of a vertex
-    double inverse = 0;                 // of its width
+  std::vector<char> on_curve_, paced_, is_chained_;  // of each vertex
+  struct Rounding {                                  // of a vertex
+    double inverse = 0;                              // of its width
     const SoftCorner* shape = nullptr;
   };
   std::vector<Rounding> roundings_;  // while it settles, of all vertices
   std::vector<double> factor_;       // likewise
-  double reach_ = 0;                 // the widest rounding
-  std::size_t done_ = 0;             // vertices before are settled
+  std::vector<std::size_t> marks_;
+  ChainSums sums_;
+  SlowWidth slow_;
+  double last_width_ = widest;  // that was found in the chain
+  double reach_ = 0;            // the widest rounding by itself
+  std::size_t done_ = 0;        // vertices before are settled
   double settled_ = 0;
 };
+
+/// The inner vertices within `reach` of s; `around`: the piece that holds it.
+template <class Take>
+void SmoothPath::corners_near(double s, std::size_t around, double reach, const Take& take) const {
+  for (std::size_t i = around + 1; i-- > 1 && s - at_[i] < reach;) take(i);
+  for (std::size_t i = around + 1; i + 1 < at_.size() && at_[i] - s < reach; ++i) take(i);
+}
 
 }  // namespace kadr

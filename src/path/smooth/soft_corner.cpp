@@ -16,8 +16,7 @@ double start(double t) { return t <= 1 ? -t * t * t / 6 : -t * t * t / 6 + (t - 
 double start_speed(double t) { return t <= 1 ? -t * t / 2 : -t * t / 2 + (t - 1) * (t - 1); }
 double start_acceleration(double t) { return t <= 1 ? -t : t - 2; }
 
-/// Where start() is as far on the one side as it was on the other: start(equal) = −start(2 + √2).
-constexpr double equal = 5.3558125;
+constexpr double equal = SoftCorner::equal_swings;
 
 /// The pulse of a gentle corner at r, up to a factor.
 double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }

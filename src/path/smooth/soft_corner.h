@@ -18,6 +18,10 @@ namespace kadr {
 
 class SoftCorner {
  public:
+  static constexpr double widest = 2;  // mm: a rounding to either side; wider ones cost work and gain little below 12 m/min
+  /// Where the start of an axis that swings back first is as far on the one side as it was on the other: start(equal) = −start(2 + √2).
+  static constexpr double equal_swings = 5.3558125;
+
   /// The one for a corner with this |Δu| (0 … 2).
   static const SoftCorner& of(double bend);
 

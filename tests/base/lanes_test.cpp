@@ -1,4 +1,4 @@
-#include "motion/least_time/lanes.h"
+#include "base/lanes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -26,6 +26,24 @@ KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
 }
 KADR_LANES Pair root_of(const Pair& x) { return Pair{std::sqrt(x[0]), std::sqrt(x[1])}; }
 KADR_LANES Four root_of(const Four& x) { return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
+KADR_LANES Pair lesser(const Pair& x, const Pair& y) { return x < y ? x : y; }
+KADR_LANES Four lesser(const Four& x, const Four& y) { return x < y ? x : y; }
+KADR_LANES Pair greater(const Pair& x, const Pair& y) { return x > y ? x : y; }
+KADR_LANES Four greater(const Four& x, const Four& y) { return x > y ? x : y; }
+KADR_LANES Pair all_of(double x, const Pair&) { return Pair{x, x}; }
+KADR_LANES Four all_of(double x, const Four&) { return Four{x, x, x, x}; }
+/// From and to numbers of half the size, of any alignment.
+KADR_LANES void read_lanes(const float* from, Pair& x) { x = Pair{from[0], from[1]}; }
+KADR_LANES void read_lanes(const float* from, Four& x) {
+  float __attribute__((vector_size(16))) narrow;
+  std::memcpy(&narrow, from, sizeof narrow);
+  x = __builtin_convertvector(narrow, Four);
+}
+KADR_LANES void write_lanes(const Pair& x, float* to) { to[0] = static_cast<float>(x[0]), to[1] = static_cast<float>(x[1]); }
+KADR_LANES void write_lanes(const Four& x, float* to) {
+  const float __attribute__((vector_size(16))) narrow = __builtin_convertvector(x, float __attribute__((vector_size(16))));
+  std::memcpy(to, &narrow, sizeof narrow);
+}
 KADR_LANES double sum_of(const Pair& x) { return x[0] + x[1]; }
 KADR_LANES double sum_of(const Four& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 KADR_LANES double product_of(const Pair& x) { return x[0] * x[1]; }
@@ -46,6 +64,23 @@ struct Doubled {
     std::memcpy(static_cast<void*>(&high), from + sizeof low / sizeof *from, sizeof high);
   }
 
+  KADR_LANES explicit Doubled(const float* from) { read_lanes(from, *this); }
+  KADR_LANES static Doubled all(double x) { return all_of(x, Doubled()); }
+  KADR_LANES friend Doubled all_of(double x, const Doubled&) { return {all_of(x, Half()), all_of(x, Half())}; }
+  KADR_LANES friend void read_lanes(const float* from, Doubled& x) {
+    read_lanes(from, x.low);
+    read_lanes(from + sizeof(Half) / sizeof(double), x.high);
+  }
+  KADR_LANES friend void write_lanes(const Doubled& x, float* to) {
+    write_lanes(x.low, to);
+    write_lanes(x.high, to + sizeof(Half) / sizeof(double));
+  }
+  KADR_LANES void to(float* where) const { write_lanes(*this, where); }
+  KADR_LANES void to(double* where) const {
+    std::memcpy(where, &low, sizeof low);
+    std::memcpy(where + sizeof low / sizeof *where, &high, sizeof high);
+  }
+
   KADR_LANES friend Doubled operator+(const Doubled& x, const Doubled& y) { return {x.low + y.low, x.high + y.high}; }
   KADR_LANES friend Doubled operator-(const Doubled& x, const Doubled& y) { return {x.low - y.low, x.high - y.high}; }
   KADR_LANES friend Doubled operator*(const Doubled& x, const Doubled& y) { return {x.low * y.low, x.high * y.high}; }
@@ -58,6 +93,9 @@ struct Doubled {
   KADR_LANES friend Doubled operator-(const Doubled& x, double y) { return {x.low - y, x.high - y}; }
   KADR_LANES friend Doubled operator-(const Doubled& x) { return {-x.low, -x.high}; }
   KADR_LANES Doubled& operator+=(const Doubled& y) { return *this = *this + y; }
+  KADR_LANES Doubled& operator*=(const Doubled& y) { return *this = *this * y; }
+  KADR_LANES friend Doubled lesser(const Doubled& x, const Doubled& y) { return {lesser(x.low, y.low), lesser(x.high, y.high)}; }
+  KADR_LANES friend Doubled greater(const Doubled& x, const Doubled& y) { return {greater(x.low, y.low), greater(x.high, y.high)}; }
   KADR_LANES friend Doubled where_positive(const Doubled& sign, const Doubled& then, const Doubled& otherwise) {
     return {where_positive(sign.low, then.low, otherwise.low), where_positive(sign.high, then.high, otherwise.high)};
   }

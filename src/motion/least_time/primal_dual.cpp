@@ -1,0 +1,247 @@
+// PrimalDual: the least time along a path in cells: the steps, over all cells, then over what has not come to rest. For
+// motion/least_time/path_timer; tested by tests/motion/primal_dual_test.cpp.
+
+#include "motion/least_time/primal_dual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace kadr {
+namespace {
+
+constexpr double first_mu = 0.5, last_mu = 3e-3;  // of the time, for all limits together
+constexpr double smaller = 0.2;                   // μ, from step to step
+constexpr int steps_of_all = 6;
+constexpr std::size_t beside = 4;  // blocks that go on with one that has not come to rest, to each side
+constexpr double slower = 0.7;     // of the envelope: to begin with
+
+}  // namespace
+
+/// What limits the cells, in rows of eight.
+///   returns  false: it is none of its kind: an end in a cell beside a turn
+bool PrimalDual::prepare() {
+  const TimedPath& path = *path_;
+  n_ = path.cells();
+  if (n_ < least_cells || (ends_->from_stop && path.turns[0] != 0) || (ends_->to_stop && path.turns[n_ - 2] != 0)) return false;
+  blocks_end_ = 1 + (n_ + lanes - 1) / lanes;
+  const std::size_t all = (blocks_end_ + 1) * lanes;
+  find_moving();
+  cells_.assign((blocks_end_ + 1) * rows * lanes, 0);
+  limits_.assign((blocks_end_ + 1) * moving_.size() * per_axis * lanes, 0);
+  m_.assign(all, 1);
+  for (std::vector<double>* const of_cells : {&step_, &tied_}) of_cells->assign(all, 0);
+  for (auto& part : products_) part.assign(all, 0);
+  for (auto& part : slopes_) part.assign(all, 0);
+  for (auto& part : diagonals_) part.assign(all, 0);
+  restless_.assign(blocks_end_ + 1, 0);
+  for (std::size_t i = 0; i < all; ++i) row(i / lanes, length)[i % lanes] = row(i / lanes, inverse)[i % lanes] = 1;
+  mix();
+  keep_polynomials();
+  fill();
+  return true;
+}
+
+void PrimalDual::find_moving() {
+  const TimedPath& path = *path_;
+  moving_.clear();
+  for (std::size_t a = 0; a < path.axes; ++a) {
+    bool moves = false;
+    for (std::size_t k = 0; k < n_ && !moves; ++k) {
+      const double* const c = path.shape(k, a);
+      moves = c[1] != 0 || c[2] != 0 || c[3] != 0 || c[4] != 0 || c[5] != 0;
+    }
+    const double by_jerk = 1 / (margins.jerk * path.jerk[a]);
+    if (moves) moving_.push_back({a, 1 / (by_jerk * margins.acceleration * path.acceleration[a]), by_jerk});
+  }
+}
+
+/// Lengths, the ordinates by the middles, the greatest middles.
+void PrimalDual::mix() {
+  const TimedPath& path = *path_;
+  turns_ = false;
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double h = path.h[k];
+    const bool turn_before = k > 0 && path.turns[k - 1] != 0, turn_behind = path.turns[k] != 0, is_last = k + 1 == n_;
+    of_cell(k, length) = h;
+    of_cell(k, inverse) = 1 / h;
+    of_cell(k, limited) = ends_->stand_in(k, n_) ? 0 : 1;
+    if (k > 0 && !turn_before) {
+      of_cell(k, before) = h / (path.h[k - 1] + h);
+      of_cell(k, own_before) = path.h[k - 1] / (path.h[k - 1] + h);
+    }
+    if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
+    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // it goes on as it crawls
+    if (!is_last && !turn_behind) {
+      of_cell(k, behind) = h / (h + path.h[k + 1]);
+      of_cell(k, own_behind) = path.h[k + 1] / (h + path.h[k + 1]);
+    }
+    if (turn_before) tied_[k + pad] = h / path.h[k - 1], turns_ = true;
+    double most = path.most[k];
+    if (k > 0) most = std::min(most, path.most[k - 1]);
+    if (!is_last) most = std::min(most, path.most[k + 1]);
+    else if (!ends_->to_stop) most = std::min(most, ends_->crawl);
+    of_cell(k, inverse_cap) = 1 / most;
+  }
+  first_share_ = share_beside_stop(path.h[0], path.h[1]);
+  last_share_ = share_beside_stop(path.h[n_ - 1], path.h[n_ - 2]);
+  const auto keep = [&](std::size_t stop, std::size_t next, double share) {
+    const double by = share / most_beside_stop(path, stop, stop == 0, margins);
+    of_cell(next, inverse_cap) = of_cell(stop, inverse_cap) = std::max(of_cell(next, inverse_cap), by);
+  };
+  if (ends_->from_stop) keep(0, 1, first_share_);
+  if (ends_->to_stop) keep(n_ - 1, n_ - 2, last_share_);
+}
+
+void PrimalDual::keep_polynomials() {
+  for (std::size_t k = 0; k < n_; ++k)
+    for (std::size_t a = 0; a < moving_.size(); ++a) {
+      const double* const c = path_->shape(k, moving_[a].axis);
+      float* const to = of_axis((k + pad) / lanes, a) + polynomial_row * lanes + (k + pad) % lanes;
+      for (std::size_t term = 1; term < TimedPath::terms; ++term) to[(term - 1) * lanes] = static_cast<float>(c[term]);
+    }
+}
+
+/// Somewhat below the envelope; at the front as an earlier solution had it, as far as its end had not slowed it.
+void PrimalDual::guess() {
+  constexpr std::size_t unsure = 16;  // a part of what its end had not slowed
+  find_envelope(*path_, *ends_, middles_);
+  for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];
+  const std::vector<double>& known = ends_->guess;
+  std::size_t sure = std::min(known.size(), n_);
+  while (sure > 1 && known[sure - 2] >= known[sure - 1]) --sure;
+  for (std::size_t k = 0; k < sure - sure / unsure; ++k) m_[k + pad] = known[k];
+  if (ends_->from_stop) m_[pad] = first_share_ * m_[pad + 1];
+  else m_[pad] = ends_->from.b + ends_->from.d * path_->h[0] / 2;
+  for (std::size_t i = pad; i < pad + n_; ++i)
+    if (tied_[i] != 0) m_[i] = tied_[i] * m_[i - 1];
+  if (ends_->to_stop) m_[pad + n_ - 1] = last_share_ * m_[pad + n_ - 2];
+}
+
+double PrimalDual::seconds() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < n_; ++k) sum += path_->h[k] / std::sqrt(m_[k + pad]);
+  return sum;
+}
+
+/// A Newton step.
+///   returns  false: there is none
+bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
+  derive(range, mu);
+  if (!newton(range)) return false;
+  progress = go(range, mu);
+  steps_ += static_cast<double>(range.end - range.first) / static_cast<double>(blocks_end_ - 1);
+  return true;
+}
+
+PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const {
+  Range wide{range.first > by ? range.first - by : 1, std::min(range.end + by, blocks_end_), false, false};
+  const auto is_tied = [&](std::size_t cell) { return tied_[cell] != 0 || tied_[cell + 1] != 0; };
+  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // not between the two cells of a turn
+  while (turns_ && wide.end < blocks_end_ && is_tied(wide.end * lanes - 1)) ++wide.end;
+  wide.from_stop = wide.first == 1 && ends_->from_stop;
+  wide.to_stop = wide.end == blocks_end_ && ends_->to_stop;
+  return wide;
+}
+
+/// Slower, but at the ends of the range.
+void PrimalDual::lower(const Range& range) {
+  constexpr double less = 0.3, over = 48;  // cells
+  const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
+  for (std::size_t i = first + 1; i + 1 < end; ++i) {
+    const double from_first = range.from_stop ? over : static_cast<double>(i - first);
+    const double to_end = range.to_stop ? over : static_cast<double>(end - 1 - i);
+    if (tied_[i] == 0) m_[i] *= 1 - less * std::min({1.0, from_first / over, to_end / over});
+    else m_[i] = tied_[i] * m_[i - 1];
+  }
+  if (range.from_stop) m_[pad] = first_share_ * m_[pad + 1];
+  if (range.to_stop) m_[pad + n_ - 1] = last_share_ * m_[pad + n_ - 2];
+}
+
+/// A range of cells until it comes to rest; where it does not, wider, and from farther inside the limits.
+bool PrimalDual::settle_range(Range& range, double mu) {
+  constexpr int most_steps = 16, most_tries = 4;
+  constexpr std::size_t wider = 16;  // blocks, more with each try
+  for (int attempt = 0; attempt < most_tries; ++attempt) {
+    double now = mu;
+    if (attempt > 0) {
+      range = widened(range, static_cast<std::size_t>(attempt) * wider);
+      now = mu * (attempt == 1 ? 30 : 300);
+      if (attempt > 1) lower(range);
+      begin(range, now);
+    }
+    Progress progress;
+    for (int k = 0; k < most_steps; ++k) {
+      if (k > 0) now = std::max(mu, now * smaller);
+      if (stop_.asked() || !step(range, now, progress)) return false;
+      if (now <= mu * 1.01 && (progress.is_quiet() || (progress.step < 1e-3 && progress.worst > -0.03))) return true;
+    }
+    if (getenv("DBG")) fprintf(stderr, "  range %zu..%zu of %zu attempt %d: worst %.4f step %.4f\n", range.first, range.end, blocks_end_, attempt, progress.worst, progress.step);
+  }
+  return false;
+}
+
+/// What has not come to rest.
+///   returns  false: some of it will not
+bool PrimalDual::settle(double mu) {
+  bool all = true;
+  for (std::size_t block = 1; block < blocks_end_; ++block) {
+    if (restless_[block] == 0) continue;
+    std::size_t last = block;
+    for (std::size_t k = block; k < blocks_end_ && k <= last + 2 * beside; ++k)
+      if (restless_[k] != 0) last = k;
+    Range range = widened({block, last + 1, false, false}, beside);
+    const bool done = settle_range(range, mu);
+    all = all && done;
+    if (stop_.asked()) return false;
+    block = std::max(last, range.end - 1);
+  }
+  return all;
+}
+
+bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
+  constexpr int most_looks = 12;
+  constexpr double most_of_limit = 1.01;
+  path_ = &path;
+  ends_ = &ends;
+  stop_ = stop;
+  steps_ = 0;
+  if (!prepare()) return false;
+  guess();
+  const Range all{1, blocks_end_, ends.from_stop, ends.to_stop};
+  const double limits = static_cast<double>(n_) * (1 + 2 * static_cast<double>(moving_.size() * (2 * places - 1)));
+  double mu = first_mu * seconds() / limits;
+  if (!std::isfinite(mu)) return false;
+  begin(all, mu);
+  Progress progress;
+  for (int k = 0; k < steps_of_all || mu > 1.01 * last_mu * seconds() / limits; ++k) {
+    if (k > 0) mu = std::max(last_mu * seconds() / limits, mu * smaller);
+    if (stop.asked() || !step(all, mu, progress)) return false;
+  }
+  settle(mu);
+  double share = greatest_share(all, true);
+  for (int look = 1; look < most_looks && share > allowed && !stop.asked(); ++look) {
+    settle(mu);
+    share = greatest_share(all, look + 1 < most_looks);
+  }
+  if (getenv("DBG")) fprintf(stderr, "share %.4f T %.4f\n", share, seconds());
+  if (!(share <= most_of_limit)) return false;
+  hand_over();
+  return true;
+}
+
+void PrimalDual::hand_over() {
+  middles_.assign(m_.begin() + pad, m_.begin() + static_cast<std::ptrdiff_t>(pad + n_));
+  speeds_.resize(n_);
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double m = middles_[k], h = path_->h[k];
+    const double start = of_cell(k, given) + (k > 0 ? of_cell(k, before) * middles_[k - 1] : 0) + of_cell(k, own_before) * m;
+    const double end = of_cell(k, own_behind) * m + (k + 1 < n_ ? of_cell(k, behind) * middles_[k + 1] : 0);
+    speeds_[k] = {{start, 2 * (m - start) / h}, {end, 2 * (end - m) / h}};
+    if (ends_->stand_in(k, n_)) (k == 0 ? speeds_[k].start : speeds_[k].end) = {};
+  }
+}
+
+}  // namespace kadr

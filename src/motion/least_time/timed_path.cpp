@@ -1,0 +1,117 @@
+// TimedPath: what limits the speed of a path in cells, before any speed is known. For the solvers of least time; tested by
+// tests/motion/least_time_test.cpp.
+
+#include "motion/least_time/timed_path.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kadr {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+double squared(double x) { return x * x; }
+
+}  // namespace
+
+void TimedPath::clear() {
+  for (std::vector<double>* const all : {&h, &most, &shapes}) all->clear();
+  turns.clear();
+}
+
+/// Room for those of one more cell.
+double* TimedPath::add_shapes() {
+  shapes.resize(shapes.size() + axes * terms);
+  return shapes.data() + shapes.size() - axes * terms;
+}
+
+void TimedPath::forget(std::size_t count) {
+  const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
+  cut(h, count);
+  cut(most, count);
+  cut(turns, count);
+  cut(shapes, count * axes * terms);
+}
+
+TimedPath TimedPath::first(std::size_t count) const {
+  const auto taken = [](const auto& v, std::size_t n) {
+    return std::decay_t<decltype(v)>(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  return {axes, acceleration, jerk, taken(h, count), taken(most, count), taken(turns, count), taken(shapes, count * axes * terms)};
+}
+
+double fastest_alone(const TimedPath& path, std::size_t cell) {
+  constexpr double none = 1e-12;  // a derivative of this size limits nothing
+  constexpr std::array<double, 5> places = {0, 0.25, 0.5, 0.75, 1};
+  double most = path.most[cell];
+  for (std::size_t a = 0; a < path.axes; ++a) {
+    const double* const c = path.shape(cell, a);
+    if (c[2] == 0 && c[3] == 0 && c[4] == 0 && c[5] == 0) continue;
+    double x2 = none, x3 = none;
+    for (const double part : places) {
+      const Derivatives x = Derivatives::at(c, part * path.h[cell]);
+      x2 = std::max(x2, std::fabs(x.x2));
+      x3 = std::max(x3, std::fabs(x.x3));
+    }
+    most = std::min(most, path.acceleration[a] / x2);
+    if (most * most * most * x3 * x3 > squared(path.jerk[a])) most = std::min(most, std::cbrt(squared(path.jerk[a] / x3)));
+  }
+  return most;
+}
+
+double slowest_alone(const TimedPath& path) {
+  double least = unbounded;
+  for (std::size_t k = 0; k < path.cells(); ++k) least = std::min(least, fastest_alone(path, k));
+  return least;
+}
+
+double soonest_rise(const TimedPath& path) {
+  double least = unbounded;
+  for (std::size_t a = 0; a < path.axes; ++a) least = std::min(least, 2.12 * std::sqrt(path.jerk[a]));
+  return least;
+}
+
+void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<double>& middles) {
+  const std::size_t n = path.cells();
+  const double soonest = soonest_rise(path);
+  const auto to_three_quarters = [](double b) { return std::sqrt(b * std::sqrt(b)); };
+  middles.resize(n);
+  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // b^(3/4)
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k > 0 && path.turns[k - 1] != 0) reached = 0;
+    reached = std::min(to_three_quarters(fastest_alone(path, k)), reached + soonest * path.h[k]);
+    middles[k] = reached;
+  }
+  reached = ends.to_stop ? 0 : middles[n - 1];
+  for (std::size_t k = n; k-- > 0;) {
+    if (path.turns[k] != 0) reached = 0;
+    middles[k] = reached = std::min(middles[k], reached + soonest * path.h[k]);
+  }
+  constexpr int rounds = 8;
+  for (int round = 0; round < rounds; ++round)  // its corners are rounded
+    for (std::size_t k = 1; k + 1 < n; ++k)
+      if (path.turns[k] == 0 && path.turns[k - 1] == 0) middles[k] = (middles[k - 1] + 2 * middles[k] + middles[k + 1]) / 4;
+  for (double& m : middles) m *= std::cbrt(m);
+}
+
+/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². Its middle
+/// is a third of b₁.
+double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
+  constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
+  const double h = path.h[cell], ahead = is_first ? 1 : -1;
+  double most = unbounded;  // of b₁
+  for (std::size_t a = 0; a < path.axes; ++a)
+    for (const double place : places) {
+      const Derivatives x = Derivatives::at(path.shape(cell, a), place * h);
+      const double part = is_first ? place : 1 - place;
+      const double jerk = 2.0 / 9 * x.x1 / (h * h) + ahead * 2 * x.x2 * part / h + x.x3 * squared(part);
+      const double acceleration = ahead * 2.0 / 3 * x.x1 / h * std::cbrt(part) + x.x2 * part * std::cbrt(part);
+      if (jerk != 0) most = std::min(most, std::cbrt(squared(margins.jerk * path.jerk[a] / jerk)));
+      if (acceleration != 0) most = std::min(most, margins.acceleration * path.acceleration[a] / std::fabs(acceleration));
+    }
+  return most / 3;
+}
+
+}  // namespace kadr

@@ -1,0 +1,132 @@
+// SmoothPath: the corners that are rounded by themselves, sharp ones and those near where the axes stand: where several are felt their ways
+// add up, and all become narrower until nothing is moved further than the tolerance.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/vec.h"
+#include "path/smooth/smooth_path.h"
+#include "path/smooth/soft_corner.h"
+
+namespace kadr {
+
+/// How far the roundings move the path at s, mm.
+double SmoothPath::moved(double s, std::size_t around) const {
+  std::array<double, max_axes> sum{};
+  add_single_ways(s, around, sum.data());
+  double squares = 0;
+  for (std::size_t a = 0; a < axes_; ++a) squares += sum[a] * sum[a];
+  return std::sqrt(squares);
+}
+
+void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const {
+  corners_near(s, around, reach_, [&](std::size_t i) {
+    const Rounding& rounding = roundings_[i];
+    const double part = std::fabs(s - at_[i]) * rounding.inverse;
+    if (is_chained_[i] != 0 || !(part < 1)) return;
+    const double g = width_[i] * rounding.shape->height(part);
+    for (std::size_t a = 0; a < axes_; ++a) x[a] += bend_[i * axes_ + a] * g;
+  });
+}
+
+/// How far the roundings move the path to one side of a vertex at most, mm: looked at in places as dense as its own rounding asks for where
+/// that is felt, but not beyond a vertex that asks for as much, and in some between there and half the way to the next vertex.
+double SmoothPath::moved_beside(std::size_t vertex, int side) const {
+  constexpr int places = 6;   // from the vertex to where it swings out
+  constexpr int farther = 4;  // after that
+  const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
+  const std::size_t beside = side < 0 ? vertex - 1 : vertex;
+  std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
+  double most = 0;
+  for (int k = 1; k <= places + 1; ++k) {
+    const double s = at_[vertex] + side * k * step;
+    while (side * (s - at_[next]) > 0 && next > 0 && next + 1 < at_.size() && width_[next] > 2 * width_[vertex])
+      side < 0 ? (--next, --piece) : (++next, ++piece);
+    if (side * (s - at_[next]) > 0) break;
+    most = std::max(most, moved(s, piece));
+  }
+  const double behind = std::min(length_[beside] / 2, reach_) - felt;
+  for (int k = 1; k <= farther && behind > 0; ++k) most = std::max(most, moved(at_[vertex] + side * (felt + k * behind / farther), beside));
+  return most;
+}
+
+/// Another rounding is felt where this one is.
+bool SmoothPath::overlaps(std::size_t vertex) const {
+  bool any = false;
+  corners_near(at_[vertex], vertex, width_[vertex] + reach_, [&](std::size_t k) {
+    any = any || (k != vertex && is_chained_[k] == 0 && std::fabs(at_[k] - at_[vertex]) < width_[k] + width_[vertex]);
+  });
+  return any;
+}
+
+/// Beside the chain it leaves some of the tolerance to that.
+double SmoothPath::share_alone(std::size_t vertex) const {
+  constexpr double beside_chain = 0.8;
+  constexpr double faint = 0.02;  // of the tolerance: a corner that moves the path less, as wide as can be
+  bool any = false;
+  corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) { any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]); });
+  return any ? beside_chain : 1;
+}
+
+void SmoothPath::look_at_roundings(std::size_t first) {
+  roundings_.resize(at_.size());
+  for (std::size_t i = first; i < at_.size(); ++i) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (is_chained_[i] == 0) roundings_[i] = {width_[i] > 0 ? 1 / width_[i] : none, &SoftCorner::of(turn_[i])};
+  }
+}
+
+/// Makes roundings narrower where they move the path further than the tolerance. False: none does.
+bool SmoothPath::shrink(std::size_t first, std::size_t end) {
+  constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
+  constexpr double far_off = 1.3;    // of the tolerance; nearer it goes in small steps, so that what matters most stays widest
+  constexpr double between = 0.99;   // of the tolerance: the rest is for what lies between the places looked at
+  constexpr double aim = 0.999;      // of that, so that the rounds come to an end
+  bool any = false;
+  look_at_roundings(done_);
+  factor_.assign(at_.size(), 1);
+  for (const std::size_t i : marks_) {
+    if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i)) continue;  // alone it is as wide as the tolerance allows
+    const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}), allowed = between * tolerance_[i] * share_alone(i);
+    if (most <= allowed * (1 + rounding)) continue;
+    any = true;
+    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners bear it together
+    const double far = width_[i];
+    corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
+      if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + far) factor_[k] = std::min(factor_[k], less);
+    });
+  }
+  if (any)
+    for (std::size_t i = done_; i < at_.size(); ++i) width_[i] *= factor_[i];
+  return any;
+}
+
+/// As wide as the tolerance allows, if no other is felt.
+double SmoothPath::width_alone(std::size_t vertex) const {
+  constexpr double used = 0.9;  // of the tolerance, of a curve: the rest is for where it begins and ends
+  const SoftCorner& shape = SoftCorner::of(turn_[vertex]);
+  const double tolerance = tolerance_[vertex];
+  if (!on_curve(vertex)) return tolerance / (shape.highest() * turn_[vertex]);
+  const double length = (length_[vertex - 1] + length_[vertex]) / 2;  // a chain of chords of a circle is moved by curvature · w² · second_moment
+  return std::sqrt(used * tolerance * length / (shape.second_moment() * turn_[vertex]));
+}
+
+void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
+  constexpr int most_rounds = 200;  // some overlapping ones need ten to thirty
+  for (const std::size_t i : marks_)
+    if (i >= first && is_chained_[i] == 0) {
+      width_[i] = turns_back(i) ? 0 : std::min({widest, room_[i], width_alone(i)});
+      if (!on_curve(i)) width_[i] *= share_alone(i);
+    }
+  reach_ = 0;
+  for (std::size_t i = 0; i < at_.size(); ++i)
+    if (is_chained_[i] == 0) reach_ = std::max(reach_, width_[i]);
+  if (reach_ == 0) return;
+  look_at_roundings(0);
+  for (int round = 0; round < most_rounds && !stop.asked() && shrink(first, at_.size() - 1); ++round) {
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,94 @@
+// SlowWidth: how wide the corners of a chain are rounded along the path. For path/smooth/smooth_path; tested by
+// tests/path/slow_width_test.cpp.
+
+#include "path/smooth/slow_width.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "path/smooth/soft_corner.h"
+
+namespace kadr {
+namespace {
+
+constexpr double part_length = 0.1;  // mm
+constexpr double slope = 0.15;       // of the width
+constexpr double levelled = 0.5;     // of the width, to each side: the least of it, then the mean
+constexpr double widest = SoftCorner::widest;
+constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);  // each reaches a part further
+constexpr std::size_t reach = 2 * rounds + 4;                                      // parts, of both
+
+}  // namespace
+
+double SlowWidth::felt() { return widest / slope + static_cast<double>(reach) * part_length; }
+
+std::size_t SlowWidth::part_of(double at) const { return static_cast<std::size_t>(std::max(0.0, at / part_length)); }
+
+void SlowWidth::begin() {
+  first_ = settled_ = 0;
+  raw_.assign(4, widest);
+  width_.assign(4, widest);
+}
+
+void SlowWidth::open(double end) {
+  const std::size_t parts = part_of(end) + 4 - first_;
+  raw_.resize(settled_ - first_);
+  raw_.resize(parts, widest);
+  width_.resize(parts, widest);
+}
+
+void SlowWidth::limit(double at, double width) {
+  const std::size_t part = part_of(at) + 1;
+  if (part < settled_ || part - first_ >= raw_.size()) return;
+  double& raw = raw_[part - first_];
+  raw = std::min(raw, width);
+}
+
+/// The least, or the mean, of what lies within a part of the width, step by step: a place takes part in as many rounds as it is wide.
+void SlowWidth::level(std::vector<double>& parts, bool mean) {
+  const std::size_t n = parts.size();
+  next_ = parts;
+  for (int round = 1; round <= rounds; ++round) {
+    const double least = round * part_length / levelled;
+    for (std::size_t k = 1; k + 1 < n; ++k) {
+      const double a = parts[k - 1], b = parts[k], c = parts[k + 1];
+      const double level = mean ? (a + b + c) * (1.0 / 3) : std::min(std::min(a, b), c);
+      next_[k] = b >= least ? level : b;
+    }
+    next_[0] = next_[1], next_[n - 1] = next_[n - 2];
+    parts.swap(next_);
+  }
+}
+
+void SlowWidth::close() {
+  const std::size_t n = raw_.size(), open = settled_ - first_;
+  for (std::size_t k = std::max<std::size_t>(open, 1); k < n; ++k) raw_[k] = std::min(raw_[k], raw_[k - 1] + slope * part_length);
+  for (std::size_t k = n - 1; k-- > open;) raw_[k] = std::min(raw_[k], raw_[k + 1] + slope * part_length);
+  const std::size_t from = open > 2 * reach ? open - 2 * reach : 0;
+  now_.assign(raw_.begin() + static_cast<std::ptrdiff_t>(from), raw_.end());
+  level(now_, false);
+  level(now_, true);
+  std::copy(now_.begin() + static_cast<std::ptrdiff_t>(open - from), now_.end(), width_.begin() + static_cast<std::ptrdiff_t>(open));
+}
+
+void SlowWidth::settle(double before) { settled_ = std::max(settled_, std::min(part_of(before) + 3, first_ + raw_.size())); }
+
+void SlowWidth::forget(double before) {
+  const std::size_t part = part_of(before), kept = 3 * reach;
+  if (part <= first_ + kept) return;
+  const std::size_t drop = std::min(part - kept, settled_) - first_;
+  for (std::vector<double>* const all : {&raw_, &width_}) all->erase(all->begin(), all->begin() + static_cast<std::ptrdiff_t>(drop));
+  first_ += drop;
+}
+
+WidthAt SlowWidth::at(double s) const {
+  const double place = std::max(0.0, s / part_length);
+  const auto part = static_cast<std::size_t>(place);
+  const double f = place - static_cast<double>(part);
+  const std::size_t i = std::min(part - first_, width_.size() - 3);
+  const double a = width_[i], b = width_[i + 1], c = width_[i + 2];
+  return {0.5 * (1 - f) * (1 - f) * a + (0.5 + f * (1 - f)) * b + 0.5 * f * f * c, (-(1 - f) * a + (1 - 2 * f) * b + f * c) / part_length,
+          (a - 2 * b + c) / (part_length * part_length)};
+}
+
+}  // namespace kadr

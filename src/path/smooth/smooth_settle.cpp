@@ -1,0 +1,221 @@
+// SmoothPath: how wide its corners are rounded: of which kind each is, and the chain of gentle ones.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/vec.h"
+#include "path/smooth/smooth_path.h"
+#include "path/smooth/soft_corner.h"
+
+namespace kadr {
+namespace {
+
+constexpr double straight_on = 1e-12;    // |Δu| of pieces that go on straight but for rounding
+constexpr double sharp = 0.3;            // |Δu| of a corner that is rounded by itself
+constexpr double alike = 0.1;           // of |Δu|: a neighbour that bends at least so much makes a chain
+constexpr double feed_alike = 1e-6;      // relative: rounding of a way divided by its time
+constexpr double used_by_chain = 0.95;   // of the tolerance; the rest is for what lies between the places looked at
+constexpr double felt_ahead = 2.5 * SoftCorner::widest;  // mm: a corner's width in the chain is known when the path is, so far behind it
+
+}  // namespace
+
+/// From where the axes stand for an instant.
+void SmoothPath::find_ends(std::size_t first, bool last) {
+  const std::size_t vertices = at_.size();
+  double edge = 0;  // the last length that no rounding reaches over
+  for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
+    if (turns_back(i)) edge = at_[i];
+  for (std::size_t i = first; i + 1 < vertices; ++i) {
+    room_[i] = at_[i] - edge;
+    if (turns_back(i)) edge = at_[i];
+  }
+  room_.back() = at_.back() - edge;
+  edge = last ? at_.back() : at_.back() + widest;
+  for (std::size_t i = vertices - 1; i-- > first;) {
+    room_[i] = std::min(room_[i], edge - at_[i]);
+    if (turns_back(i)) edge = at_[i];
+  }
+  if (first == 1) room_[0] = edge - at_[0];
+}
+
+/// A gentle corner, not near where the axes stand, whose rounding reaches over one like it.
+bool SmoothPath::makes_chain(std::size_t i) const {
+  if (turn_[i] > sharp || room_[i] < widest) return false;
+  const double reach = std::min(widest, width_alone(i));
+  bool any = false;
+  corners_near(at_[i], i, reach, [&](std::size_t k) { any = any || (k != i && turn_[k] <= sharp && turn_[k] >= alike * turn_[i]); });
+  return any;
+}
+
+void SmoothPath::tell_kinds(std::size_t first) {
+  marks_.erase(std::lower_bound(marks_.begin(), marks_.end(), first), marks_.end());
+  for (std::size_t i = first; i + 1 < at_.size(); ++i) {
+    const bool bends = turn_[i] > straight_on;
+    is_chained_[i] = bends && makes_chain(i) ? 1 : 0;
+    if (is_chained_[i] == 0) width_[i] = in_chain_[i] = 0;
+    const bool other_feed = std::fabs(feed_[i] - feed_[i - 1]) > feed_alike * (feed_[i] + feed_[i - 1]);
+    if ((bends && is_chained_[i] == 0) || other_feed) marks_.push_back(i);
+  }
+}
+
+void SmoothPath::settle(bool last, StopToken stop) {
+  const std::size_t first = std::max<std::size_t>(done_, 1);
+  find_ends(first, last);
+  tell_kinds(first);
+  sums_.forget();
+  round_single_ones(first, stop);
+  round_chain(last, stop);
+  const double ahead = felt_ahead + SlowWidth::felt();
+  settled_ = last ? at_.back() : std::max(settled_, at_.back() - ahead);
+  slow_.settle(squeezed(settled_, piece_at(settled_, 0)));
+  while (done_ < at_.size() && (last || at_[done_] < settled_ + widest)) ++done_;
+}
+
+/// How far the path is moved at s with such a width of the chain, mm².
+double SmoothPath::square_moved(double s, std::size_t around, double width) {
+  std::array<double, max_axes> sum{};
+  sums_.move(chained(), s, width, sum.data());
+  if (reach_ > 0) add_single_ways(s, around, sum.data());
+  double squares = 0;
+  for (std::size_t a = 0; a < axes_; ++a) squares += sum[a] * sum[a];
+  return squares;
+}
+
+/// The same at a vertex and in places beside it, those that a width of this size asks for; more than `most` as soon as one is.
+double SmoothPath::square_beside(std::size_t vertex, double width, double most) {
+  constexpr double flank = 0.65;  // of the width: where a corner alone swings out most
+  const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
+  double square = square_moved(s, vertex, width);
+  if (square <= most && behind > 0.25 * width) square = std::max(square, square_moved(s + behind / 2, vertex, width));
+  if (square <= most && behind > 0.8 * width) {
+    square = std::max(square, square_moved(s + std::min(behind / 4, flank * width), vertex, width));
+    square = std::max(square, square_moved(s + (behind * 0.75 > 1.5 * width ? flank * width : behind * 0.75), vertex, width));
+  }
+  if (square <= most && before > 0.8 * width)
+    square = std::max(square, square_moved(s - std::min(flank * width, before / 2), vertex - 1, width));
+  return square;
+}
+
+/// The widest rounding of the chain that is within the tolerance at a vertex, looked for from `width` on.
+double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
+  constexpr double narrowest = 1e-4;                       // mm
+  constexpr double enough = 0.98;                          // of the square
+  constexpr double most_growth = 1.19, least_growth = 1.002;
+  const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
+  const auto towards = [&](double square) { return 0.997 * std::sqrt(std::sqrt(most / square)); };  // the way grows with the square of the width
+  double square = square_beside(vertex, width, most);
+  if (square > most) {
+    while (square > most && width > narrowest) {
+      width *= std::clamp(towards(square), 0.5, 0.998);
+      square = square_beside(vertex, width, most);
+    }
+    return width;
+  }
+  while (width < widest && square < enough * most) {
+    const double wider = std::min(widest, width * std::clamp(towards(square + 1e-30), least_growth, most_growth));
+    square = square_beside(vertex, wider, most);
+    if (square > most) break;
+    width = wider;
+    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbours are alike: the next one goes on
+  }
+  return width;
+}
+
+void SmoothPath::open_widths() {
+  slow_.open(squeezed_.back());
+  for (std::size_t i = done_ > 0 ? done_ - 1 : 0; i-- > 1 && at_[i] > settled_ - widest;) {
+    if (in_chain_[i] > 0) slow_.limit(squeezed_[i], in_chain_[i]);
+  }
+  for (std::size_t i = std::max<std::size_t>(done_, 2) - 1; i + 1 < at_.size(); ++i)
+    if (in_chain_[i] > 0) slow_.limit(squeezed_[i], in_chain_[i]);
+  slow_.close();
+}
+
+/// The chain's corners: each as wide as its tolerance allows, then evenly along the path, narrower where that is not enough.
+void SmoothPath::round_chain(bool last, const StopToken& stop) {
+  constexpr int most_rounds = 30;
+  const double known = last ? at_.back() : at_.back() - felt_ahead;
+  for (std::size_t i = std::max<std::size_t>(done_, 1); i + 1 < at_.size() && at_[i] <= known && !stop.asked(); ++i) {
+    if (is_chained_[i] == 0 || in_chain_[i] > 0) continue;
+    in_chain_[i] = last_width_ = widest_in_chain(i, last_width_);
+  }
+  open_widths();
+  for (int round = 0; round < most_rounds && !stop.asked() && narrow(known); ++round) open_widths();
+  for (std::size_t i = done_; i + 1 < at_.size(); ++i)
+    if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
+}
+
+/// How dense the places of a piece are looked at, mm: as the narrowest rounding felt there asks for, and so dense that what bends most there
+/// moves the path by little of the tolerance between them.
+SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
+  constexpr double in_chain = 4, alone = 16;  // places in a width
+  constexpr double unseen = 0.02;             // of the tolerance
+  constexpr double most_places = 32, beyond_it = 1.25;
+  const double from = at_[piece], to = at_[piece + 1];
+  const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w, narrower = std::min(width_before, width_behind);
+  Looks looks{beyond_it * std::max(width_before, width_behind), narrower / in_chain};
+  double most_turn = 0;
+  for (std::size_t i = std::max<std::size_t>(piece, 1) - 1; i < std::min(piece + 3, at_.size()); ++i)
+    if (is_chained_[i] != 0) most_turn = std::max(most_turn, turn_[i]);
+  if (most_turn > 0) looks.step = std::min(looks.step, std::sqrt(unseen * tolerance * narrower / most_turn));
+  const auto near = std::lower_bound(marks_.begin(), marks_.end(), from - reach_, [&](std::size_t k, double s) { return at_[k] < s; });
+  for (auto mark = near; mark != marks_.end() && at_[*mark] < to + reach_; ++mark) {
+    const double w = is_chained_[*mark] == 0 ? width_[*mark] : 0;
+    if (!(w > 0) || at_[*mark] + w <= from || at_[*mark] - w >= to) continue;
+    looks.felt = std::max(looks.felt, beyond_it * w);
+    looks.step = std::min(looks.step, w / alone);
+  }
+  looks.step = std::max(looks.step, std::min(length_[piece], 2 * looks.felt) / most_places);
+  return looks;
+}
+
+/// How far a piece is moved at most, as a share of the tolerance.
+double SmoothPath::farthest(std::size_t piece) {
+  const double tolerance = std::max(tolerance_[piece], tolerance_[piece + 1]), length = length_[piece];
+  if (tolerance == 0) return 0;
+  double most = 0;
+  const auto look = [&](double along) {
+    const double s = at_[piece] + along;
+    double share = square_moved(s, piece, width_at(s, piece).w) / (tolerance * tolerance);
+    if (share > 1) share *= std::pow(tolerance / std::max(tolerance, tolerance_at(s, piece)), 2);
+    most = std::max(most, share);
+  };
+  const Looks looks = this->looks(piece, tolerance);
+  if (length < 2 * looks.felt) {
+    const auto parts = std::max(2.0, std::ceil(length / looks.step));
+    for (double k = 0; k < parts; ++k) look(length * k / parts);
+  } else {  // of a long one its ends
+    for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
+  }
+  return std::sqrt(most);
+}
+
+/// Where it is not settled: what is moved too far becomes narrower there.
+///   returns  false: nothing is
+bool SmoothPath::narrow(double known) {
+  constexpr double rounding = 1e-9;  // relative: of a corner alone that meets its tolerance exactly
+  bool any = false;
+  for (std::size_t i = piece_at(settled_, 0); i < pieces() && at_[i + 1] <= known; ++i) {
+    const double share = farthest(i);
+    if (share <= 1 + rounding) continue;
+    any = true;
+    narrow_at(i, share);
+  }
+  return any;
+}
+
+void SmoothPath::narrow_at(std::size_t piece, double over) {
+  constexpr double narrowest = 1e-3;  // mm
+  const double less = std::max(0.7, 0.99 / std::sqrt(over));
+  const double s = at_[piece] + length_[piece] / 2;
+  for (std::size_t i = std::max<std::size_t>(piece, 2) - 1; i < std::min(piece + 3, at_.size() - 1); ++i)
+    in_chain_[i] = std::max(narrowest, less * std::min(in_chain_[i] > 0 ? in_chain_[i] : widest, slow_.at(squeezed_[i]).w));
+  corners_near(s, piece, reach_ + length_[piece], [&](std::size_t i) {
+    if (i < done_ || is_chained_[i] != 0 || std::fabs(s - at_[i]) > width_[i] + length_[piece]) return;
+    width_[i] = std::max(std::min(width_[i], narrowest), less * width_[i]);
+    roundings_[i].inverse = 1 / width_[i];
+  });
+}
+
+}  // namespace kadr
