@@ -33,7 +33,7 @@ double most_moved(const std::vector<Corner>& corners) {
     const double moved = std::hypot(from.x + part * (to.x - from.x) - at[0], from.y + part * (to.y - from.y) - at[1]);
     for (std::size_t i = 1; i < corners.size(); ++i)
       if (std::fabs(path.at(i) - s) < path.felt(i, s, piece)) tolerance = std::max(tolerance, corners[i].tolerance);
-    worst = std::max(worst, moved > 1e-12 ? moved / tolerance : 0);
+    worst = std::max(worst, moved > 1e-9 ? moved / tolerance : 0);
   }
   return worst;
 }

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace kadr {
@@ -176,9 +174,8 @@ bool PrimalDual::settle_range(Range& range, double mu) {
     for (int k = 0; k < most_steps; ++k) {
       if (k > 0) now = std::max(mu, now * smaller);
       if (stop_.asked() || !step(range, now, progress)) return false;
-      if (now <= mu * 1.01 && (progress.is_quiet() || (progress.step < 1e-3 && progress.worst > -0.03))) return true;
+      if (now <= mu * 1.01 && (progress.is_quiet() || (progress.stands() && progress.gap <= most_gap))) return true;
     }
-    if (getenv("DBG")) fprintf(stderr, "  range %zu..%zu of %zu attempt %d: worst %.4f step %.4f\n", range.first, range.end, blocks_end_, attempt, progress.worst, progress.step);
   }
   return false;
 }
@@ -211,7 +208,7 @@ bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken st
   if (!prepare()) return false;
   guess();
   const Range all{1, blocks_end_, ends.from_stop, ends.to_stop};
-  const double limits = static_cast<double>(n_) * (1 + 2 * static_cast<double>(moving_.size() * (2 * places - 1)));
+  const double limits = static_cast<double>(n_) * limits_of_cell();
   double mu = first_mu * seconds() / limits;
   if (!std::isfinite(mu)) return false;
   begin(all, mu);
@@ -220,14 +217,13 @@ bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken st
     if (k > 0) mu = std::max(last_mu * seconds() / limits, mu * smaller);
     if (stop.asked() || !step(all, mu, progress)) return false;
   }
-  settle(mu);
+  bool settled = settle(mu);
   double share = greatest_share(all, true);
-  for (int look = 1; look < most_looks && share > allowed && !stop.asked(); ++look) {
-    settle(mu);
+  for (int look = 1; look < most_looks && settled && share > allowed && !stop.asked(); ++look) {
+    settled = settle(mu);
     share = greatest_share(all, look + 1 < most_looks);
   }
-  if (getenv("DBG")) fprintf(stderr, "share %.4f T %.4f\n", share, seconds());
-  if (!(share <= most_of_limit)) return false;
+  if (!settled || !(share <= most_of_limit)) return false;
   hand_over();
   return true;
 }

@@ -49,6 +49,7 @@ class PrimalDual {
   static constexpr LimitMargins margins{};
   static constexpr double at_rest = 0.005;      // of a middle: a step
   static constexpr double most_beyond = 0.005;  // of a limit with its margin, in the places
+  static constexpr double most_gap = 3;         // slack · dual of the limits of a cell, as a share of their μ
   static constexpr double allowed = 1.003;      // of a limit
   static constexpr double most_fall = -0.7, most_rise = 2;  // of a middle, in one step
 
@@ -83,7 +84,10 @@ class PrimalDual {
   struct OrdinateSums;
   struct Progress {
     double worst = 1, step = 0;  // the least slack before the step; the greatest step, as a share
-    bool is_quiet() const { return step <= at_rest && worst >= -most_beyond; }
+    double gap = 0;              // slack · dual of a cell's limits, as a share of what it comes to
+    bool is_quiet() const { return step <= at_rest && worst >= -most_beyond && gap <= most_gap; }
+    /// Nothing more will change: a start that an earlier solution has given may be so near its limits.
+    bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
   struct Moving {
     std::size_t axis;
@@ -132,7 +136,7 @@ class PrimalDual {
   double& of_cell(std::size_t cell, Row which) { return row((cell + pad) / lanes, which)[(cell + pad) % lanes]; }
   double of_cell(std::size_t cell, Row which) const { return row((cell + pad) / lanes, which)[(cell + pad) % lanes]; }
   float* of_axis(std::size_t block, std::size_t axis) { return limits_.data() + (block * moving_.size() + axis) * per_axis * lanes; }
-  bool is_last(std::size_t block) const { return block + 1 == blocks_end_; }
+  double limits_of_cell() const { return 1 + 2 * static_cast<double>(moving_.size() * (2 * places - 1)); }
 
   const TimedPath* path_ = nullptr;
   const PathEnds* ends_ = nullptr;

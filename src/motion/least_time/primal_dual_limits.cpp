@@ -59,12 +59,14 @@ struct PrimalDual::Pairs {
     return lesser(greater(greater(to, kept * dual), Lanes::all(least_dual * mu)), Lanes::all(greatest_dual));
   }
   /// After a step that changes c by dc; `tangent`: by how much more it uses up of both slacks.
-  KADR_LANES void move(const Lanes& c, const Lanes& dc, const Lanes& tangent, double mu) {
+  ///   returns  slack · dual of both, after it
+  KADR_LANES Lanes move(const Lanes& c, const Lanes& dc, const Lanes& tangent, double mu) {
     const Lanes up = (1 - c - slack_up) - dc - tangent, down = (1 + c - slack_down) + dc - tangent;
-    moved_slack(slack_up, up).to(rows);
-    moved_slack(slack_down, down).to(rows + lanes);
-    moved_dual(dual_up, (mu - dual_up * up) * by_up, mu).to(rows + 2 * lanes);
-    moved_dual(dual_down, (mu - dual_down * down) * by_down, mu).to(rows + 3 * lanes);
+    const Lanes new_up = moved_slack(slack_up, up), new_down = moved_slack(slack_down, down);
+    const Lanes new_dual_up = moved_dual(dual_up, (mu - dual_up * up) * by_up, mu);
+    const Lanes new_dual_down = moved_dual(dual_down, (mu - dual_down * down) * by_down, mu);
+    new_up.to(rows), new_down.to(rows + lanes), new_dual_up.to(rows + 2 * lanes), new_dual_down.to(rows + 3 * lanes);
+    return new_up * new_dual_up + new_down * new_dual_down;
   }
   KADR_LANES static void begin(float* rows, const Lanes& c, double mu) {
     const Lanes up = greater(1 - c, Lanes::all(first_slack)), down = greater(1 + c, Lanes::all(first_slack));
@@ -225,13 +227,13 @@ KADR_LANES void PrimalDual::gather(const Range& range) {
 /// Slacks and duals go their step, and m.
 template <class Lanes>
 KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu) {
-  Lanes all_worst = Lanes::all(1), all_steps = {};
+  Lanes all_worst = Lanes::all(1), all_steps = {}, all_gaps = {};
   for (std::size_t block = range.first; block < range.end; ++block) {
     double* const of_block = row(block, length);
     const std::size_t i = block * lanes;
     const BlockSpeed<Lanes> speed(of_block, &m_[i], false), by(of_block, &step_[i], true);
     const Lanes is_limited(of_block + limited * lanes), bend = speed.half_bend(), by_bend = by.half_bend();
-    Lanes worst = Lanes::all(1);
+    Lanes worst = Lanes::all(1), gap = {};
     const auto look_at = [&](const Lanes& c) __attribute__((always_inline)) {
       worst = lesser(worst, where_positive(is_limited, lesser(1 - c, 1 + c), Lanes::all(1)));
     };
@@ -242,24 +244,26 @@ KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu
         float* const of = of_axis(block, a);
         const Lanes x1(of + shape_row(p) * lanes), x2(of + shape_row(p) * lanes + lanes), x3(of + shape_row(p) * lanes + 2 * lanes);
         const Lanes c = root * (x3 * b + 1.5 * x2 * d + x1 * bend);
-        Pairs<Lanes>(of + jerk_row(p) * lanes).move(c, root * (x3 * by_b + 1.5 * x2 * by_d + x1 * by_bend), tangent, mu);
+        gap += Pairs<Lanes>(of + jerk_row(p) * lanes).move(c, root * (x3 * by_b + 1.5 * x2 * by_d + x1 * by_bend), tangent, mu);
         look_at(c);
         if (p == 0) continue;
         const Lanes e = moving_[a].ratio * (x2 * b + 0.5 * x1 * d);
-        Pairs<Lanes>(of + acceleration_row(p) * lanes).move(e, moving_[a].ratio * (x2 * by_b + 0.5 * x1 * by_d), {}, mu);
+        gap += Pairs<Lanes>(of + acceleration_row(p) * lanes).move(e, moving_[a].ratio * (x2 * by_b + 0.5 * x1 * by_d), {}, mu);
         look_at(e);
       }
     }
     const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes);
     const Lanes c = 1 - speed.o1 * by_cap, change = c - slack - by.o1 * by_cap;
-    Pairs<Lanes>::moved_dual(dual, (mu - dual * change) / slack, mu).to(of_block + cap_dual * lanes);
-    Pairs<Lanes>::moved_slack(slack, change).to(of_block + cap_slack * lanes);
+    const Lanes new_dual = Pairs<Lanes>::moved_dual(dual, (mu - dual * change) / slack, mu), new_slack = Pairs<Lanes>::moved_slack(slack, change);
+    new_dual.to(of_block + cap_dual * lanes), new_slack.to(of_block + cap_slack * lanes);
+    gap = is_limited * gap + new_dual * new_slack;
     worst = lesser(worst, c);
     const Lanes share = by.o1 / speed.o1, size = greater(share, -share);
-    all_worst = lesser(all_worst, worst), all_steps = greater(all_steps, size);
-    restless_[block] = least_of(worst) < -most_beyond || greatest_of(size) > at_rest ? 1 : 0;
+    all_worst = lesser(all_worst, worst), all_steps = greater(all_steps, size), all_gaps = greater(all_gaps, gap);
+    const bool is_apart = greatest_of(gap) > most_gap * mu * limits_of_cell();
+    restless_[block] = least_of(worst) < -most_beyond || greatest_of(size) > at_rest || is_apart ? 1 : 0;
   }
-  return {least_of(all_worst), greatest_of(all_steps)};
+  return {least_of(all_worst), greatest_of(all_steps), greatest_of(all_gaps) / (mu * limits_of_cell())};
 }
 
 template <class Lanes>

@@ -26,19 +26,19 @@ std::size_t SlowWidth::part_of(double at) const { return static_cast<std::size_t
 
 void SlowWidth::begin() {
   first_ = settled_ = 0;
-  raw_.assign(4, widest);
-  width_.assign(4, widest);
+  raw_.assign(8, widest);
+  width_.assign(8, widest);
 }
 
 void SlowWidth::open(double end) {
-  const std::size_t parts = part_of(end) + 4 - first_;
+  const std::size_t parts = part_of(end) + 6 - first_;
   raw_.resize(settled_ - first_);
   raw_.resize(parts, widest);
   width_.resize(parts, widest);
 }
 
 void SlowWidth::limit(double at, double width) {
-  const std::size_t part = part_of(at) + 1;
+  const std::size_t part = part_of(at) + 2;
   if (part < settled_ || part - first_ >= raw_.size()) return;
   double& raw = raw_[part - first_];
   raw = std::min(raw, width);
@@ -71,7 +71,7 @@ void SlowWidth::close() {
   std::copy(now_.begin() + static_cast<std::ptrdiff_t>(open - from), now_.end(), width_.begin() + static_cast<std::ptrdiff_t>(open));
 }
 
-void SlowWidth::settle(double before) { settled_ = std::max(settled_, std::min(part_of(before) + 3, first_ + raw_.size())); }
+void SlowWidth::settle(double before) { settled_ = std::max(settled_, std::min(part_of(before) + 5, first_ + raw_.size())); }
 
 void SlowWidth::forget(double before) {
   const std::size_t part = part_of(before), kept = 3 * reach;
@@ -82,13 +82,13 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  const double place = std::max(0.0, s / part_length);
-  const auto part = static_cast<std::size_t>(place);
-  const double f = place - static_cast<double>(part);
-  const std::size_t i = std::min(part - first_, width_.size() - 3);
-  const double a = width_[i], b = width_[i + 1], c = width_[i + 2];
-  return {0.5 * (1 - f) * (1 - f) * a + (0.5 + f * (1 - f)) * b + 0.5 * f * f * c, (-(1 - f) * a + (1 - 2 * f) * b + f * c) / part_length,
-          (a - 2 * b + c) / (part_length * part_length)};
+  const double place = std::max(0.0, s / part_length) + 0.5;  // the parts' middles are the knots
+  const auto knot = static_cast<std::size_t>(place);
+  const double f = place - static_cast<double>(knot), g = 1 - f;
+  const double* const w = width_.data() + std::min(knot - first_, width_.size() - 4);
+  return {(g * g * g * w[0] + (4 - f * f * (6 - 3 * f)) * w[1] + (4 - g * g * (6 - 3 * g)) * w[2] + f * f * f * w[3]) / 6,
+          (-g * g * w[0] + f * (3 * f - 4) * w[1] + g * (4 - 3 * g) * w[2] + f * f * w[3]) / (2 * part_length),
+          (g * w[0] + (3 * f - 2) * w[1] + (1 - 3 * f) * w[2] + f * w[3]) / (part_length * part_length)};
 }
 
 }  // namespace kadr

@@ -3,7 +3,8 @@
 // and evenly that the rounded path stays smooth (a saw in the width would cost third derivative, and with it speed).
 //
 // Kept in parts of 0.1 mm: the least of the corners in each, then no steeper than a slope, then the least and the mean of what lies within
-// half a width; between the parts a quadratic B-spline. What is settled does not change any more, while the path goes on.
+// half a width; between the parts a cubic B-spline, so that the second derivative of
+// the rounded path has no jumps. What is settled does not change any more, while the path goes on.
 
 #include <cstddef>
 #include <vector>
