@@ -15,7 +15,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t planned_at = 512;    // pieces: so many come in before the next plan
+constexpr std::size_t planned_at = 1024;   // pieces: so many come in before the next plan
 constexpr std::size_t least_window = 600;  // cells
 constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end

@@ -160,7 +160,7 @@ void PrimalDual::lower(const Range& range) {
 
 /// A range of cells until it comes to rest; where it does not, wider, and from farther inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
-  constexpr int most_steps = 16, most_tries = 4;
+  constexpr int most_steps = 16, more = 12, most_tries = 4;
   constexpr std::size_t wider = 16;  // blocks, more with each try
   for (int attempt = 0; attempt < most_tries; ++attempt) {
     double now = mu;
@@ -171,7 +171,7 @@ bool PrimalDual::settle_range(Range& range, double mu) {
       begin(range, now);
     }
     Progress progress;
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < most_steps + attempt * more; ++k) {
       if (k > 0) now = std::max(mu, now * smaller);
       if (stop_.asked() || !step(range, now, progress)) return false;
       if (now <= mu * 1.01 && (progress.is_quiet() || (progress.stands() && progress.gap <= most_gap))) return true;

@@ -66,22 +66,33 @@ const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   return &sums_[seen * groups_];
 }
 
-void ChainSums::move(const Corners& corners, double s, double width, double* x) {
-  reach(corners, s);
-  if (at_.size() == 1) return;
+/// `Groups`: as many as there are, known when it is compiled; they stay in registers.
+template <std::size_t Groups>
+void ChainSums::add_ways(double at, double width, double* x) {
   const Pulse& pulse = gentle_pulse_nodes();
-  const double at = s - origin_, by = 1 / (6 * width * width);
-  std::array<Four, max_groups> sum{};
+  const double by = 1 / (6 * width * width);
+  std::array<Four, Groups> sum{};
   for (std::size_t n = 0; n < nodes; ++n) {
     const double y = at - pulse.node[n] * width, part = pulse.kink[n] * by;
     const Sums* const sums = before(n, y);
-    for (std::size_t g = 0; g < groups_; ++g) {
+    for (std::size_t g = 0; g < Groups; ++g) {
       const Sums& m = sums[g];
       sum[g] += part * (((m.m0 * y - 3 * m.m1) * y + 3 * m.m2) * y - m.m3);
       if (n == nodes / 2) sum[g] -= m.m0 * y - m.m1;
     }
   }
   for (std::size_t a = 0; a < axes_; ++a) x[a] += sum[a / group][a % group];
+}
+
+void ChainSums::move(const Corners& corners, double s, double width, double* x) {
+  reach(corners, s);
+  if (at_.size() == 1) return;
+  switch (groups_) {
+    case 1: return add_ways<1>(s - origin_, width, x);
+    case 2: return add_ways<2>(s - origin_, width, x);
+    case 3: return add_ways<3>(s - origin_, width, x);
+    default: return add_ways<max_groups>(s - origin_, width, x);
+  }
 }
 
 void ChainSums::move(const Corners& corners, double s, const WidthAt& width, double* x, double* x1, double* x2) {
