@@ -50,7 +50,7 @@ class PrimalDual {
   static constexpr double at_rest = 0.005;      // of a middle: a step
   static constexpr double most_beyond = 0.005;  // of a limit with its margin, in the places
   static constexpr double most_gap = 3;         // slack · dual of the limits of a cell, as a share of their μ
-  static constexpr double allowed = 1.003;      // of a limit
+  static constexpr double allowed = 1;          // of a limit
   static constexpr double most_fall = -0.7, most_rise = 2;  // of a middle, in one step
 
   /// A number of each cell, eight in a row for each block.
