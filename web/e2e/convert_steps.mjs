@@ -10,22 +10,25 @@ export function convert_steps({ kadr, page, pictures }) {
     await page.click(".convert form button.main");
     await until(`an answer for ${to}`, async () => (await count(".convert-told .good, .convert-told .error")) === 1 && !(await count(".convert-clock")), 60_000);
   };
+  const open_with_dialog = async (path) => {
+    await page.goto(kadr.address());
+    await page.reload();
+    await until("the files", () => count(".file-row"));
+    await page.click(".crumbs button >> nth=0");
+    for (const name of path) {
+      await until(name, () => count(`.file-name:text-is("${name}")`));
+      await page.locator(".file-row", { has: page.locator(`.file-name:text-is("${name}")`) }).click();
+    }
+    await until("its name", async () => (await text(".topbar .file")) === path.join("/"));
+    await ended();
+    await page.locator(".files-verbs button").last().focus();
+    await page.keyboard.press("Enter");
+    await until("the choice of a control has the focus", () => page.evaluate(() => document.activeElement?.name === "to"));
+  };
   return {
     async "convert: refused with the places, a click shows the line"() {
-      await page.goto(kadr.address());
-      await page.reload();
-      await until("the files", () => count(".file-row"));
-      await page.click(".crumbs button >> nth=0");
-      for (const name of kadr.path) {
-        await until(name, () => count(`.file-name:text-is("${name}")`));
-        await page.locator(".file-row", { has: page.locator(`.file-name:text-is("${name}")`) }).click();
-      }
-      await until("its name", async () => (await text(".topbar .file")) === kadr.path.join("/"));
-      await ended();
-      await page.locator(".files-verbs button").last().focus();
-      await page.keyboard.press("Enter");
-      await until("the choice of a control has the focus", () => page.evaluate(() => document.activeElement?.name === "to"));
-      await begin("gost");
+      await open_with_dialog(["gost", "plate.nc"]);
+      await begin("correctors");
       must(/not converted/.test(await told()), `told: ${await told()}`);
       must((await count(".convert-tries b")) >= 4 && (await count(".convert-tries li")) >= 1 && !(await count(".convert-written")), "not all ways are told");
       const link = page.locator(".convert-tries .link").last(), line = /(\d+)/.exec(await link.textContent())[1];
@@ -38,7 +41,7 @@ export function convert_steps({ kadr, page, pictures }) {
       await until("the answer to another wish goes", async () => !(await count(".convert-tries")));
     },
     async "convert: proven, kept with its set-up, opened by that control"() {
-      await page.uncheck(".convert [name=force]");
+      await open_with_dialog(kadr.path);
       await begin("linuxcnc");
       must(/equal: \d+ motions/.test(await told()), `told: ${await told()}`);
       const file = await page.locator(".convert-written input").first().inputValue();
