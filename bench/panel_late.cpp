@@ -3,8 +3,9 @@
 //
 //     build/bench/bench/panel_late [SECONDS=60]
 //
-// The machine goes round and round in short segments; another thread asks for its state 60 times a second, as a page does. Prints the greatest
-// lateness of each in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than that of both idle loops and 1 ms.
+// The machine goes round and round in short segments; another thread asks for its state 60 times a second, as a page does. Prints the
+// greatest lateness of each in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than that of both idle loops
+// and 1 ms.
 
 #include <fmt/core.h>
 
@@ -63,7 +64,8 @@ int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 60;
   const auto def = std::make_shared<const kadr::ControlDef>(kadr::load_control("mach3").value());
   const kadr::MachineProfile machine = kadr::load_machine("generic").value();
-  const auto opens = [&](const std::optional<kadr::Axes>&, const kadr::StopToken& stop) -> tl::expected<std::unique_ptr<kadr::Session>, std::string> {
+  const auto opens = [&](const std::optional<kadr::Axes>&,
+                         const kadr::StopToken& stop) -> tl::expected<std::unique_ptr<kadr::Session>, std::string> {
     kadr::RunLimits limits;
     limits.stop = stop;
     auto session = kadr::Session::open({def, machine, {}, {"main.nc", kadr::text_source(rounds()), {}}, limits});
@@ -81,13 +83,14 @@ int main(int argc, char** argv) {
     if (first == 0) first = state.sample.instant;
     if (state.mode != kadr::PanelMode::running) return fmt::print("the machine stands\n"), 2;
     if (since(begun) > told) {
-      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late(), 1000 * other.late());
+      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late(),
+                 1000 * other.late());
       told += 10;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   const kadr::ServoSample last = (*made)->state().sample;
-  fmt::print("{:.0f} s, {} instants: greatest lateness of the servo clock {:.3f} ms, of the idle loops {:.3f} ms, {:.3f} ms\n", since(begun), last.instant - first,
-             1000 * last.late, 1000 * idle.late(), 1000 * other.late());
+  fmt::print("{:.0f} s, {} instants: greatest lateness of the servo clock {:.3f} ms, of the idle loops {:.3f} ms, {:.3f} ms\n",
+             since(begun), last.instant - first, 1000 * last.late, 1000 * idle.late(), 1000 * other.late());
   return last.late > std::max(idle.late(), other.late()) + 1e-3 ? 1 : 0;
 }

@@ -78,8 +78,10 @@ class ConvertCommand {
     spec.source_text = std::make_shared<const std::string>(SourceText(open_text(job_->file, job_->encoding)).whole());
     spec.source = opens(job_->setup);
     if (Setup elsewhere = job_->setup; probe_elsewhere(elsewhere)) spec.elsewhere = opens(std::move(elsewhere));
-    spec.target = [this](std::shared_ptr<const std::string> text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
-      auto session = Session::open({to_, job_->profile, setup, {job_->file, shared_text_source(std::move(text)), Encoding::utf8}, o_.run.limits});
+    spec.target = [this](std::shared_ptr<const std::string> text,
+                         const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
+      auto session =
+          Session::open({to_, job_->profile, setup, {job_->file, shared_text_source(std::move(text)), Encoding::utf8}, o_.run.limits});
       if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
       (*session)->control().set_waiting(Control::Waiting::pass);
       return std::move(*session);
@@ -123,7 +125,8 @@ class ConvertCommand {
   void explain(const ConversionTry& one, const ConversionSides& sides) const {
     if (!o_.explain) return;
     for (const WrittenOut& out : one.written_out) {
-      const std::string lines = out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
+      const std::string lines =
+          out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
       say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
     }
   }
@@ -137,9 +140,11 @@ class ConvertCommand {
   /// "flange.nc:12 | 14: "; the second line is of what was written.
   std::string place_of(const ConversionRefusal& why) const {
     if (why.at.line == 0 && why.written_line == 0) return {};
-    if (why.at.line == 0) return fmt::format("{} {}: {}: ", told("line of what was written", "строка записанного"), why.written_line, why.written_text);
+    if (why.at.line == 0)
+      return fmt::format("{} {}: {}: ", told("line of what was written", "строка записанного"), why.written_line, why.written_text);
     const std::string file = why.at.file == 0 ? job_->file : why.file.empty() ? told("a called file", "вызванный файл") : why.file;
-    return why.written_line == 0 ? fmt::format("{}:{}: ", file, why.at.line) : fmt::format("{}:{} | {}: ", file, why.at.line, why.written_line);
+    return why.written_line == 0 ? fmt::format("{}:{}: ", file, why.at.line)
+                                 : fmt::format("{}:{} | {}: ", file, why.at.line, why.written_line);
   }
 
   const ConvertOptions& o_;
@@ -152,20 +157,29 @@ class ConvertCommand {
 }  // namespace
 
 void add_convert(CLI::App& app, Commands& c) {
-  CLI::App* const convert = app.add_subcommand(
-      "convert", told("a program of one control as a program of another, proven equal", "перевести УП для другого УЧПУ и доказать, что она делает то же"));
+  CLI::App* const convert = app.add_subcommand("convert", told("a program of one control as a program of another, proven equal",
+                                                               "перевести УП для другого УЧПУ и доказать, что она делает то же"));
   ConvertOptions& o = c.convert;
   convert->add_option(told("PROGRAM", "УП"), o.program, told("a part program", "управляющая программа"))->required();
-  control_id(convert->add_option("--from", o.from, told("control of the program (default: guessed)", "УЧПУ программы (по умолчанию по тексту)")));
+  control_id(
+      convert->add_option("--from", o.from, told("control of the program (default: guessed)", "УЧПУ программы (по умолчанию по тексту)")));
   control_id(convert->add_option("--to", o.to, told("control that it is to be for", "УЧПУ, для которого перевести")))->required();
   takes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
-  takes_file(convert->add_option("--setup-out", o.setup_out, told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
-  written_letters(convert->add_option("--encoding-out", o.encoding_out, told("encoding of the program that is written (default: the control's)", "кодировка записанной УП (по умолчанию кодировка УЧПУ)")));
+  takes_file(
+      convert->add_option("--setup-out", o.setup_out,
+                          told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
+  written_letters(convert->add_option(
+      "--encoding-out", o.encoding_out,
+      told("encoding of the program that is written (default: the control's)", "кодировка записанной УП (по умолчанию кодировка УЧПУ)")));
   convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
   convert->add_flag("--explain", o.explain, told("which lines are written out, and why", "какие кадры расписаны и почему"));
-  convert->add_flag("--force", o.force, told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
-  one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")), {ways.begin(), ways.end()});
-  number(convert->add_option("--tolerance", o.tolerance, told("how far ways may be apart (default: half of the coarser word format)", "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
+  convert->add_flag("--force", o.force,
+                    told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
+  one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")),
+         {ways.begin(), ways.end()});
+  number(convert->add_option("--tolerance", o.tolerance,
+                             told("how far ways may be apart (default: half of the coarser word format)",
+                                  "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
          "MM", "ММ", least_apart, most_apart);
   program_options(*convert, o.run);
   convert->footer(convert_examples());

@@ -184,7 +184,8 @@ void add_diff(CLI::App& app, Commands& c) {
   diff->add_flag("--no-messages", o.no_messages, told("what is shown to the operator does not count", "сообщения оператору не сравнивать"));
   diff->add_flag("--tools-by-hand", o.tools_by_hand, told("a tool change is the same as a stop", "смена инструмента — то же, что останов"));
   diff->add_flag("--feeds-at-speed", o.feeds_at_speed,
-                 told("a feed per revolution is the same as what it makes per minute", "подача на оборот — то же, что минутная при этой частоте вращения"));
+                 told("a feed per revolution is the same as what it makes per minute",
+                      "подача на оборот — то же, что минутная при этой частоте вращения"));
   takes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
   control_id(
       diff->add_option("--control-a", o.control_a,

@@ -84,10 +84,10 @@ struct DiffOptions {
   std::string a, b;
   Options both;  // of both programs, but for
   std::string control_a, control_b, setup_a, setup_b;
-  double tolerance = 0.001;  // mm
-  bool all = false;          // differences; else the first ones
+  double tolerance = 0.001;                                                 // mm
+  bool all = false;                                                         // differences; else the first ones
   bool no_messages = false, tools_by_hand = false, feeds_at_speed = false;  // as kadr convert proves: CompareRules
-  std::string plot;          // .svg or .png
+  std::string plot;                                                         // .svg or .png
 };
 int diff(const DiffOptions& options);
 

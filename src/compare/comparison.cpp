@@ -97,7 +97,8 @@ class Comparer {
 
   Comparison all() {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
-    while (!out_.lost && !is_enough() && !rules_.stop.asked() && (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
+    while (!out_.lost && !is_enough() && !rules_.stop.asked() &&
+           (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
       go_on();
     if (!out_.lost && !is_enough() && !rules_.stop.asked()) ends();
     out_.cancelled = rules_.stop.asked();
@@ -147,10 +148,8 @@ class Comparer {
     const auto differs = difference(a, b);
     out_.feeds_at_speed = out_.feeds_at_speed || (!differs && a.unit != b.unit);
     if (differs) {
-      if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(next.state, b); }))
-        return;
-      if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(a, next.state); }))
-        return;
+      if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(next.state, b); })) return;
+      if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(a, next.state); })) return;
     }
     const CourseSpot from_a = spot(a_), from_b = spot(b_);
     const std::string a_says = differs ? words_of_state(a, *differs) : "", b_says = differs ? words_of_state(b, *differs) : "";

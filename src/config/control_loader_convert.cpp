@@ -15,7 +15,9 @@ namespace {
 /// "M27" → 27; nothing: it is no M code.
 std::optional<std::uint32_t> m_code(std::string_view text) {
   constexpr std::size_t most_digits = 8;
-  if (text.size() < 2 || text.size() > most_digits + 1 || text[0] != 'M' || text.find_first_not_of("0123456789", 1) != std::string_view::npos) return std::nullopt;
+  if (text.size() < 2 || text.size() > most_digits + 1 || text[0] != 'M' ||
+      text.find_first_not_of("0123456789", 1) != std::string_view::npos)
+    return std::nullopt;
   std::uint32_t code = 0;
   for (const char digit : text.substr(1)) code = 10 * code + static_cast<std::uint32_t>(digit - '0');
   return code;
@@ -55,9 +57,11 @@ Done ControlLoader::machine_code(std::uint32_t code, const std::string& control,
   const auto there = m_code(node.value_exact<std::string>().value_or(std::string()));
   if (!there) return Failed(place(name_, node) + say("[convert] M{}: an M code of the other control, such as \"M8\"", code));
   if (control == def_.id) return Failed(place(name_, node) + say("[convert] M{}: '{}' is this control itself", code, control));
-  const auto twice = std::find_if(def_.machine_codes.begin(), def_.machine_codes.end(), [&](const MachineCodeRow& one) { return one.control == control && one.there == *there; });
+  const auto twice = std::find_if(def_.machine_codes.begin(), def_.machine_codes.end(),
+                                  [&](const MachineCodeRow& one) { return one.control == control && one.there == *there; });
   if (twice != def_.machine_codes.end())
-    return Failed(place(name_, node) + say("[convert] M{} and M{} are both M{} of '{}': the way back is not known", twice->code, code, *there, control));
+    return Failed(place(name_, node) +
+                  say("[convert] M{} and M{} are both M{} of '{}': the way back is not known", twice->code, code, *there, control));
   def_.machine_codes.push_back({code, control, *there});
   return {};
 }

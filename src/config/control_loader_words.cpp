@@ -74,10 +74,10 @@ Done ControlLoader::sections() {
   if (def_.id.empty()) return Failed(say("{}: id is missing", name_));
   if (const toml::table* const name = section("name")) def_.name = text_of(*name);
   def_.spec = text(file_, "spec");
-  KADR_LOAD(known_keys(file_, {"id",      "aliases",     "guess",     "name",       "spec",   "extends",  "dialect",    "format",
-                               "grammar", "expressions", "behaviour", "axes",       "order",  "address",  "groups",     "g",
-                               "m",       "cycle",       "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes",
-                               "convert", "encoding"}));
+  KADR_LOAD(
+      known_keys(file_, {"id",          "aliases",    "guess",  "name",     "spec",       "extends",     "dialect", "format",  "grammar",
+                         "expressions", "behaviour",  "axes",   "order",    "address",    "groups",      "g",       "m",       "cycle",
+                         "variables",   "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "convert", "encoding"}));
   KADR_LOAD(names());
   KADR_LOAD(encoding());
   KADR_LOAD(dialect());

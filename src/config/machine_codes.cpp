@@ -38,7 +38,8 @@ MachineCodes::MachineCodes(const ControlDef& from, const ControlDef& to) {
 void MachineCodes::take(const ControlDef& own, const ControlDef& other, bool own_is_from) {
   for (const MachineCodeRow& row : own.machine_codes) {
     const std::size_t near = nearness(row, other);
-    const bool is_best = std::none_of(own.machine_codes.begin(), own.machine_codes.end(), [&](const MachineCodeRow& one) { return one.code == row.code && nearness(one, other) > near; });
+    const bool is_best = std::none_of(own.machine_codes.begin(), own.machine_codes.end(),
+                                      [&](const MachineCodeRow& one) { return one.code == row.code && nearness(one, other) > near; });
     if (near == 0 || !is_best) continue;
     const CodeRow* const there = machine_row(other, row.there);
     if (there == nullptr || !is_of_machine(*there)) {

@@ -1,5 +1,5 @@
-// Tables of a control as a set-up would give them: what read_setup of control/start reads, the other way. For Control::tables_now; tested by
-// tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
+// Tables of a control as a set-up would give them: what read_setup of control/start reads, the other way. For Control::tables_now; tested
+// by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 
 #include "control/tables_now.h"
 

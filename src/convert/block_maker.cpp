@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-
 namespace kadr {
 
 Alarm too_long() {
@@ -37,7 +36,8 @@ Status BlockMaker::word(char letter, double value, int more) {
     value = *coded;
   }
   const Words form(def_, letter, more);
-  if (letter == 'F' && value > 0 && form.rounded(value) == 0) return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));
+  if (letter == 'F' && value > 0 && form.rounded(value) == 0)
+    return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));
   return word(form, value);
 }
 

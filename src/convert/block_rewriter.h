@@ -45,7 +45,9 @@ class BlockRewriter {
     Words form;    // of the other control
     double scale;  // of this one
   };
-  bool is_plain(const Block& block) const { return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block); }
+  bool is_plain(const Block& block) const {
+    return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block);
+  }
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;
@@ -76,8 +78,8 @@ class BlockRewriter {
   const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
-  std::uint8_t motion_group_ = 0;         // of the codes of `from`
-  const CodeRow* motion_ = nullptr;       // in force in the text
+  std::uint8_t motion_group_ = 0;    // of the codes of `from`
+  const CodeRow* motion_ = nullptr;  // in force in the text
   bool motion_is_cycle_ = false;
   struct Stops {
     bool by_block = false, by_mode = false;  // the other control has nothing but this
@@ -86,8 +88,8 @@ class BlockRewriter {
   } stops_;
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
-  double feed_ = -1;                      // last F of the text
-  double tool_ = 0;                       // last T
+  double feed_ = -1;                                // last F of the text
+  double tool_ = 0;                                 // last T
   std::array<std::optional<PlainWord>, 26> plain_;  // by letter: what it means depends on nothing else in its block
   std::uint64_t plain_letters_ = 0;                 // those
 };

@@ -37,7 +37,10 @@ constexpr std::array<std::array<Meaning, 4>, 35> families = {{
     {{{Function::dwell, any_argument}, {Function::dwell_or_turns, any_argument}}},
     {{{Function::drilling_off, any_argument}, {Function::no_motion, any_argument}}},
     {{{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}, {Function::call_numbered, any_argument}}},
-    {{{Function::subprogram_return, any_argument}, {Function::return_program, any_argument}, {Function::return_numbered, any_argument}, {Function::subprogram_end, any_argument}}},
+    {{{Function::subprogram_return, any_argument},
+      {Function::return_program, any_argument},
+      {Function::return_numbered, any_argument},
+      {Function::subprogram_end, any_argument}}},
     {{{Function::program_end, any_argument}, {Function::tape_end, any_argument}}},
     {{{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}},
     {{{Function::set_position, any_argument}, {Function::coordinate_shift, 0}, {Function::new_system, any_argument}}},
@@ -48,15 +51,22 @@ constexpr std::array<std::array<Meaning, 4>, 35> families = {{
     {{{Function::rotation_off, any_argument}, {Function::plane_rotation_off, any_argument}}},
     {{{Function::scale_on, any_argument}, {Function::scaling_on, any_argument}}},
     {{{Function::scale_off, any_argument}, {Function::scaling_off, any_argument}}},
-    {{{Function::set_data, any_argument}, {Function::table_data, any_argument}, {Function::stored_offsets, any_argument}, {Function::set_tables, any_argument}}},
-    {{{Function::home_through, any_argument}, {Function::reference_return, any_argument}, {Function::reference_move, any_argument}, {Function::stored_move, any_argument}}},
+    {{{Function::set_data, any_argument},
+      {Function::table_data, any_argument},
+      {Function::stored_offsets, any_argument},
+      {Function::set_tables, any_argument}}},
+    {{{Function::home_through, any_argument},
+      {Function::reference_return, any_argument},
+      {Function::reference_move, any_argument},
+      {Function::stored_move, any_argument}}},
     {{{Function::polar_on, any_argument}, {Function::polar_data_on, any_argument}}},
     {{{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}}},
     {{{Function::polar_off, any_argument}, {Function::polar_data_off, any_argument}}},
 }};
 
 bool is_zero(Function function) {
-  return function == Function::work_zero || function == Function::fixture || function == Function::work_system || function == Function::table_system;
+  return function == Function::work_zero || function == Function::fixture || function == Function::work_system ||
+         function == Function::table_system;
 }
 
 bool same_argument(const CodeRow& a, int arg) { return arg == any_argument || a.arg == arg; }
@@ -76,20 +86,29 @@ const CodeRow* match_of(const CodeRow& row, const ControlDef& from, const Contro
   if (is_canned_cycle(row)) {
     if (row.cycle != 0) {
       const std::vector<CycleStep>& steps = from.cycles[row.cycle - 1U].steps;
-      if (const CodeRow* const same = first_that(to, row.code, [&](const CodeRow& one) { return one.cycle != 0 && !steps.empty() && to.cycles[one.cycle - 1U].steps == steps; })) return same;
+      if (const CodeRow* const same = first_that(to, row.code, [&](const CodeRow& one) {
+            return one.cycle != 0 && !steps.empty() && to.cycles[one.cycle - 1U].steps == steps;
+          }))
+        return same;
     }
     return first_that(to, row.code, [&](const CodeRow& one) { return is_canned_cycle(one) && one.code == row.code; });
   }
-  if (is_zero(row.function)) return first_that(to, row.code, [&](const CodeRow& one) { return is_zero(one.function) && one.arg == row.arg; });
-  if (const CodeRow* const same = first_that(to, row.code, [&](const CodeRow& one) { return one.function == row.function && one.arg == row.arg && one.cycle == 0; })) {
+  if (is_zero(row.function))
+    return first_that(to, row.code, [&](const CodeRow& one) { return is_zero(one.function) && one.arg == row.arg; });
+  if (const CodeRow* const same = first_that(
+          to, row.code, [&](const CodeRow& one) { return one.function == row.function && one.arg == row.arg && one.cycle == 0; })) {
     if (row.function != Function::machine_function || same->code == row.code) return same;
     return nullptr;  // M codes of the machine keep their number
   }
   for (const auto& family : families) {
-    if (std::none_of(family.begin(), family.end(), [&](const Meaning& one) { return one.function == row.function && same_argument(row, one.arg); })) continue;
+    if (std::none_of(family.begin(), family.end(),
+                     [&](const Meaning& one) { return one.function == row.function && same_argument(row, one.arg); }))
+      continue;
     for (const Meaning& one : family)
       if (one.function != Function::count)
-        if (const CodeRow* const same = first_that(to, row.code, [&](const CodeRow& other) { return other.function == one.function && same_argument(other, one.arg) && other.cycle == 0; }))
+        if (const CodeRow* const same = first_that(to, row.code, [&](const CodeRow& other) {
+              return other.function == one.function && same_argument(other, one.arg) && other.cycle == 0;
+            }))
           return same;
   }
   return nullptr;

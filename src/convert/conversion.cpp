@@ -21,13 +21,20 @@ namespace {
 /// One way of saying it.
 class Writing {
  public:
-  Writing(const ConversionSpec& spec, ConvertedAs as) : spec_(spec), blocks_(*spec.to, [this](std::string_view line) { return text_->append(line).size() <= most_made; }), comments_(*spec.source_text) { made_.as = as; }
+  Writing(const ConversionSpec& spec, ConvertedAs as)
+      : spec_(spec),
+        blocks_(*spec.to, [this](std::string_view line) { return text_->append(line).size() <= most_made; }),
+        comments_(*spec.source_text) {
+    made_.as = as;
+  }
 
   tl::expected<ConversionTry, std::string> write() {
     auto opened = spec_.source();
     if (!opened) return tl::unexpected(opened.error());
     session_ = std::move(*opened);
-    const FlatWay way = made_.as == ConvertedAs::contours ? FlatWay::contours : made_.as == ConvertedAs::lengths ? FlatWay::lengths : FlatWay::plain;
+    const FlatWay way = made_.as == ConvertedAs::contours  ? FlatWay::contours
+                        : made_.as == ConvertedAs::lengths ? FlatWay::lengths
+                                                           : FlatWay::plain;
     Control& control = session_->control();
     control.hand_over_each_block();
     FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), way);
@@ -41,7 +48,8 @@ class Writing {
       outlets.step = [this](const Step& step) { take(step.action, &step); };
     }
     note(flat.begin(session_->stand(), control.placement()));
-    while (!made_.cannot_say && session_->go_on() == Session::State::running) {}
+    while (!made_.cannot_say && session_->go_on() == Session::State::running) {
+    }
     if (!made_.cannot_say) note(flat.finish());
     for (const std::string& comment : comments_.rest())
       if (!made_.cannot_say) blocks_.comment(comment), note(blocks_.end());
@@ -86,7 +94,8 @@ class Writing {
   OffsetsInForce now_;
 };
 
-tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) {
+tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const Setup& setup, const ProgramShape& shape,
+                                                 const CompareRules& rules) {
   if (as == ConvertedAs::words) return word_by_word(spec, setup, shape, rules);
   ConversionTry one;
   one.as = as;
@@ -146,7 +155,8 @@ std::string sentence_of(const MachineCodes::Fault& fault) {
 
 /// A return to rounding corners, or an exact stop: every control that has exact stops says it in its words.
 bool is_of_exact_stop(const CodeRow& row) {
-  return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode || row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
+  return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode ||
+         row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
 }  // namespace
@@ -190,7 +200,8 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
   rules.first_only = true;
   rules.messages = shows_same_messages(opened->def(), *spec.to);
-  for (const ConvertedAs as : {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
+  for (const ConvertedAs as :
+       {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
     if (spec.only && as != *spec.only) continue;
     auto one = one_try(spec, as, all.setup_of(as), shape, rules);

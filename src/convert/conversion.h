@@ -27,15 +27,16 @@ enum class ConvertedAs : std::uint8_t {
 /// What is converted: how sessions of it are made.
 struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
-  using OpensText = std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<const std::string> text, const Setup& setup)>;
-  Opens source;               // of the program under its own control
-  Opens elsewhere{};          // the same with what a probe touches at another place (probe_elsewhere); empty: nothing is probed
-  OpensText target;           // of a text under the other control, from that set-up
+  using OpensText =
+      std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<const std::string> text, const Setup& setup)>;
+  Opens source;       // of the program under its own control
+  Opens elsewhere{};  // the same with what a probe touches at another place (probe_elsewhere); empty: nothing is probed
+  OpensText target;   // of a text under the other control, from that set-up
   std::shared_ptr<const std::string> source_text;  // UTF-8
   const ControlDef* to = nullptr;
-  bool flat = false;          // calls, loops and cycles are written out even where the other control has them
-  std::optional<ConvertedAs> only{};  // this way and no other
-  double tolerance = 0.001;   // mm
+  bool flat = false;                        // calls, loops and cycles are written out even where the other control has them
+  std::optional<ConvertedAs> only{};        // this way and no other
+  double tolerance = 0.001;                 // mm
   std::optional<WrittenLetters> letters{};  // of the text; else those of the control
   StopToken stop{};
 };
@@ -43,7 +44,7 @@ struct ConversionSpec {
 /// Lines that are written out where the others are rewritten.
 struct WrittenOut {
   TextLines lines;
-  std::optional<Alarm> cannot_say{};       // the other control has nothing for it …
+  std::optional<Alarm> cannot_say{};          // the other control has nothing for it …
   std::optional<CourseDifference> differs{};  // … or would do something else, here or nearby …
   bool varies = false;                        // … or it is not the same each time; none: contours and frames that are calculated in
 };
@@ -56,7 +57,7 @@ struct ConversionTry {
   Comparison proof;                 // where it could be said
   std::shared_ptr<const std::string> text = std::make_shared<std::string>();
   bool is_proven() const { return !cannot_say && !text->empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
-  std::size_t transliterated = 0;  // characters that the other control's text has not
+  std::size_t transliterated = 0;         // characters that the other control's text has not
   std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };
 

@@ -89,13 +89,17 @@ std::string why_written_out(const WrittenOut& lines, const ConversionSides& side
 std::vector<std::string> notes_on(const Converted& made, const ConversionTry& one) {
   std::vector<std::string> notes;
   if (made.tools_by_hand) notes.push_back(told("tools are changed by hand, at M0", "инструмент меняют вручную, на M0"));
-  if (one.proof.passed_messages != 0) notes.push_back(told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями"));
+  if (one.proof.passed_messages != 0)
+    notes.push_back(told("what the program shows to the operator is a comment there", "сообщения оператору стали комментариями"));
   if (one.proof.feeds_at_speed)
-    notes.push_back(told("feed per revolution is written per minute, at the speed of the program", "подача на оборот записана минутной, при частоте вращения из программы"));
+    notes.push_back(told("feed per revolution is written per minute, at the speed of the program",
+                         "подача на оборот записана минутной, при частоте вращения из программы"));
   if (one.transliterated != 0)
     notes.push_back(told(fmt::format("letters that its text cannot hold are written as others: {}", one.transliterated),
                          fmt::format("букв, которых нет в её кодировке, записано другими: {}", one.transliterated)));
-  const auto& lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>() : one.as == ConvertedAs::words ? made.path_modes_unknown : made.path_modes;
+  const auto& lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()
+                     : one.as == ConvertedAs::words      ? made.path_modes_unknown
+                                                         : made.path_modes;
   if (!lost.empty())
     notes.push_back(told(fmt::format("not carried over: {} (how corners are gone round)", fmt::join(lost, ", ")),
                          fmt::format("не перенесено: {} (как проходятся углы)", fmt::join(lost, ", "))));

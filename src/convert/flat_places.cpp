@@ -14,7 +14,13 @@ namespace {
 class PlaceWriter {
  public:
   PlaceWriter(Session& session, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on)
-      : session_(session), control_(session.control()), places_(places), blocks_(to, [this](std::string_view line) { return has_room_for(line); }), flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places), centres_(centres), straight_on_(straight_on && !centres) {}
+      : session_(session),
+        control_(session.control()),
+        places_(places),
+        blocks_(to, [this](std::string_view line) { return has_room_for(line); }),
+        flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places),
+        centres_(centres),
+        straight_on_(straight_on && !centres) {}
 
   Result<std::size_t> run(const StopToken& stop) {
     flat_.allow_after_probe();
@@ -35,7 +41,8 @@ class PlaceWriter {
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
     text_.clear();  // the other blocks say it
-    while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {}
+    while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {
+    }
     close();
     if (is_full_) return fail(too_long());
     return std::size_t{number_ + 1};
@@ -60,7 +67,8 @@ class PlaceWriter {
     return origin.file == 0 ? place_at(origin.line) : nowhere;
   }
   std::size_t place_at(std::uint32_t line) const {
-    const auto after = std::upper_bound(places_.begin(), places_.end(), line, [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
+    const auto after = std::upper_bound(places_.begin(), places_.end(), line,
+                                        [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
     if (after == places_.begin() || !std::prev(after)->lines.holds(line)) return nowhere;
     return static_cast<std::size_t>(std::prev(after) - places_.begin());
   }
@@ -152,7 +160,8 @@ class PlaceWriter {
 
 }  // namespace
 
-Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on, const StopToken& stop) {
+Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on,
+                                      const StopToken& stop) {
   return PlaceWriter(source, to, places, centres, straight_on).run(stop);
 }
 

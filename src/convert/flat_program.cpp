@@ -148,7 +148,8 @@ Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
 
 Status FlatProgram::close(const FlatBefore& after) {
   KADR_TRY(end_block());
-  if (unit_ && unit_ != source_unit_ && (source_unit_ != FeedUnit::mm_per_rev || row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr))
+  if (unit_ && unit_ != source_unit_ &&
+      (source_unit_ != FeedUnit::mm_per_rev || row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr))
     KADR_TRY(feed_unit(source_unit_));
   if (has_stop_modes() && is_exact_ != after.exact) KADR_TRY(stop_mode(after.exact));
   if (after.inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
@@ -172,8 +173,12 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
-  if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty()) blocks_.text(source_.systems[std::size_t(system)]);
-  else if (!blocks_.code_if_there({{Function::work_system, system}, {Function::work_zero, system}, {Function::fixture, system}, {Function::table_system, system}}))
+  if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
+    blocks_.text(source_.systems[std::size_t(system)]);
+  else if (!blocks_.code_if_there({{Function::work_system, system},
+                                   {Function::work_zero, system},
+                                   {Function::fixture, system},
+                                   {Function::table_system, system}}))
     return no_code(("G" + std::to_string(first_system + system)).c_str());
   system_ = motion.system;
   said_origin_ = placement_.origin;
@@ -183,18 +188,28 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
 /// In the block of the motion: lengths and sides.
 Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
   if (is_by_codes() && motion.side != side_) {
-    if (motion.side == 0) KADR_TRY(blocks_.code({{Function::radius_comp_off, any_argument}, {Function::radius_side, 0}, {Function::compensation_off, any_argument}}));
-    else if (motion.side > 0) KADR_TRY(blocks_.code({{Function::radius_comp_left, any_argument}, {Function::radius_side, 1}, {Function::tool_side, 41}}));
+    if (motion.side == 0)
+      KADR_TRY(blocks_.code(
+          {{Function::radius_comp_off, any_argument}, {Function::radius_side, 0}, {Function::compensation_off, any_argument}}));
+    else if (motion.side > 0)
+      KADR_TRY(blocks_.code({{Function::radius_comp_left, any_argument}, {Function::radius_side, 1}, {Function::tool_side, 41}}));
     else KADR_TRY(blocks_.code({{Function::radius_comp_right, any_argument}, {Function::radius_side, 2}, {Function::tool_side, 42}}));
     if (motion.side != 0 && now.radius_number != 0) KADR_TRY(blocks_.word('D', now.radius_number));
     side_ = motion.side;
   }
   const bool same = now.length_sign == said_.length_sign && (now.length_sign == 0 || now.length_number == said_.length_number);
   if (way_ == FlatWay::plain || same || is_length_by_word()) return {};
-  if (now.length_sign == 0) KADR_TRY(blocks_.code({{Function::length_off, any_argument}, {Function::length_comp, 0}, {Function::tool_length_off, any_argument}, {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
-  else if (now.length_sign > 0) KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
+  if (now.length_sign == 0)
+    KADR_TRY(blocks_.code({{Function::length_off, any_argument},
+                           {Function::length_comp, 0},
+                           {Function::tool_length_off, any_argument},
+                           {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
+  else if (now.length_sign > 0)
+    KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
   else KADR_TRY(blocks_.code({{Function::length_minus, any_argument}, {Function::length_comp, 2}}));
-  if (now.length_sign != 0) KADR_TRY(blocks_.word(blocks_.has_word('H') && blocks_.def().address('H').function != Function::repeat_word ? 'H' : 'D', now.length_number));
+  if (now.length_sign != 0)
+    KADR_TRY(
+        blocks_.word(blocks_.has_word('H') && blocks_.def().address('H').function != Function::repeat_word ? 'H' : 'D', now.length_number));
   said_ = now;
   return {};
 }
@@ -249,8 +264,10 @@ bool FlatProgram::is_in_machine(const Motion& motion) const {
 }
 
 Status FlatProgram::machine_motion(const Motion& motion) {
-  const bool by_move = row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) == nullptr;
-  KADR_TRY(blocks_.code({{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}}));
+  const bool by_move =
+      row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) == nullptr;
+  KADR_TRY(blocks_.code(
+      {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}}));
   if (!by_move) KADR_TRY(motion_code(Function::rapid));
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     if ((motion.named >> a & 1U) == 0) continue;
@@ -295,7 +312,8 @@ Status FlatProgram::arc(const Motion& motion) {
   const int turns = std::max(1, int(std::ceil(motion.turns - tol::whole_number))), pieces = is_said_by_lead(motion, turns) ? 1 : turns;
   if (pieces > most_turns) return no_code("arc_cw");
   const Axes from = at_;
-  const double radius = std::hypot(from[first] - centre.x, from[second] - centre.y), begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
+  const double radius = std::hypot(from[first] - centre.x, from[second] - centre.y),
+               begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
   const double sense = function == Function::arc_ccw ? 1 : -1;
   for (int i = 1; i <= pieces; ++i) {  // each turn by itself, all of the same angle
     Axes end = motion.machine;

@@ -44,12 +44,13 @@ struct FlatSource {
   bool same_messages = true;      // the other control shows messages in the same way: they cannot be said by codes; else they are comments
   std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that are others there, by the tables of both controls
   std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes there that switch it, where the tables say so
-  std::vector<std::string> systems{};  // of the other control, by number: "G54", "G54.1 P1"
+  std::vector<std::string> systems{};                      // of the other control, by number: "G54", "G54.1 P1"
 };
 
 class FlatProgram {
  public:
-  FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way) : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way) {}
+  FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way)
+      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way) {}
 
   /// Where the axes stand at the beginning, and the zero in force.
   Status begin(const ToolPosition& stand, const Placement& placement);
@@ -119,12 +120,12 @@ class FlatProgram {
   const std::vector<std::string>& axes_;
   const FlatWay way_;
 
-  Axes at_{};       // machine coordinates
+  Axes at_{};  // machine coordinates
   Placement placement_;
   AxisMask known_ = 0;
   Function code_ = Function::count;
-  std::optional<FeedUnit> unit_;                     // that is said
-  FeedUnit source_unit_ = FeedUnit::mm_per_min;     // of the program
+  std::optional<FeedUnit> unit_;                 // that is said
+  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // of the program
   double feed_ = -1;
   int plane_ = 17;
   std::uint16_t system_ = 0;
@@ -132,11 +133,11 @@ class FlatProgram {
   OffsetsInForce said_;
   std::uint32_t selected_ = 0;
   std::size_t motions_ = 0;
-  Axes said_origin_{};      // of the work system, with the shifts that the other blocks have put in force
+  Axes said_origin_{};  // of the work system, with the shifts that the other blocks have put in force
   bool after_probe_allowed_ = false;
   bool has_probed_ = false;  // what follows may depend on what was touched: figures of this run would not
   bool system_is_said_ = true;
-  bool relative_ = false;   // increments are programmed
+  bool relative_ = false;  // increments are programmed
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   Coolant coolant_ = Coolant::off;

@@ -11,7 +11,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::initializer_list<Wanted> go_on_codes = {{Function::constant_velocity, any_argument}, {Function::feed_control, continuous_cutting}};
+constexpr std::initializer_list<Wanted> go_on_codes = {{Function::constant_velocity, any_argument},
+                                                       {Function::feed_control, continuous_cutting}};
 
 Status not_there(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
@@ -42,8 +43,12 @@ Status FlatProgram::spindle_on() {
 Status FlatProgram::speed(const Speed& speed) {
   if (speed.number != 1) return not_there("spindle_word");
   if (speed.surface != surface_) {
-    if (speed.surface) KADR_TRY(blocks_.code({{Function::surface_speed, any_argument}, {Function::css_on, any_argument}, {Function::surface_speed_limited, 0}}));
-    else KADR_TRY(blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}, {Function::surface_speed_limited, 1}}));
+    if (speed.surface)
+      KADR_TRY(
+          blocks_.code({{Function::surface_speed, any_argument}, {Function::css_on, any_argument}, {Function::surface_speed_limited, 0}}));
+    else
+      KADR_TRY(
+          blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}, {Function::surface_speed_limited, 1}}));
     surface_ = speed.surface;
   }
   rpm_ = speed.value;
@@ -61,7 +66,8 @@ Status FlatProgram::coolant(Coolant what) {
 /// A control that has no table of tools, but a code that says a length (spec/grbl 4.15).
 bool FlatProgram::is_length_by_word() const {
   const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
-  return has({{Function::length_by_word, any_argument}}) && !has({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}});
+  return has({{Function::length_by_word, any_argument}}) &&
+         !has({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}});
 }
 
 Status FlatProgram::length_by_word(const OffsetsInForce& now) {
@@ -104,7 +110,9 @@ Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool cha
     KADR_TRY(blocks_.word('T', together ? number * corrector_digits + (corrector != 0 ? corrector : number) : number));
     selected_ = number;
   }
-  if (change) KADR_TRY(blocks_.code({{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
+  if (change)
+    KADR_TRY(blocks_.code(
+        {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
   if (!change) return {};
   KADR_TRY(end_block());
   KADR_TRY(spindle_on());  // some controls stop it with the change
@@ -183,9 +191,11 @@ Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
   const auto mapped = source_.machine_codes.find(code);
   const std::uint32_t there = mapped != source_.machine_codes.end() ? mapped->second : code;
-  const bool is_taken = mapped == source_.machine_codes.end() && std::any_of(source_.machine_codes.begin(), source_.machine_codes.end(), [&](const auto& one) { return one.second == code; });
+  const bool is_taken = mapped == source_.machine_codes.end() && std::any_of(source_.machine_codes.begin(), source_.machine_codes.end(),
+                                                                             [&](const auto& one) { return one.second == code; });
   const CodeRow* const row = machine_row(def, there);
-  if (is_taken || row == nullptr || (mapped == source_.machine_codes.end() && row->function != Function::machine_function)) return not_there(("M" + std::to_string(code)).c_str());
+  if (is_taken || row == nullptr || (mapped == source_.machine_codes.end() && row->function != Function::machine_function))
+    return not_there(("M" + std::to_string(code)).c_str());
   KADR_TRY(end_block());
   blocks_.text(machine_code_text(def, there));
   return end_block();

@@ -9,26 +9,33 @@ namespace kadr {
 namespace {
 
 bool opens(const Statement& s) {
-  return s.kind == StatementKind::loop || (s.kind == StatementKind::o_word && (s.o_word == OWord::while_ || s.o_word == OWord::do_ || s.o_word == OWord::repeat || s.o_word == OWord::if_));
+  return s.kind == StatementKind::loop || (s.kind == StatementKind::o_word && (s.o_word == OWord::while_ || s.o_word == OWord::do_ ||
+                                                                               s.o_word == OWord::repeat || s.o_word == OWord::if_));
 }
 
 bool closes(const Statement& s) {
-  return s.kind == StatementKind::loop_end || (s.kind == StatementKind::o_word && (s.o_word == OWord::endwhile || s.o_word == OWord::endrepeat || s.o_word == OWord::endif));
+  return s.kind == StatementKind::loop_end ||
+         (s.kind == StatementKind::o_word && (s.o_word == OWord::endwhile || s.o_word == OWord::endrepeat || s.o_word == OWord::endif));
 }
 
 bool calls(Function function) {
-  return function == Function::call_subprogram || function == Function::call_program || function == Function::call_numbered || function == Function::macro_call || function == Function::call_local;
+  return function == Function::call_subprogram || function == Function::call_program || function == Function::call_numbered ||
+         function == Function::macro_call || function == Function::call_local;
 }
 
 bool returns(Function function) {
-  return function == Function::subprogram_return || function == Function::subprogram_end || function == Function::return_program || function == Function::return_numbered;
+  return function == Function::subprogram_return || function == Function::subprogram_end || function == Function::return_program ||
+         function == Function::return_numbered;
 }
 
 /// Motions and modes: they lead nowhere else, and read no other blocks.
 bool is_straight(Function function) {
-  constexpr Phase phases[] = {Phase::unit, Phase::feed_mode, Phase::speed_mode, Phase::spindle, Phase::spindle_stop, Phase::coolant, Phase::coolant_off, Phase::dwell, Phase::plane, Phase::compensation, Phase::length, Phase::zero, Phase::path_mode, Phase::distance, Phase::retract};
+  constexpr Phase phases[] = {Phase::unit,    Phase::feed_mode,   Phase::speed_mode, Phase::spindle,  Phase::spindle_stop,
+                              Phase::coolant, Phase::coolant_off, Phase::dwell,      Phase::plane,    Phase::compensation,
+                              Phase::length,  Phase::zero,        Phase::path_mode,  Phase::distance, Phase::retract};
   const FunctionTraits& traits = traits_of(function);
-  return traits.is(function_fact::plain_motion) || function == Function::program_end || function == Function::tape_end || std::find(std::begin(phases), std::end(phases), traits.phase) != std::end(phases);
+  return traits.is(function_fact::plain_motion) || function == Function::program_end || function == Function::tape_end ||
+         std::find(std::begin(phases), std::end(phases), traits.phase) != std::end(phases);
 }
 
 constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
@@ -40,7 +47,8 @@ constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  
 
 ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop) {
   for (char letter = 'A'; letter <= 'Z'; ++letter)
-    if ((def.address(letter).function == Function::axis || def.address(letter).function == Function::machine_axis) && letter != 'S' && letter != 'T' && letter != 'P' && !def.grammar.word(letter).code)
+    if ((def.address(letter).function == Function::axis || def.address(letter).function == Function::machine_axis) && letter != 'S' &&
+        letter != 'T' && letter != 'P' && !def.grammar.word(letter).code)
       plain_letters_ |= std::uint64_t{1} << (letter - 'A');
   has_jumps_ = def.grammar.macro;
   BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
@@ -111,26 +119,32 @@ bool ProgramShape::take_plain(const Block& block) {
 void ProgramShape::note_flow(Function function, std::uint32_t line) {
   const FunctionTraits& traits = traits_of(function);
   const bool is_end = function == Function::program_end || function == Function::tape_end;
-  if (!is_end && (traits.phase == Phase::flow || traits.is(function_fact::calls) || traits.is(function_fact::passes_control))) has_flow_ = true;
+  if (!is_end && (traits.phase == Phase::flow || traits.is(function_fact::calls) || traits.is(function_fact::passes_control)))
+    has_flow_ = true;
   if (!is_straight(function)) last_turn_ = line;
 }
 
 void ProgramShape::take(const Block& block, const ControlDef& def) {
   const std::uint32_t line = block.position.line;
   for (const Span comment : block.comments)
-    for (const char c : block.text_of(comment)) is_russian_ = is_russian_ || (static_cast<unsigned char>(c) >= first_cyrillic_byte && static_cast<unsigned char>(c) <= last_cyrillic_byte);
+    for (const char c : block.text_of(comment))
+      is_russian_ =
+          is_russian_ || (static_cast<unsigned char>(c) >= first_cyrillic_byte && static_cast<unsigned char>(c) <= last_cyrillic_byte);
   if (block.marker == Marker::label && (main_over_ || last_block_ != 0)) {
     close_subprogram();
     label_ = block.label, labelled_ = line;
     edges_.push_back(line);
   }
-  if (block.statement.kind != StatementKind::none || block.marker == Marker::section || block.codes_vary || block.file_name.end != 0 || block.broken) has_flow_ = true;
+  if (block.statement.kind != StatementKind::none || block.marker == Marker::section || block.codes_vary || block.file_name.end != 0 ||
+      block.broken)
+    has_flow_ = true;
   take_section(block);
   take_o_line(block);
   take_jump(block, def);
   take_variables(block.text_of(block.where));
   const std::string label(block.statement.kind == StatementKind::o_word ? block.text_of(block.statement.label_where) : std::string_view());
-  const bool ends_do = block.statement.o_word == OWord::while_ && !open_loops_.empty() && !label.empty() && open_loops_.back().second == label;
+  const bool ends_do =
+      block.statement.o_word == OWord::while_ && !open_loops_.empty() && !label.empty() && open_loops_.back().second == label;
   if ((closes(block.statement) || ends_do) && !open_loops_.empty()) {
     loops_.push_back({open_loops_.back().first, line});
     open_loops_.pop_back();
@@ -160,7 +174,9 @@ void ProgramShape::take_o_line(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind != StatementKind::o_word) return;
   const std::uint32_t line = block.position.line;
-  const auto label = [&] { return names_.emplace(block.text_of(s.label_where), first_name_label + static_cast<std::uint32_t>(names_.size())).first->second; };
+  const auto label = [&] {
+    return names_.emplace(block.text_of(s.label_where), first_name_label + static_cast<std::uint32_t>(names_.size())).first->second;
+  };
   if (s.o_word == OWord::sub) {
     label_ = label(), labelled_ = line;
     edges_.push_back(line);
@@ -178,7 +194,8 @@ void ProgramShape::take_o_line(const Block& block) {
 void ProgramShape::take_variables(std::string_view text) {
   for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
     std::uint32_t number = 0;
-    for (std::size_t i = at + 1; i < text.size() && text[i] >= '0' && text[i] <= '9' && number < most_variable; ++i) number = 10 * number + static_cast<std::uint32_t>(text[i] - '0');
+    for (std::size_t i = at + 1; i < text.size() && text[i] >= '0' && text[i] <= '9' && number < most_variable; ++i)
+      number = 10 * number + static_cast<std::uint32_t>(text[i] - '0');
     if (number != 0) variables_.insert(number);
   }
 }
@@ -191,8 +208,11 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
-  if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression) names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
-  if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool) names_of_words_.tools.insert(static_cast<std::uint32_t>(def.behaviour.tool_and_corrector && t->value >= hundred ? t->value / hundred : t->value));
+  if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
+    names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
+  if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool)
+    names_of_words_.tools.insert(
+        static_cast<std::uint32_t>(def.behaviour.tool_and_corrector && t->value >= hundred ? t->value / hundred : t->value));
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
     if (def.address(word.address).function == Function::call_word && !word.expression) {
@@ -213,20 +233,24 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     rounds_corners_ = rounds_corners_ || (function == Function::constant_velocity && block.has('P'));
     note_flow(function, block.position.line);
     is_call = is_call || calls(function);
-    if (function == Function::macro_call && block.has('P') && !block.find('P')->expression) macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));
+    if (function == Function::macro_call && block.has('P') && !block.find('P')->expression)
+      macro_labels_.insert(static_cast<std::uint32_t>(block.find('P')->value));
     take_side(def.codes[static_cast<std::size_t>(row)], block.position.line);
     if (returns(function)) edges_.push_back(block.position.line);
     if (traits_of(function).phase == Phase::transform) transforms_.push_back(block.position.line);
     if (traits_of(function).is(function_fact::ends) && labelled_ == 0) main_over_ = true;
   }
-  if (const Word* const p = block.find('P'); is_call && p != nullptr && !p->expression) callers_.emplace(static_cast<std::uint32_t>(p->value), block.position.line);
+  if (const Word* const p = block.find('P'); is_call && p != nullptr && !p->expression)
+    callers_.emplace(static_cast<std::uint32_t>(p->value), block.position.line);
 }
 
 void ProgramShape::take_side(const CodeRow& row, std::uint32_t line) {
   const Function function = row.function;
-  if (function == Function::radius_comp_left || function == Function::radius_comp_right || function == Function::tool_side || (function == Function::radius_side && row.arg != 0)) {
+  if (function == Function::radius_comp_left || function == Function::radius_comp_right || function == Function::tool_side ||
+      (function == Function::radius_side && row.arg != 0)) {
     if (contour_ == 0) contour_ = line;
-  } else if (contour_ != 0 && (function == Function::radius_comp_off || function == Function::compensation_off || function == Function::radius_side)) {
+  } else if (contour_ != 0 &&
+             (function == Function::radius_comp_off || function == Function::compensation_off || function == Function::radius_side)) {
     contours_.push_back({contour_, line});
     contour_ = 0;
   }
@@ -247,7 +271,9 @@ std::uint32_t ProgramShape::block_before(std::uint32_t line) const {
 std::optional<TextLines> ProgramShape::loop_around(TextLines lines) const {
   std::optional<TextLines> best;
   for (const TextLines& loop : loops_)
-    if (loop.first <= lines.first && lines.last <= loop.last && !(loop == lines) && (!best || loop.last - loop.first < best->last - best->first)) best = loop;
+    if (loop.first <= lines.first && lines.last <= loop.last && !(loop == lines) &&
+        (!best || loop.last - loop.first < best->last - best->first))
+      best = loop;
   return best;
 }
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "lang/block/block_reader.h"
 #include "base/stop.h"
 #include "config/control_def.h"
 #include "convert/o_line_rewriter.h"
+#include "lang/block/block_reader.h"
 
 namespace kadr {
 
@@ -89,14 +89,14 @@ class ProgramShape {
   std::set<std::size_t> path_modes_;
   bool rounds_corners_ = false;
   ProgramNames names_of_words_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;           // N → line, of macro programs that are not very long
+  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line, of macro programs that are not very long
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N
   std::set<std::uint32_t> leaves_;
-  std::set<std::uint32_t> macro_labels_;                     // called by G65
+  std::set<std::uint32_t> macro_labels_;  // called by G65
   // while it is read
-  std::map<std::string, std::uint32_t> names_;  // of subprograms → label
+  std::map<std::string, std::uint32_t> names_;                     // of subprograms → label
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line
-  std::uint32_t contour_ = 0;  // line where it begins
+  std::uint32_t contour_ = 0;                                      // line where it begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
   bool has_jumps_ = false;  // the control has GOTO
   bool main_over_ = false, in_section_ = false, is_russian_ = false;

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_told = 60;  // bytes of a block in a comment
+constexpr std::size_t most_told = 60;      // bytes of a block in a comment
 constexpr std::uint32_t early_end = 1000;  // lines: what cannot be said stands together mostly, at the beginning
 
 /// Whole characters.
@@ -36,7 +36,12 @@ std::string comment_of(std::string_view line, const Grammar& grammar) {
 class Rewriter {
  public:
   Rewriter(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put)
-      : spec_(spec), put_(put), blocks_(*spec.to, [this](std::string_view line) { return say(line); }), words_(*spec.from, *spec.to), reader_(spec.source, spec.from->grammar, Encoding::utf8), raw_(spec.source) {}
+      : spec_(spec),
+        put_(put),
+        blocks_(*spec.to, [this](std::string_view line) { return say(line); }),
+        words_(*spec.from, *spec.to),
+        reader_(spec.source, spec.from->grammar, Encoding::utf8),
+        raw_(spec.source) {}
 
   Result<Rewritten> write() {
     words_.set_used(spec_.used_variables);
@@ -60,9 +65,11 @@ class Rewriter {
         continue;
       }
       if (!has_begun && block_.marker == Marker::none) has_begun = true, begin_modes();
-      if (got) words_.set_in_section(in_section_ = block_.marker == Marker::section || (in_section_ && block_.marker != Marker::program_start));
+      if (got)
+        words_.set_in_section(in_section_ = block_.marker == Marker::section || (in_section_ && block_.marker != Marker::program_start));
       is_over_ = is_over_ || (!in_section_ && is_end());
-      if (!has_begun && block_.marker == Marker::label && !spec_.to->grammar.programs_by_label) comment(std::string("O" + std::to_string(block_.label)));
+      if (!has_begun && block_.marker == Marker::label && !spec_.to->grammar.programs_by_label)
+        comment(std::string("O" + std::to_string(block_.label)));
       else if (in_section_) section_block(line);
       else if (!is_left_out(line)) block_or_subprogram(line);
     }
@@ -157,14 +164,16 @@ class Rewriter {
   /// No subprograms can stand there.
   bool is_all_behind_end() const {
     const Grammar& grammar = spec_.from->grammar;
-    return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) && grammar.section_address == 0 && !grammar.programs_by_label;
+    return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
+           grammar.section_address == 0 && !grammar.programs_by_label;
   }
 
   bool is_left_out(std::uint32_t line) const {
     return std::any_of(spec_.left_out->begin(), spec_.left_out->end(), [&](const TextLines& range) { return range.holds(line); });
   }
   const FlatPlace* place_at(std::uint32_t line) const {
-    const auto after = std::upper_bound(spec_.places->begin(), spec_.places->end(), line, [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
+    const auto after = std::upper_bound(spec_.places->begin(), spec_.places->end(), line,
+                                        [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
     if (after == spec_.places->begin() || !std::prev(after)->lines.holds(line)) return nullptr;
     return &*std::prev(after);
   }
@@ -229,7 +238,7 @@ class Rewriter {
   const FlatPlace* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
   Position passed_{0, 0, 0};  // of a line that raw_ has not read; line 0: none
-  std::uint32_t label_ = 0;  // of the subprogram in a section
+  std::uint32_t label_ = 0;   // of the subprogram in a section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false;

@@ -25,14 +25,14 @@ struct RewriteSpec {
   std::shared_ptr<ByteSource> source;  // UTF-8
   const ControlDef* from = nullptr;
   const ControlDef* to = nullptr;
-  const std::vector<FlatPlace>* places = nullptr;     // in their order, settled
-  const std::vector<TextLines>* left_out = nullptr;   // subprograms that nobody calls any more
-  std::set<std::uint32_t> used_variables{};           // by their numbers
+  const std::vector<FlatPlace>* places = nullptr;    // in their order, settled
+  const std::vector<TextLines>* left_out = nullptr;  // subprograms that nobody calls any more
+  std::set<std::uint32_t> used_variables{};          // by their numbers
   MacroShape macros{};
-  std::size_t lines = 0;                              // of the source, about
+  std::size_t lines = 0;  // of the source, about
   StopToken stop{};
-  bool ends_early = false;                            // some way behind the last line that cannot be said: it is written anew anyway
-  bool russian = false;                               // what is said about it
+  bool ends_early = false;  // some way behind the last line that cannot be said: it is written anew anyway
+  bool russian = false;     // what is said about it
 };
 
 struct Rewritten {

@@ -19,13 +19,17 @@ bool has_key(const ControlDef& def, const char* name) {
   return !fault_of(table, table, &def);
 }
 
-bool is_system(const CodeRow& row) { return row.function == Function::fixture || row.function == Function::work_zero || row.function == Function::work_system || row.function == Function::table_system; }
+bool is_system(const CodeRow& row) {
+  return row.function == Function::fixture || row.function == Function::work_zero || row.function == Function::work_system ||
+         row.function == Function::table_system;
+}
 
 /// Rows of the work zeros by number, whatever the control calls them.
 std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   std::map<int, AxisValues> zeros = setup.zeros;
   for (const WorkSystem& system : work_systems(def))
-    if (const auto found = setup.work_offsets.find(system.name); found != setup.work_offsets.end()) zeros[static_cast<int>(system.row)] = found->second;
+    if (const auto found = setup.work_offsets.find(system.name); found != setup.work_offsets.end())
+      zeros[static_cast<int>(system.row)] = found->second;
   return zeros;
 }
 
@@ -52,7 +56,8 @@ std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, co
   if (from.machine_axes()) return setup.axes;
   std::vector<std::string> axes = {"X", "Y", "Z"};
   for (const std::string& axis : from.axes)
-    if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+    if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end())
+      axes.push_back(axis);
   return axes.size() > 3 ? axes : std::vector<std::string>();
 }
 
@@ -66,7 +71,8 @@ void take_spindles(Setup& made, const Setup& setup, const ControlDef& from, cons
   }
 }
 
-void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to, const KnownAxes& axes, const ProgramNames& names) {
+void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to, const KnownAxes& axes,
+                 const ProgramNames& names) {
   if (has_key(to, "offsets")) made.offsets = setup.offsets;
   if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
     for (const std::uint32_t tool : names.tools) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
@@ -81,7 +87,8 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
     return;
   }
   for (const WorkSystem& system : work_systems(to))
-    if (const auto found = zeros.find(static_cast<int>(system.row)); found != zeros.end() && system.works) made.work_offsets[system.name] = axes.of(found->second);
+    if (const auto found = zeros.find(static_cast<int>(system.row)); found != zeros.end() && system.works)
+      made.work_offsets[system.name] = axes.of(found->second);
 }
 
 }  // namespace
@@ -117,7 +124,9 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
 }
 
 bool changes_tools(const ControlDef& def) {
-  return row_that_does(def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) != nullptr;
+  return row_that_does(
+             def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) !=
+         nullptr;
 }
 
 bool probe_elsewhere(Setup& setup) {
@@ -138,7 +147,8 @@ namespace {
 
 /// Its machine looks at the switch: M1 is told whether it is on or not.
 bool tells_optional_stops(const ControlDef& def) {
-  return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
+  return std::any_of(def.codes.begin(), def.codes.end(),
+                     [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
 }
 
 }  // namespace
@@ -173,8 +183,10 @@ void put_probe(nlohmann::ordered_json& all, const Setup& setup) {
   }
   if (!setup.probe_hole) return;
   const ProbeHole& hole = *setup.probe_hole;
-  all["probe_workpiece"] = {{"tip_radius", hole.tip_radius},
-                            {"hole", {{"center", {{"X", hole.center_x}, {"Y", hole.center_y}}}, {"diameter", hole.diameter}, {"top", hole.top}, {"depth", hole.depth}}}};
+  all["probe_workpiece"] = {
+      {"tip_radius", hole.tip_radius},
+      {"hole",
+       {{"center", {{"X", hole.center_x}, {"Y", hole.center_y}}}, {"diameter", hole.diameter}, {"top", hole.top}, {"depth", hole.depth}}}};
 }
 
 }  // namespace
@@ -192,10 +204,14 @@ std::string setup_text(const Setup& setup) {
   for (const auto& [number, offset] : setup.offsets) {
     nlohmann::ordered_json& row = all["offsets"][std::to_string(number)];
     row = nlohmann::ordered_json::object();
-    for (const auto& [name, value] : {std::pair{"length", offset.length}, {"length_wear", offset.length_wear}, {"radius", offset.radius}, {"radius_wear", offset.radius_wear}})
+    for (const auto& [name, value] : {std::pair{"length", offset.length},
+                                      {"length_wear", offset.length_wear},
+                                      {"radius", offset.radius},
+                                      {"radius_wear", offset.radius_wear}})
       if (value != 0) row[name] = value;
   }
-  for (const auto& [name, value] : setup.variables) all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  for (const auto& [name, value] : setup.variables)
+    all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   for (const auto& [key, value] : setup.parameters)
     if (const double* const number = std::get_if<double>(&value)) all["parameters"][text_of(key)] = *number;
   put_probe(all, setup);

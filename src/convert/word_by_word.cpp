@@ -18,7 +18,10 @@ constexpr std::size_t most_work = 6'000'000;  // lines, blocks and motions gone 
 
 class WordByWord {
  public:
-  WordByWord(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) : spec_(spec), setup_(setup), shape_(shape), rules_(rules) { made_.as = ConvertedAs::words; }
+  WordByWord(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules)
+      : spec_(spec), setup_(setup), shape_(shape), rules_(rules) {
+    made_.as = ConvertedAs::words;
+  }
 
   tl::expected<ConversionTry, std::string> write() {
     auto session = spec_.source();
@@ -48,7 +51,8 @@ class WordByWord {
       for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
       auto source = spec_.source();
       if (!source) return tl::unexpected(source.error());
-      const auto blocks = write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
+      const auto blocks =
+          write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
       if (!blocks) return unsayable(blocks.error(), 0), false;
       work_ += *blocks;
       if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
@@ -59,7 +63,17 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{source_text(), from_, spec_.to, &places, &left_out_, shape_.variables(), shape_.macros(), shape_.lines(), spec_.stop, ends_early, shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
+    const RewriteSpec rewriting{source_text(),
+                                from_,
+                                spec_.to,
+                                &places,
+                                &left_out_,
+                                shape_.variables(),
+                                shape_.macros(),
+                                shape_.lines(),
+                                spec_.stop,
+                                ends_early,
+                                shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
     const auto text = std::make_shared<std::string>();
     text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
     const auto written = rewrite(rewriting, [&text](std::string_view line) { return text->append(line).size() <= most_made; });
@@ -76,7 +90,8 @@ class WordByWord {
     for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
     auto source = spec_.elsewhere();
     if (!source) return tl::unexpected(source.error());
-    if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop)) return {};
+    if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop))
+      return {};
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].probed && places[i].text != others[i].text) places[i].cannot = alarm(AlarmId::function_has_no_code, {}, "probe");
     return {};
@@ -175,7 +190,8 @@ class WordByWord {
       if (deep_ >= most_deep) return false;
       ++deep_;
       bool any = false;
-      for (const std::uint32_t caller : shape_.callers_of(*subprogram)) any = (!subprogram->holds(caller) && write_out({caller, caller})) || any;
+      for (const std::uint32_t caller : shape_.callers_of(*subprogram))
+        any = (!subprogram->holds(caller) && write_out({caller, caller})) || any;
       --deep_;
       return any;
     }
@@ -183,7 +199,9 @@ class WordByWord {
     return true;
   }
 
-  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const { return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first)); }
+  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const {
+    return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first));
+  }
 
   /// What is wrong there may come from blocks before: one, then twice as many each time.
   bool grow_back(TextLines lines) {
@@ -231,10 +249,10 @@ class WordByWord {
   const ProgramShape& shape_;
   const CompareRules& rules_;
   const ControlDef* from_ = nullptr;
-  std::unique_ptr<Session> opened_;  // it owns the control's definition
+  std::unique_ptr<Session> opened_;                // it owns the control's definition
   std::map<std::uint32_t, std::uint32_t> places_;  // written out: first line → last
-  std::vector<TextLines> left_out_;  // subprograms whose calls are
-  std::map<std::uint32_t, int> steps_back_;  // by first line of a place
+  std::vector<TextLines> left_out_;                // subprograms whose calls are
+  std::map<std::uint32_t, int> steps_back_;        // by first line of a place
   ConversionTry made_;
   std::size_t work_ = 0;
   std::optional<Alarm> why_;  // the next lines are written out
@@ -246,7 +264,8 @@ class WordByWord {
 
 }  // namespace
 
-tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules) {
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape,
+                                                      const CompareRules& rules) {
   return WordByWord(spec, setup, shape, rules).write();
 }
 

@@ -58,11 +58,15 @@ void PanelMachine::keep_spot(const PanelState& now) {
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
   if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;  // a block without a motion
   spot.line = now.line.number, spot.text = now.line.text;
-  const std::uint16_t file = going_ ? going_->place->restart.at.file : runs ? lane_->on.origin.file : stepping_->next() ? stepping_->next()->file : std::uint16_t{0};
+  const std::uint16_t file = going_              ? going_->place->restart.at.file
+                             : runs              ? lane_->on.origin.file
+                             : stepping_->next() ? stepping_->next()->file
+                                                 : std::uint16_t{0};
   if (file != 0) spot.file = session_->control().file_name(file);
   if (going_) spot.number = going_->place->restart.at.number, spot.line = going_->place->line.number, spot.text = going_->place->line.text;
   const bool broken = now.mode == PanelMode::alarm || now.mode == PanelMode::emergency;
-  if (broken && spot.number == 0) spot.number = kept_spot_.number, spot.line = kept_spot_.line, spot.text = kept_spot_.text, spot.file = kept_spot_.file;
+  if (broken && spot.number == 0)
+    spot.number = kept_spot_.number, spot.line = kept_spot_.line, spot.text = kept_spot_.text, spot.file = kept_spot_.file;
   if (is_same(spot, kept_spot_)) return;
   if (!has_moved_) return kept_spot_ = std::move(spot), void();
   kept_.not_kept = keeper_.spot(spot);
@@ -134,7 +138,9 @@ PanelMachine::Answer PanelMachine::may_take_tables_now() const {
   const auto is_open = [](const Channel& channel) { return channel.control->in_block(); };
   if ((goes_on_ && !stepping_->next()) || std::any_of(session_->channels().begin(), session_->channels().end(), is_open))
     return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-  if (is_in_contour()) return Failed(told("a contour is being compensated: run it to its end first", "идёт контур с коррекцией: сначала отработайте его до конца"));
+  if (is_in_contour())
+    return Failed(
+        told("a contour is being compensated: run it to its end first", "идёт контур с коррекцией: сначала отработайте его до конца"));
   return {};
 }
 
@@ -152,7 +158,8 @@ PanelMachine::Answer PanelMachine::take_tables() {
     if (stepping_->next()->file != 0) here.file = session_->control().file_name(stepping_->next()->file);
     here.number = stepping_->next()->number - std::uint32_t(entered_);
     retables_.emplace(PanelSearch::Wish{here, 0, false, {}});
-    for (std::size_t i = 0; !is_alone() && i < lanes_.size(); ++i) retables_->blocks.push_back(session_->channels()[i].control->blocks() - lanes_[i]->entered);
+    for (std::size_t i = 0; !is_alone() && i < lanes_.size(); ++i)
+      retables_->blocks.push_back(session_->channels()[i].control->blocks() - lanes_[i]->entered);
     begin_search();
     return {};
   });
@@ -163,7 +170,10 @@ void PanelMachine::look_after_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;
   retables_.reset();
-  Answer taken = found.place ? Answer() : Failed(told("with these tables the program does not come here: reset", "с этими таблицами УП сюда не приходит: нужен сброс"));
+  Answer taken =
+      found.place
+          ? Answer()
+          : Failed(told("with these tables the program does not come here: reset", "с этими таблицами УП сюда не приходит: нужен сброс"));
   if (taken && !stand_as_in(*found.place))
     taken = Failed(told("with these tables the other channels would be at other blocks now: reset, then go on in mid program",
                         "с этими таблицами другие каналы были бы сейчас в других кадрах: сброс, затем продолжить с середины"));

@@ -24,7 +24,9 @@ void PanelLane::take(Leg& leg, const TimedCells& cells, const MotionLimits& limi
   for (std::size_t i = 0; i < cells.laws.size(); ++i) {
     leg.seconds += cells.laws[i].seconds;
     const PanelLimit limit{limited_by(cells, i, limits), Spent::of(cells.sources[i].tag).on == Spent::On::rapid, leg.seconds};
-    const auto is_same = [&](const PanelLimit& last) { return last.by.limit == limit.by.limit && last.by.axis == limit.by.axis && last.rapid == limit.rapid; };
+    const auto is_same = [&](const PanelLimit& last) {
+      return last.by.limit == limit.by.limit && last.by.axis == limit.by.axis && last.rapid == limit.rapid;
+    };
     if (!leg.limits.empty() && is_same(leg.limits.back())) leg.limits.back().until = limit.until;
     else leg.limits.push_back(limit);
   }
@@ -82,7 +84,9 @@ void PanelLane::offer(Leg& leg) {
   if (leg.planned_all) leg.playback.finish();
 }
 
-bool PanelLane::is_through(const Leg& leg) const { return &leg == playing_ && leg.planned_all && leg.to_come.empty() && !clock.sample().plays; }
+bool PanelLane::is_through(const Leg& leg) const {
+  return &leg == playing_ && leg.planned_all && leg.to_come.empty() && !clock.sample().plays;
+}
 
 void PanelLane::go_on() {
   while (!legs_.empty()) {
@@ -125,7 +129,8 @@ std::optional<PanelLimit> PanelLane::limit() {
 }
 
 bool PanelLane::is_over() const {
-  return legs_.empty() || (legs_.size() == 1 && is_through(legs_.front()) && (legs_.front().meeting == nullptr || !legs_.front().meeting->is_over()));
+  return legs_.empty() ||
+         (legs_.size() == 1 && is_through(legs_.front()) && (legs_.front().meeting == nullptr || !legs_.front().meeting->is_over()));
 }
 
 bool PanelLane::stands() const {

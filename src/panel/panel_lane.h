@@ -1,6 +1,6 @@
 #pragma once
-// PanelLane: the axes of one channel at a panel: what was planned of their motion, leg by leg, in the time of their servo clock. After a leg
-// they wait for other channels, or all of it is over. Of the machine's thread, but for its clock.
+// PanelLane: the axes of one channel at a panel: what was planned of their motion, leg by leg, in the time of their servo clock. After a
+// leg they wait for other channels, or all of it is over. Of the machine's thread, but for its clock.
 //
 //   plan() ──▶ Planned ──cells──▶ the last leg … the first ──▶ Playback ──▶ ServoClock
 
@@ -58,14 +58,14 @@ class PanelLane {
 
  public:
   ServoClock clock;
-  PanelBlock pending;    // the motion that is being planned
-  PanelBlock on;         // that the axes are on, or were on last
-  Placement placement;   // of the work coordinates
-  std::uint32_t modes_of = ~0u;  // Origin::number of pending.modes
+  PanelBlock pending;                            // the motion that is being planned
+  PanelBlock on;                                 // that the axes are on, or were on last
+  Placement placement;                           // of the work coordinates
+  std::uint32_t modes_of = ~0u;                  // Origin::number of pending.modes
   bool holds_next = false, holds_again = false;  // before the block that comes next; that block is asked for once more
-  bool has_ended = false;        // its program: nothing of it is to be planned
-  bool enters = false;           // a line of the operator, in a channel beside the program's own
-  std::uint64_t entered = 0;     // blocks of such lines
+  bool has_ended = false;                        // its program: nothing of it is to be planned
+  bool enters = false;                           // a line of the operator, in a channel beside the program's own
+  std::uint64_t entered = 0;                     // blocks of such lines
 
   /// The program is at its beginning.
   void start_over();
@@ -135,7 +135,7 @@ class PanelLane {
 
   Planned* planned_ = nullptr;  // of the last leg, as long as it is planned
   std::deque<Leg> legs_;
-  std::size_t cells_ = 0;  // in them, to come
+  std::size_t cells_ = 0;         // in them, to come
   const Leg* playing_ = nullptr;  // the first one, when the clock has it
   double share_ = 1;              // of the planned speed, as it is asked for
 };

@@ -123,7 +123,8 @@ AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
   Origin origin = lane_->on.entered ? Origin() : lane_->block();
-  if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0 && lane_->waits_for() == nullptr) origin.line = at.line, origin.file = at.file;
+  if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0 && lane_->waits_for() == nullptr)
+    origin.line = at.line, origin.file = at.file;
   return origin.line == 0 ? AlarmReport::Line() : session_->control().line_at(origin);
 }
 
@@ -287,7 +288,8 @@ PanelMachine::Answer PanelMachine::set_shares(const PanelShares& shares) {
   if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(told("override: want 0 to 100 %", "коррекция: нужно от 0 до 100 %"));
   if (!(shares.spindle >= PanelShares::least_spindle && shares.spindle <= PanelShares::most_spindle))
     return Failed(told("override of the spindle: want 50 to 120 %", "коррекция шпинделя: нужно от 50 до 120 %"));
-  if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(told("dry run: want a feed up to 100000", "пробный прогон: нужна подача до 100000"));
+  if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5))
+    return Failed(told("dry run: want a feed up to 100000", "пробный прогон: нужна подача до 100000"));
   return ask([this, shares]() -> Answer {
     kept_.shares = shares;
     tell("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
@@ -354,7 +356,8 @@ tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
     if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
     if (!point.condition.empty())
       if (const auto holds = stepping_->holds(point.condition); !holds)
-        return Failed(told("the condition cannot be understood: want something as #100 > 5", "условие не понято: нужно, например, #100 > 5"));
+        return Failed(
+            told("the condition cannot be understood: want something as #100 > 5", "условие не понято: нужно, например, #100 > 5"));
     *number = stepping_->add(point);
     kept_.stops.emplace(*number, point);
     return {};

@@ -2,7 +2,8 @@
 // PanelMachine: a machine with its control, as an operator has it before him: a program, stretch by stretch, in true time. It lives in a
 // thread of its own and goes on whoever looks at it; what an operator asks comes from any thread.
 //
-//   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock, and the block
+//   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock, and the
+//   block
 //                                                                                              that it belongs to
 //
 // A stretch begins where the axes stand and ends where they stand again: at the end of the program, before a block that it is held before,
@@ -29,7 +30,7 @@
 namespace kadr {
 
 enum class PanelMode : std::uint8_t {
-  standing,   // before a block, or after a line that was entered
+  standing,  // before a block, or after a line that was entered
   running,
   held,       // by a feed hold: on its way, or standing
   ended,      // the program is over
@@ -42,8 +43,8 @@ struct PanelChannel {
   int number = 1;
   std::vector<std::string> axes;
   ServoSample sample;
-  PanelBlock block;          // that it is on, or was on last
-  AlarmReport::Line line;    // of it
+  PanelBlock block;                   // that it is on, or was on last
+  AlarmReport::Line line;             // of it
   std::optional<PanelMeeting> waits;  // with its axes there
 };
 
@@ -51,10 +52,10 @@ struct PanelChannel {
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  PanelShares shares;         // as they are set
-  PanelBlock block;           // that the machine is on, or was on last
-  AlarmReport::Line line;     // of it while it runs, else of the one that comes next
-  bool entered = false;       // a line of the operator is carried out
+  PanelShares shares;      // as they are set
+  PanelBlock block;        // that the machine is on, or was on last
+  AlarmReport::Line line;  // of it while it runs, else of the one that comes next
+  bool entered = false;    // a line of the operator is carried out
   bool single = false, optional_stop = false;
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
@@ -66,9 +67,9 @@ struct PanelState {
   std::string not_kept;       // why what happens is not kept; empty: it is
   bool goes_there = false;    // it is led to where the program is to go on
   std::optional<AlarmReport> alarm;
-  std::size_t can_undo = 0;   // lines that were entered
-  std::optional<PanelLimit> limit;  // that acts
-  std::uint64_t blocks = 0;   // carried out by the control, ahead of the machine
+  std::size_t can_undo = 0;            // lines that were entered
+  std::optional<PanelLimit> limit;     // that acts
+  std::uint64_t blocks = 0;            // carried out by the control, ahead of the machine
   std::vector<PanelChannel> channels;  // all, where there are several; what stands above is of the program's own
 };
 
@@ -78,8 +79,8 @@ struct PanelSpot {
   Axes machine{};
   std::uint32_t number = 0;  // PanelBlock::number of the block that it is on, or stands before; 0: of none
   std::uint32_t line = 0;
-  std::string file{};        // that the line stands in; empty: the program itself
-  std::string text{};        // of the line
+  std::string file{};          // that the line stands in; empty: the program itself
+  std::string text{};          // of the line
   std::vector<Axes> stands{};  // of each channel, by its index, where there are several
 };
 
@@ -153,7 +154,8 @@ class PanelMachine {
   ///   start    machine coordinates where the axes stand; nothing: where the set-up says
   ///   stands   those of each of several channels; empty: where the set-up says
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
-                                                                       const std::optional<Axes>& start = {}, std::vector<Axes> stands = {});
+                                                                       const std::optional<Axes>& start = {},
+                                                                       std::vector<Axes> stands = {});
   ~PanelMachine();
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
@@ -240,7 +242,8 @@ class PanelMachine {
     std::promise<Answer> answer;
   };
 
-  PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands) : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
+  PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands)
+      : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
   // panel_machine.cpp: its thread, and what is asked of it
   Answer ask(std::function<Answer()> what);
   void live();
@@ -290,7 +293,8 @@ class PanelMachine {
   Answer may_go_there() const;
   tl::expected<Axes, std::string> end_of(const PanelWay& way) const;
   Answer lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const;
-  tl::expected<PanelSheet, std::string> sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block, const WayRules& rules) const;
+  tl::expected<PanelSheet, std::string> sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
+                                                         const WayRules& rules) const;
   Answer prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const;
   void go_along(const PanelWay& way);
   Answer go_on_there();
@@ -316,10 +320,10 @@ class PanelMachine {
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
   std::optional<Stepping::How> how_;  // of the stretch that run() begins; nothing: by the switch
-  bool holds_ = false;   // by a feed hold
-  bool resets_ = false;  // as soon as the axes stand
-  bool goes_on_ = false;     // the program is not over: held before a block of one of its channels
-  Control* asks_ = nullptr;  // whose program asks
+  bool holds_ = false;                // by a feed hold
+  bool resets_ = false;               // as soon as the axes stand
+  bool goes_on_ = false;              // the program is not over: held before a block of one of its channels
+  Control* asks_ = nullptr;           // whose program asks
   std::vector<Before> before_;
   std::optional<PanelGoing> going_;
   std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks of lines of the operator; carried out before the one under way
@@ -328,9 +332,9 @@ class PanelMachine {
   PanelSpot kept_spot_;
   bool has_moved_ = false;  // else what is kept is where it stood when it was switched on
   std::map<std::string, double> variables_;
-  std::map<std::string, std::uint32_t> set_by_;    // line; of those that the program has set
-  std::uint32_t last_line_ = 0;                    // of the block under way
-  PanelState kept_;      // what of the state lasts: switches, stop points, what was told
+  std::map<std::string, std::uint32_t> set_by_;  // line; of those that the program has set
+  std::uint32_t last_line_ = 0;                  // of the block under way
+  PanelState kept_;                              // what of the state lasts: switches, stop points, what was told
 
   // between threads
   std::mutex lock_;

@@ -16,9 +16,11 @@ PanelMachine::Answer PanelMachine::make_lanes() {
   const std::vector<Channel>& channels = session_->channels();
   for (std::size_t i = lanes_.size(); lane_ == nullptr && i < channels.size(); ++i) {
     const Control& control = *channels[i].control;
-    lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate, session_->stand(i).machine));
+    lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate,
+                                                 session_->stand(i).machine));
   }
-  if (lanes_.size() != channels.size()) return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
+  if (lanes_.size() != channels.size())
+    return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
   if (lane_ != nullptr) return {};
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
@@ -41,7 +43,8 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
   if (!opened) return Failed(opened.error());
   stepping_.reset();
   session_ = std::move(*opened);
-  if (lane_ == nullptr) kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
+  if (lane_ == nullptr)
+    kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
   control.hand_over_each_block();  // a stop holds before the very next one
@@ -97,9 +100,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
 }
 
 /// The run that places are asked of is this one.
-void PanelMachine::begin_search() {
-  search_->begin({start_, stands_, kept_.skip, kept_.optional_stop});
-}
+void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip, kept_.optional_stop}); }
 
 /// What is shown while nothing has moved yet.
 void PanelMachine::stand_here() {

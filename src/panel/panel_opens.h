@@ -15,11 +15,12 @@ namespace kadr {
 /// Makes a session of the program from its beginning, with `start` as machine coordinates where the axes stand (nothing: those of the
 /// set-up). From any thread.
 ///   returns  an error sentence
-using PanelOpens = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
+using PanelOpens =
+    std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
 
 /// Of a run.
 struct PanelStart {
-  std::optional<Axes> axes;  // machine coordinates; nothing: those of the set-up
+  std::optional<Axes> axes;    // machine coordinates; nothing: those of the set-up
   std::vector<Axes> stands{};  // of each channel, by its index; the program's own is `axes`. Empty: those of the set-up
   std::set<int> skip;
   bool optional_stop = false;

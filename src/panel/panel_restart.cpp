@@ -25,12 +25,14 @@ constexpr double at_place = 1e-3;  // mm, degrees: what is led there by a way th
 PanelMachine::Answer PanelMachine::may_go_there() const {
   if (const Answer may = may_begin(); !may) return may;
   for (const Channel& channel : session_->channels())
-    if (channel.control->in_block() || channel.control->meeting()) return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
+    if (channel.control->in_block() || channel.control->meeting())
+      return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
   return {};
 }
 
 /// Of a channel, from where its axes stand.
-tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block, const WayRules& rules) const {
+tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
+                                                                     const WayRules& rules) const {
   Control& control = *session_->channels()[channel].control;
   ToolPosition stand = session_->stand(channel);
   stand.machine = lanes_[channel]->clock.sample().machine;
@@ -39,7 +41,8 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
   return std::move(*made);
 }
 
-tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules) {
+tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place,
+                                                                        const WayRules& rules) {
   const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // it may come when nobody waits any more
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
@@ -79,7 +82,8 @@ tl::expected<Axes, std::string> PanelMachine::end_of(const PanelWay& way) const 
 PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const {
   const auto lead_there = [&](std::size_t channel, const Axes& there) -> Answer {
     const auto is_its = [&](const PanelWay& way) { return way.channel == channel; };
-    if (std::count_if(ways.begin(), ways.end(), is_its) > 1) return Failed(told("want one way of each channel", "нужен один путь каждого канала"));
+    if (std::count_if(ways.begin(), ways.end(), is_its) > 1)
+      return Failed(told("want one way of each channel", "нужен один путь каждого канала"));
     const auto way = std::find_if(ways.begin(), ways.end(), is_its);
     const auto end = end_of(way == ways.end() ? PanelWay{channel, {}} : *way);
     if (!end) return Failed(end.error());
@@ -97,7 +101,8 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, co
 }
 
 /// The lines of a channel, before and after the ways. Keys of other channels have their numbers before them.
-PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const {
+PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block,
+                                           const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
   if (!sheet) return Failed(sheet.error());
   std::set<std::string> its = left;
@@ -114,7 +119,8 @@ PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channe
   return {};
 }
 
-PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways) {
+PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left,
+                                            std::vector<PanelWay> ways) {
   return ask([this, place = std::move(place), left, ways = std::move(ways)]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     if (const Answer fits = lead_to(ways, *place); !fits) return fits;
@@ -138,7 +144,8 @@ PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
   return ask([this, way]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
     const Control& control = session_->control();
-    if (control.in_block() || control.meeting()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    if (control.in_block() || control.meeting())
+      return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
     const PanelWay own{own_, way};
     if (const auto end = end_of(own); !end) return Failed(end.error());
     if (way.empty()) return Failed(told("want a way", "нужен путь"));
@@ -238,7 +245,8 @@ bool PanelMachine::stand_as_in(const PanelPlace& place) const {
   for (const PanelBeside& channel : place.beside) {
     const PanelLane& lane = *lanes_[channel.channel];
     const Control& control = *session_->channels()[channel.channel].control;
-    if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block) return false;
+    if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block)
+      return false;
     const Axes at = lane.clock.sample().machine;
     for (std::size_t a = 0; channel.waits && a < lane.axes.size() && a < max_axes; ++a)
       if (!(std::fabs(at[a] - channel.restart.stand.machine[a]) <= at_place)) return false;

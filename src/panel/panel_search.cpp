@@ -119,7 +119,8 @@ void PanelSearch::prepare(const PanelStart& start) {
 std::optional<Restart> PanelSearch::reach(const Wish& wish) {
   Session& session = *run_.session;
   own_is_over_ = false;
-  const auto reached = run_.checkpoints ? run_.checkpoints->reach(*run_.stepping, wish.target) : Result<Session::State>(run_.stepping->go_to(wish.target));
+  const auto reached =
+      run_.checkpoints ? run_.checkpoints->reach(*run_.stepping, wish.target) : Result<Session::State>(run_.stepping->go_to(wish.target));
   if (!reached || *reached != Session::State::held) return std::nullopt;
   auto restart = restart_here(session, *run_.stepping);
   if (restart && wish.hole != 0 && !go_over_hole(session, *run_.stepping, wish.hole, *restart)) return std::nullopt;
@@ -202,8 +203,9 @@ PanelSearch::Answer PanelSearch::found(const Wish& wish) {
   if (!run_.session) return answer.error = run_.error, answer;
   auto restart = reach(wish);
   if (!restart) {
-    answer.error = wish.hole != 0 ? told("the block is not reached, or drills not so many holes", "кадр не достигнут или сверлит меньше отверстий")
-                                  : told("the block is not reached in this run", "в этом прогоне кадр не достигнут");
+    answer.error = wish.hole != 0
+                       ? told("the block is not reached, or drills not so many holes", "кадр не достигнут или сверлит меньше отверстий")
+                       : told("the block is not reached in this run", "в этом прогоне кадр не достигнут");
     return answer;
   }
   auto memory = run_.stepping->snapshot();
@@ -211,8 +213,14 @@ PanelSearch::Answer PanelSearch::found(const Wish& wish) {
   memory->next = restart->at;
   const Control& control = run_.session->control();
   const bool in_block = control.in_block();
-  PanelPlace place{std::move(*restart), control.line_at(memory->next.value()), control.calls(), control.placement(), std::move(*memory), in_block,
-                   wish.by_control ? search_by_control(wish.target) : std::nullopt, {}};
+  PanelPlace place{std::move(*restart),
+                   control.line_at(memory->next.value()),
+                   control.calls(),
+                   control.placement(),
+                   std::move(*memory),
+                   in_block,
+                   wish.by_control ? search_by_control(wish.target) : std::nullopt,
+                   {}};
   place.beside = beside();
   answer.place = std::make_shared<const PanelPlace>(std::move(place));
   return answer;

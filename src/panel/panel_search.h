@@ -23,14 +23,14 @@ namespace kadr {
 struct PanelBeside {
   std::size_t channel = 0;  // its index
   int number = 1;
-  Restart restart;          // `at`: its block that comes next, or is under way
+  Restart restart;  // `at`: its block that comes next, or is under way
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
   Placement placement;
   std::optional<Control::Meeting> waits;  // at a waiting code
   bool in_block = false;
-  bool is_over = false;                   // its program
-  std::uint64_t blocks = 0;               // carried out
+  bool is_over = false;      // its program
+  std::uint64_t blocks = 0;  // carried out
 };
 
 /// A place where the program could go on.
@@ -38,9 +38,9 @@ struct PanelPlace {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;      // of the work coordinates
-  Stepping::Memory memory;  // of a control that has come there
-  bool in_block = false;    // over a hole of a cycle
+  Placement placement;                    // of the work coordinates
+  Stepping::Memory memory;                // of a control that has come there
+  bool in_block = false;                  // over a hole of a cycle
   std::optional<BlockSearch> by_control;  // its own block search, where it has one
   std::vector<PanelBeside> beside;        // the other channels
 };
@@ -49,8 +49,8 @@ class PanelSearch {
  public:
   struct Wish {
     StopPoint target;
-    std::uint32_t hole = 0;   // of a cycle: over that one; 0: before the block
-    bool by_control = false;  // its own block search too: once more through the whole program
+    std::uint32_t hole = 0;               // of a cycle: over that one; 0: before the block
+    bool by_control = false;              // its own block search too: once more through the whole program
     std::vector<std::uint64_t> blocks{};  // that each channel has carried out then, by its index; empty: by the clock of the own one
     friend bool operator==(const Wish&, const Wish&) = default;
   };

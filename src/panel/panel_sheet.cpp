@@ -11,8 +11,8 @@ namespace {
 
 using Kind = InForce::Kind;
 
-constexpr std::array kinds = {"position", "machine",  "code",   "feed",          "speed",  "spindle", "coolant", "tool",
-                              "selected", "offset",   "length_offset", "origin", "length", "rotation", "scale",  "variable"};
+constexpr std::array kinds = {"position", "machine", "code",          "feed",   "speed",  "spindle",  "coolant", "tool",
+                              "selected", "offset",  "length_offset", "origin", "length", "rotation", "scale",   "variable"};
 
 const CodeRow* row_of(const InForce& one, const ControlDef& def) {
   const auto found = std::find_if(def.codes.begin(), def.codes.end(), [&](const CodeRow& row) { return row.code == one.code; });

@@ -82,7 +82,8 @@ void PanelMachine::watch_channels() {
     }
   };
   for (std::size_t i = 0; i < lanes_.size(); ++i)
-    if (i != session_->own()) session_->channels()[i].control->holds_before = [lane = lanes_[i].get(), &control = *session_->channels()[i].control](const Origin&) {
+    if (i != session_->own())
+      session_->channels()[i].control->holds_before = [lane = lanes_[i].get(), &control = *session_->channels()[i].control](const Origin&) {
         return lane->enters ? !control.in_entered() : lane->is_held();
       };
 }
@@ -150,7 +151,8 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
     return Failed(told("want a way and a feed up to 100000", "нужны путь и подача до 100000"));
   const Channel& its = session_->channels()[channel];
-  if (its.control->in_block() || its.control->meeting()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  if (its.control->in_block() || its.control->meeting())
+    return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
   const std::size_t a = std::size_t(found - lane.axes.begin());
   const ToolPosition stand = standing_plainly(channel);
   const auto [least, most] = limits_of(session_->machine(), its.setup, axis);
@@ -175,7 +177,8 @@ ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
 }
 
 void PanelMachine::begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions) {
-  const std::size_t number = std::size_t(std::find_if(lanes_.begin(), lanes_.end(), [&](const auto& one) { return one.get() == &lane; }) - lanes_.begin());
+  const std::size_t number =
+      std::size_t(std::find_if(lanes_.begin(), lanes_.end(), [&](const auto& one) { return one.get() == &lane; }) - lanes_.begin());
   const Channel& channel = session_->channels()[number];
   const ToolPosition stand = standing_plainly(number);
   Stretch& stretch = stretch_.emplace();
@@ -202,8 +205,12 @@ void PanelMachine::begin_by_hand(PanelLane& lane, const std::vector<Motion>& mot
 
 /// So much is planned that no clock comes to its end before more is.
 void PanelMachine::provide() {
-  const auto any = [this](bool (PanelLane::*is)() const) { return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); }); };
-  const auto must_go_on = [&] { return any(&PanelLane::wants_more) || !any(&PanelLane::is_planned); };  // else it waits, or is over: for what comes of it
+  const auto any = [this](bool (PanelLane::*is)() const) {
+    return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
+  };
+  const auto must_go_on = [&] {
+    return any(&PanelLane::wants_more) || !any(&PanelLane::is_planned);
+  };  // else it waits, or is over: for what comes of it
   while (!stretch_->planned_all && must_go_on() && !any(&PanelLane::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }

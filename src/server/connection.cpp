@@ -26,7 +26,8 @@ Connection::~Connection() { --*sessions_; }
 void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   beast::error_code ignored;
-  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);  // else a second answer waits 40 ms for the first one's receipt
+  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true),
+                                                       ignored);  // else a second answer waits 40 ms for the first one's receipt
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::most_message);
   socket_.auto_fragment(false);  // else a long frame goes out 4 KiB at a time

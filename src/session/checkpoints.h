@@ -39,7 +39,7 @@ class Checkpoints {
  private:
   struct Checkpoint {
     SessionSnapshot snapshot;
-    LineMarks marks;  // of the stretch that follows
+    LineMarks marks;           // of the stretch that follows
     std::uint64_t blocks = 0;  // that the control has carried out before it
   };
   void keep();

@@ -1,5 +1,5 @@
-// Questions about a machine at its panel: machines, machine, panel, press, switches, enter, undo, jog, stops. For view/page_session; tested by
-// tests/panel.py.
+// Questions about a machine at its panel: machines, machine, panel, press, switches, enter, undo, jog, stops. For view/page_session; tested
+// by tests/panel.py.
 
 #include <fmt/core.h>
 
@@ -78,7 +78,9 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
 
 /// With the tables that were edited; its axes stand where they stood.
 tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::switch_on(const std::string& file, const PageJson& question) {
-  if (!may_change) return refused(told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  if (!may_change)
+    return refused(
+        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
   PanelJournal& journal = *server.journal;
   PageJson as_kept = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
   if (as_kept.is_object()) as_kept.update(question);
@@ -91,8 +93,11 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   const auto content = std::make_shared<PanelContent>(std::move(*opened), std::move(*wish));
   const std::string stood = journal.value("spot", file).value_or("");
   const auto spot = spot_of(stood);
-  const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) { return program->open(start, stop); };
-  auto made = PanelMachine::make(opens, keeper_of(journal, file, content->program, lang), spot ? std::optional(spot->machine) : std::nullopt, spot ? spot->stands : std::vector<Axes>());
+  const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) {
+    return program->open(start, stop);
+  };
+  auto made = PanelMachine::make(opens, keeper_of(journal, file, content->program, lang),
+                                 spot ? std::optional(spot->machine) : std::nullopt, spot ? spot->stands : std::vector<Axes>());
   if (!made) return refused(made.error());
   if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
   auto place = std::make_shared<PanelHub::Place>();
@@ -126,8 +131,9 @@ PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& questio
   const bool holds = may_change && place->holder.compare_exchange_strong(nobody, page);
   const OpenedProgram& its = content_of(*place).program.opened();
   const PageJson stood = place->stood.empty() ? PageJson() : spot_json(place->stood);
-  return PageJson{{"name", place->name}, {"axes", place->machine->axes()}, {"control", its.def->id}, {"machine", its.machine.id}, {"holds", holds},
-                  {"stood", stood}, {"lasts", server.journal->lasts()}};
+  return PageJson{
+      {"name", place->name}, {"axes", place->machine->axes()},  {"control", its.def->id}, {"machine", its.machine.id}, {"holds", holds},
+      {"stood", stood},      {"lasts", server.journal->lasts()}};
 }
 
 /// Into its log.
@@ -155,8 +161,11 @@ void PageSession::Inside::leave_machine() {
 /// The machine, if this page may act on it.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
-  if (!may_change) return refused(told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
-  if (panel_place->holder != page) return refused(told("another page holds the controls: take them first", "управление у другой страницы: сначала возьмите его"));
+  if (!may_change)
+    return refused(
+        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  if (panel_place->holder != page)
+    return refused(told("another page holds the controls: take them first", "управление у другой страницы: сначала возьмите его"));
   return panel_place->machine.get();
 }
 
@@ -232,7 +241,8 @@ PageSession::Inside::Answer PageSession::Inside::undo(const PageJson&) {
 PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
-  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0), value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
+  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0),
+                                   value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
 }
 
 /// To a question of the program.
@@ -248,11 +258,13 @@ PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question)
   std::vector<std::string> expressions;
   if (const auto list = question.find("expressions"); list != question.end() && list->is_array())
     for (const PageJson& one : *list)
-      if (one.is_string() && one.get_ref<const std::string&>().size() <= most_expression && expressions.size() < most_watched) expressions.push_back(one.get<std::string>());
+      if (one.is_string() && one.get_ref<const std::string&>().size() <= most_expression && expressions.size() < most_watched)
+        expressions.push_back(one.get<std::string>());
   const auto values = panel_place->machine->watch_values(expressions);
   if (!values) return refused(values.error());
   PageJson list = PageJson::array();
-  for (const PanelWatch& one : *values) list.push_back({{"text", one.text}, {"value", one.value && std::isfinite(*one.value) ? PageJson(*one.value) : PageJson()}});
+  for (const PanelWatch& one : *values)
+    list.push_back({{"text", one.text}, {"value", one.value && std::isfinite(*one.value) ? PageJson(*one.value) : PageJson()}});
   return PageJson{{"values", std::move(list)}};
 }
 
@@ -262,8 +274,7 @@ PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& questi
   if (!machine) return tl::unexpected(machine.error());
   if (question.contains("remove")) return answer_of((*machine)->remove_stop(count_in(question, "remove", 0)));
   StopPoint point = stop_point_of(question);
-  if (point == StopPoint{})
-    return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
+  if (point == StopPoint{}) return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
   const auto number = (*machine)->add_stop(std::move(point));
   if (!number) return refused(number.error());
   return PageJson{{"number", *number}};

@@ -1,4 +1,5 @@
-// Questions about going on in mid program: restart, go_there; and a way by hand: lead. For view/page_session; tested by tests/panel_restart.py.
+// Questions about going on in mid program: restart, go_there; and a way by hand: lead. For view/page_session; tested by
+// tests/panel_restart.py.
 
 #include <fmt/core.h>
 
@@ -72,7 +73,9 @@ PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::strin
   return list;
 }
 
-tl::unexpected<std::string> no_way() { return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей")); }
+tl::unexpected<std::string> no_way() {
+  return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей"));
+}
 
 /// An error sentence: the way is none.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
@@ -142,7 +145,10 @@ PageJson beside_json(const PanelPlace& place, const std::vector<PanelSheet>& she
     list.push_back({{"number", one.number},
                     {"line", one.is_over ? 0 : one.line.number},
                     {"text", one.is_over ? std::string() : one.line.text},
-                    {"stands", one.is_over ? "over" : one.waits ? "waits" : one.in_block ? "within" : "before"},
+                    {"stands", one.is_over    ? "over"
+                               : one.waits    ? "waits"
+                               : one.in_block ? "within"
+                                              : "before"},
                     {"rows", rows_json(sheet.rows, fmt::format("{}/", one.number))},
                     {"way", way_json(sheet.way, axes)},
                     {"zero", zero_json(one.restart.stand, axes)},
@@ -179,7 +185,8 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
   if (!found) return tl::unexpected(found.error());
   if (!found->ready) return PageJson{{"ready", false}};
   constexpr double lowest = -1e9;
-  const WayRules rules{value_in<double>(question, "clearance", lowest), value_in<double>(question, "above", 2), value_in<double>(question, "feed", 100)};
+  const WayRules rules{value_in<double>(question, "clearance", lowest), value_in<double>(question, "above", 2),
+                       value_in<double>(question, "feed", 100)};
   const PanelPlace& place = *found->place;
   const auto sheets = (*machine)->sheets(found->place, rules);
   if (!sheets) return refused(sheets.error());

@@ -25,7 +25,13 @@ std::string spot_text(const PanelSpot& spot) {
   };
   PageJson machine = list_of(spot.machine), stands = PageJson::array();
   for (const Axes& axes : spot.stands) stands.push_back(list_of(axes));
-  return dumped({{"mode", name_of(spot.mode)}, {"number", spot.number}, {"line", spot.line}, {"file", spot.file}, {"text", spot.text}, {"machine", std::move(machine)}, {"stands", std::move(stands)}});
+  return dumped({{"mode", name_of(spot.mode)},
+                 {"number", spot.number},
+                 {"line", spot.line},
+                 {"file", spot.file},
+                 {"text", spot.text},
+                 {"machine", std::move(machine)},
+                 {"stands", std::move(stands)}});
 }
 
 std::optional<PanelSpot> spot_of(const std::string& text) {

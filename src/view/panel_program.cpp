@@ -33,7 +33,8 @@ PageJson changed_numbers(const PageJson& before, const PageJson& after, const Pa
   for (const auto& [name, row] : all.items()) {
     if (before.value(name, PageJson()) == after.value(name, PageJson())) continue;
     for (const auto& [part, value] : row.items())
-      if (const PageJson now = part_of(after, name, part); now != part_of(before, name, part) || now != part_of(stated, name, part)) rows[name][part] = now;
+      if (const PageJson now = part_of(after, name, part); now != part_of(before, name, part) || now != part_of(stated, name, part))
+        rows[name][part] = now;
   }
   return rows;
 }
@@ -55,7 +56,8 @@ PageJson difference(const Setup& before, const Setup& after, const Setup& stated
   PageJson patch = PageJson::object();
   for (const char* const table : {"work_offsets", "offsets", "parameters", "tool_table"}) {
     const bool are_numbers = std::string_view(table).ends_with("offsets");
-    PageJson rows = are_numbers ? changed_numbers(table_of(then, table), table_of(now, table), table_of(said, table)) : changed_rows(table_of(then, table), table_of(now, table));
+    PageJson rows = are_numbers ? changed_numbers(table_of(then, table), table_of(now, table), table_of(said, table))
+                                : changed_rows(table_of(then, table), table_of(now, table));
     if (!rows.empty()) patch[table] = std::move(rows);
   }
   return patch;
@@ -147,7 +149,8 @@ PageJson PanelProgram::edited() const {
 
 std::vector<std::string> PanelProgram::sections() const {
   std::vector<std::string> all;
-  for (const char* const name : {"work_offsets", "zeros", "offsets", "correctors", "tool_table", "place_table", "form_table", "variables", "parameters"}) {
+  for (const char* const name :
+       {"work_offsets", "zeros", "offsets", "correctors", "tool_table", "place_table", "form_table", "variables", "parameters"}) {
     const nlohmann::json table = {{name, nlohmann::json::object()}};
     if (!fault_of(table, table, opened_.def.get())) all.push_back(name);
   }

@@ -25,8 +25,8 @@ class PanelProgram {
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
-    PageJson edited;  // in the form of a set-up, laid over the file
-    Setup setup;      // both together
+    PageJson edited;          // in the form of a set-up, laid over the file
+    Setup setup;              // both together
     std::uint64_t after = 0;  // so many changes
   };
   /// What would come of a change (JSON merge patch, RFC 7386: null takes an edit back), checked as set-ups are.

@@ -145,7 +145,8 @@ TEST(Comparison, WhereSomethingIsDoneTheAxesStandAnyway) {
 }
 
 TEST(Comparison, ExactStopsOfTwoControlsAreTheSameWhereBothHaveThem) {
-  const std::string mode = "G21 G90 G61\nG1 X10 F100\nX20\nY5\nM2\n", block = "N1 G90 G1 G9 X10000 F100 ПС\nN2 G9 X20000 ПС\nN3 Y5000 ПС\nN4 M2 ПС\n";
+  const std::string mode = "G21 G90 G61\nG1 X10 F100\nX20\nY5\nM2\n",
+                    block = "N1 G90 G1 G9 X10000 F100 ПС\nN2 G9 X20000 ПС\nN3 Y5000 ПС\nN4 M2 ПС\n";
   const Comparison same = compared_as(mode, "mach3", "% ПС\n" + block, "s2c42");
   EXPECT_TRUE(same.equal()) << told(same);
   EXPECT_FALSE(compared_as("G21 G90\nG1 X10 F100\nX20\nY5\nM2\n", "mach3", "% ПС\n" + block, "s2c42").equal());
@@ -153,10 +154,15 @@ TEST(Comparison, ExactStopsOfTwoControlsAreTheSameWhereBothHaveThem) {
 }
 
 TEST(Comparison, CornersCountAlongTheWay) {
-  const auto kind_of = [](const Comparison& c) { return c.differences.size() == 1 ? int(c.differences[0].kind) : -int(c.differences.size()); };
-  EXPECT_EQ(kind_of(compared("G64 P0.01\nG1 X10 F100\nX20\nM2\n", "G64 P0.02\nG1 X10 F100\nX20\nM2\n")), int(CourseDifference::Kind::corners));
-  EXPECT_EQ(kind_of(compared_as("G1 X10 F100\nX20\nM2\n", "nct", "G62 G1 X10 F100\nX20\nM2\n", "nct")), int(CourseDifference::Kind::corners));
-  EXPECT_TRUE(compared_as("G21 G90 G64 P0.01\nG1 X10 F100\nX20\nM2\n", "linuxcnc", "G21 G90\nG1 X10 F100\nX20\nM2\n", "nct").equal()) << "the NCT has no P";
+  const auto kind_of = [](const Comparison& c) {
+    return c.differences.size() == 1 ? int(c.differences[0].kind) : -int(c.differences.size());
+  };
+  EXPECT_EQ(kind_of(compared("G64 P0.01\nG1 X10 F100\nX20\nM2\n", "G64 P0.02\nG1 X10 F100\nX20\nM2\n")),
+            int(CourseDifference::Kind::corners));
+  EXPECT_EQ(kind_of(compared_as("G1 X10 F100\nX20\nM2\n", "nct", "G62 G1 X10 F100\nX20\nM2\n", "nct")),
+            int(CourseDifference::Kind::corners));
+  EXPECT_TRUE(compared_as("G21 G90 G64 P0.01\nG1 X10 F100\nX20\nM2\n", "linuxcnc", "G21 G90\nG1 X10 F100\nX20\nM2\n", "nct").equal())
+      << "the NCT has no P";
 }
 
 TEST(Comparison, SwitchesAfterTheLastMotionCount) {
@@ -171,7 +177,8 @@ TEST(Comparison, SwitchesAfterTheLastMotionCount) {
 }
 
 TEST(Comparison, AFeedPerRevolutionIsOnePerMinuteAtItsSpeedByTheRules) {
-  const std::string by_turns = "G21 G90 G95 S500 M3\nG1 X10 F0.2\nS1000\nX20\nM2\n", by_time = "G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nF200 X20\nM2\n";
+  const std::string by_turns = "G21 G90 G95 S500 M3\nG1 X10 F0.2\nS1000\nX20\nM2\n",
+                    by_time = "G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nF200 X20\nM2\n";
   EXPECT_FALSE(compared(by_turns, by_time).equal());
   CompareRules rules;
   rules.feeds_at_speed = true;

@@ -48,7 +48,8 @@ TEST(MachineCodes, ARowForThatControlComesBeforeThoseForAll) {
 }
 
 TEST(MachineCodes, BothHaveTables) {
-  const ControlDef mine = own("mine", "haas", "M88 = { other = \"M27\" }\n"), other = own("other", "haas", "M27 = { mine = \"M51\" }\nM28 = { mine = \"M52\" }\n");
+  const ControlDef mine = own("mine", "haas", "M88 = { other = \"M27\" }\n"),
+                   other = own("other", "haas", "M27 = { mine = \"M51\" }\nM28 = { mine = \"M52\" }\n");
   const MachineCodes codes(mine, other);
   EXPECT_EQ(codes.there(88), 27U) << "that of the first";
   EXPECT_FALSE(codes.there(51));

@@ -51,7 +51,8 @@ TEST(WrittenLetters, WhatABytesCodeHasNot) {
 
 /// Of a few characters of every kind.
 rc::Gen<std::string> texts() {
-  return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("A", "z", "5", " ", "(", ")", ".", "Ж", "ъ", "Ё", "ё", "Я", "«", "°", "№", "日", "é")),
+  return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+                          "A", "z", "5", " ", "(", ")", ".", "Ж", "ъ", "Ё", "ё", "Я", "«", "°", "№", "日", "é")),
                       [](const std::vector<std::string>& parts) {
                         std::string text;
                         for (const std::string& part : parts) text += part;

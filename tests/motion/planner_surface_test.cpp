@@ -112,7 +112,8 @@ TEST_P(PlannerSurface, IsWithinToleranceAndLimitsEverywhere) {
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, PlannerSurface,
                          testing::Values(Surface{"short", 0.1, 1e4, 50}, Surface{"rough", 0.1, 1e3, 50}, Surface{"fast", 0.1, 1e4, 200},
-                                         Surface{"coarse", 0.5, 1e3, 100, 2000}, Surface{"tiny", 0.02, 1e4, 30}, Surface{"wide", 1.0, 1e4, 200, 2000}),
+                                         Surface{"coarse", 0.5, 1e3, 100, 2000}, Surface{"tiny", 0.02, 1e4, 30},
+                                         Surface{"wide", 1.0, 1e4, 200, 2000}),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace

@@ -42,8 +42,12 @@ TimedPath waves(double length, std::size_t axes, double most, double amplitude, 
     for (std::size_t a = 0; a < axes; ++a) {
       const double w = (1 + 0.3 * static_cast<double>(a)) / wave, r = amplitude / w;  // x′ = c1 + amplitude sin
       const double sine = std::sin(w * s), cosine = std::cos(w * s);
-      const double terms[] = {0, 0.6 + amplitude * sine, amplitude * w * cosine / 2, -amplitude * w * w * sine / 6,
-                              -amplitude * w * w * w * cosine / 24, r * w * w * w * w * w * sine / 120};
+      const double terms[] = {0,
+                              0.6 + amplitude * sine,
+                              amplitude * w * cosine / 2,
+                              -amplitude * w * w * sine / 6,
+                              -amplitude * w * w * w * cosine / 24,
+                              r * w * w * w * w * w * sine / 120};
       std::copy(std::begin(terms), std::end(terms), c + a * TimedPath::terms);
     }
     s += h;

@@ -32,17 +32,18 @@ class APanel {
     }
     machine.tool_change_s = 0;
     machine.planner = PlannerMode::optimal;
-    auto made = PanelMachine::make([=, setup = setup](const std::optional<Axes>& start, const StopToken& stop)
-                                       -> tl::expected<std::unique_ptr<Session>, std::string> {
-      Setup with = setup->copy();
-      RunLimits limits;
-      limits.stop = stop;
-      const char* const names[] = {"X", "Y", "Z"};
-      for (std::size_t a = 0; start && a < 3; ++a) with.start[names[a]] = (*start)[a];
-      auto session = Session::open({shared_control(control), machine, with, {"main.nc", text_source(program), {}}, limits});
-      if (!session) return tl::unexpected(session.error().fault.en);
-      return std::move(*session);
-    }, std::move(keeper));
+    auto made = PanelMachine::make(
+        [=, setup = setup](const std::optional<Axes>& start, const StopToken& stop) -> tl::expected<std::unique_ptr<Session>, std::string> {
+          Setup with = setup->copy();
+          RunLimits limits;
+          limits.stop = stop;
+          const char* const names[] = {"X", "Y", "Z"};
+          for (std::size_t a = 0; start && a < 3; ++a) with.start[names[a]] = (*start)[a];
+          auto session = Session::open({shared_control(control), machine, with, {"main.nc", text_source(program), {}}, limits});
+          if (!session) return tl::unexpected(session.error().fault.en);
+          return std::move(*session);
+        },
+        std::move(keeper));
     EXPECT_TRUE(made) << made.error();
     machine_ = std::move(*made);
   }

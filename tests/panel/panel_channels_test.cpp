@@ -64,7 +64,8 @@ TEST(PanelChannels, WaitForEachOther) {
 
 /// Positions are those of the servo clock: the first one's X leaves 10 only when the second's Z is at 50.
 TEST(PanelChannels, LeaveAWaitingCodeTogether) {
-  const APanel panel = two_channels("G21 G90 G94\nG0 X10\nM501 P12\nG1 X20 F3000\nM30\n", "G21 G90 G94\nG1 Z50 F6000\nM501 P12\nG1 X50 F6000\nM30\n");
+  const APanel panel =
+      two_channels("G21 G90 G94\nG0 X10\nM501 P12\nG1 X20 F3000\nM30\n", "G21 G90 G94\nG1 Z50 F6000\nM501 P12\nG1 X50 F6000\nM30\n");
   ASSERT_TRUE(panel->run());
   std::size_t seen = 0;
   ASSERT_TRUE(panel.until([&](const PanelState& s) {
@@ -198,7 +199,8 @@ std::vector<PanelWay> ways_to(const APanel& panel, const std::shared_ptr<const P
   const auto sheets = panel->sheets(place, {.clearance = 30, .above = 2, .feed = 6000});
   EXPECT_TRUE(sheets) << sheets.error();
   std::vector<PanelWay> ways;
-  for (std::size_t i = 0; sheets && i < sheets->size(); ++i) ways.push_back({i == 0 ? panel->own() : place->beside[i - 1].channel, (*sheets)[i].way});
+  for (std::size_t i = 0; sheets && i < sheets->size(); ++i)
+    ways.push_back({i == 0 ? panel->own() : place->beside[i - 1].channel, (*sheets)[i].way});
   return ways;
 }
 
@@ -289,7 +291,8 @@ TEST(PanelChannels, AnotherWithoutAnEndIsNoHindrance) {
 
 /// Tool and spindle of each are brought by lines in its own channel, or left.
 TEST(PanelChannels, EachHasASheetOfItsOwn) {
-  const APanel panel = two_channels("G21 G90 G94\nT3 M6\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nT7 M6\nF500\nG1 Z5\nG4 P5\nZ0\nM30\n");
+  const APanel panel =
+      two_channels("G21 G90 G94\nT3 M6\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nT7 M6\nF500\nG1 Z5\nG4 P5\nZ0\nM30\n");
   const auto place = found(panel, {.target = {.line = 5}}).place;
   ASSERT_TRUE(place);
   const auto sheets = panel->sheets(place, {});
@@ -315,7 +318,8 @@ TEST(PanelChannels, EachHasASheetOfItsOwn) {
   EXPECT_EQ(changes[0].second, 3);
   EXPECT_EQ(changes[1].second, 7);
   const auto in_force = panel->state().channels[1].block.modes->in_force;
-  EXPECT_TRUE(std::any_of(in_force.begin(), in_force.end(), [](const InForce& one) { return one.kind == InForce::Kind::tool && one.value == 7; }));
+  EXPECT_TRUE(
+      std::any_of(in_force.begin(), in_force.end(), [](const InForce& one) { return one.kind == InForce::Kind::tool && one.value == 7; }));
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   EXPECT_EQ(changes.size(), 2u);

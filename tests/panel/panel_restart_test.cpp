@@ -25,7 +25,8 @@ PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
   }
 }
 
-std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Wish& wish, const WayRules& rules = {.clearance = 30, .above = 2, .feed = 600}) {
+std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Wish& wish,
+                                   const WayRules& rules = {.clearance = 30, .above = 2, .feed = 600}) {
   const auto place = found(panel, wish);
   EXPECT_TRUE(place.place) << place.error;
   if (!place.place) return std::nullopt;
@@ -147,7 +148,8 @@ TEST(PanelRestart, OverAHoleOfACycle) {
   EXPECT_EQ(panel.line(), 3u);
   ASSERT_TRUE(panel->set_single(true));
   ASSERT_TRUE(panel->run());
-  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 4; })) << "the rest of the cycle is one block";
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 4; }))
+      << "the rest of the cycle is one block";
   EXPECT_NEAR(panel.at().x, 50, 1e-9);
 }
 
@@ -217,26 +219,26 @@ class APart {
 
 /// Twice round a square, deeper each time, its corners compensated.
 const char* const pocket =
-    "G21 G90 G94 G17\n"      // 1
+    "G21 G90 G94 G17\n"  // 1
     "#1=0\n"
     "T1 M6\n"
     "S900 M3\n"
-    "G0 X-20 Y-20 Z20\n"     // 5
+    "G0 X-20 Y-20 Z20\n"  // 5
     "M98 P7 L2\n"
     "G0 Z50\n"
     "M30\n"
     "O7\n"
-    "#1=[#1-1]\n"            // 10
+    "#1=[#1-1]\n"  // 10
     "G0 X-20 Y-20\n"
     "G1 Z#1 F9000\n"
     "G42 D1 X0 Y0\n"
     "X40\n"
-    "Y40\n"                  // 15
+    "Y40\n"  // 15
     "X0\n"
     "Y0\n"
     "G40 X-20 Y-20\n"
     "G0 Z20\n"
-    "M99\n";                 // 20
+    "M99\n";  // 20
 
 Setup with_radius() {
   Setup setup;

@@ -199,7 +199,8 @@ TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
   }));
   EXPECT_GT(fastest, 100);
   EXPECT_LT(fastest, 0.06 * 60'000);
-  for (PanelShares bad : {PanelShares{2, 1, 1, 0}, PanelShares{1, -1, 1, 0}, PanelShares{1, 1, 0.4, 0}, PanelShares{1, 1, 1.3, 0}, PanelShares{1, 1, 1, -1}})
+  for (PanelShares bad :
+       {PanelShares{2, 1, 1, 0}, PanelShares{1, -1, 1, 0}, PanelShares{1, 1, 0.4, 0}, PanelShares{1, 1, 1.3, 0}, PanelShares{1, 1, 1, -1}})
     EXPECT_FALSE(panel->set_shares(bad));
 }
 
@@ -227,7 +228,8 @@ TEST(PanelSwitches, StepsOverAndOutOfCalls) {
   ASSERT_TRUE(stands_at(panel, 1));
   for (const std::uint32_t line : {2u, 6u}) {
     ASSERT_TRUE(panel->run(Stepping::How::block));
-    ASSERT_TRUE(panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && (s.line.number == line || s.line.number == 5); }));
+    ASSERT_TRUE(
+        panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && (s.line.number == line || s.line.number == 5); }));
   }
   ASSERT_TRUE(panel->run(Stepping::How::out));
   ASSERT_TRUE(stands_at(panel, 3));
@@ -260,7 +262,8 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
   }
   std::vector<std::uint32_t> running;
   for (const PanelSpot& spot : spots)
-    if (spot.mode == PanelMode::running && spot.number != 0 && (running.empty() || running.back() != spot.number)) running.push_back(spot.number);
+    if (spot.mode == PanelMode::running && spot.number != 0 && (running.empty() || running.back() != spot.number))
+      running.push_back(spot.number);
   EXPECT_EQ(running, (std::vector<std::uint32_t>{1, 2, 3, 5}));
   EXPECT_EQ(spots.back().number, 0u);
   EXPECT_EQ(spots.back().mode, PanelMode::ended);

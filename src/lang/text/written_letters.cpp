@@ -14,8 +14,9 @@ constexpr std::size_t leader_rows = 100;
 constexpr std::size_t high_bytes = 128;  // above 127
 
 /// GOST 7.79-2000, system B, without its marks; capitals А to Я.
-constexpr std::array<std::string_view, 32> romanized = {"A", "B", "V", "G", "D", "E", "ZH", "Z", "I", "J", "K", "L",  "M",  "N",   "O", "P",
-                                                    "R", "S", "T", "U", "F", "X", "C", "CH", "SH", "SHH", "", "Y", "", "E", "YU", "YA"};
+constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   "D", "E", "ZH", "Z", "I",  "J", "K",
+                                                        "L", "M",  "N",  "O",   "P", "R", "S",  "T", "U",  "F", "X",
+                                                        "C", "CH", "SH", "SHH", "",  "Y", "",   "E", "YU", "YA"};
 constexpr char32_t capital_a = U'А', small_a = U'а', capital_yo = U'Ё', small_yo = U'ё';
 constexpr char32_t first_high = 0x80;
 
@@ -23,15 +24,17 @@ struct Alike {
   char32_t code;
   std::string_view text;
 };
-constexpr Alike alike_signs[] = {{U'«', "\""}, {U'»', "\""}, {U'“', "\""}, {U'”', "\""}, {U'„', "\""}, {U'’', "'"}, {U'–', "-"}, {U'—', "-"}, {U'−', "-"},
-                           {U'…', "..."}, {U'×', "x"}, {U'·', "."}, {U'°', " deg"}, {U'±', "+-"}, {U'№', "N"}, {U'Ø', "D"}, {U'ø', "d"}, {U'⌀', "D"},
-                           {U'→', "->"}, {U'²', "2"}, {U'³', "3"}, {U'µ', "u"}, {U'\u00a0', " "}};
+constexpr Alike alike_signs[] = {{U'«', "\""},   {U'»', "\""}, {U'“', "\""}, {U'”', "\""},  {U'„', "\""},    {U'’', "'"},
+                                 {U'–', "-"},    {U'—', "-"},  {U'−', "-"},  {U'…', "..."}, {U'×', "x"},     {U'·', "."},
+                                 {U'°', " deg"}, {U'±', "+-"}, {U'№', "N"},  {U'Ø', "D"},   {U'ø', "d"},     {U'⌀', "D"},
+                                 {U'→', "->"},   {U'²', "2"},  {U'³', "3"},  {U'µ', "u"},   {U'\u00a0', " "}};
 
 std::string utf8_text(char32_t code) {
   constexpr char32_t follows = 0x80, six = 0x3f, two_bytes = 0x800, lead_of_two = 0xc0, lead_of_three = 0xe0;
   if (code < first_high) return {static_cast<char>(code)};
   if (code < two_bytes) return {static_cast<char>(lead_of_two | code >> 6U), static_cast<char>(follows | (code & six))};
-  return {static_cast<char>(lead_of_three | code >> 12U), static_cast<char>(follows | (code >> 6U & six)), static_cast<char>(follows | (code & six))};
+  return {static_cast<char>(lead_of_three | code >> 12U), static_cast<char>(follows | (code >> 6U & six)),
+          static_cast<char>(follows | (code & six))};
 }
 
 std::string small(std::string_view capitals) {
@@ -64,10 +67,12 @@ const std::map<char32_t, char>& bytes_above(Encoding encoding) {
   static const auto table_of = [](Encoding of) {
     std::map<char32_t, char> table;
     for (std::size_t i = 0; i < high_bytes; ++i)
-      if (const std::string_view text = utf8_of(of, static_cast<std::uint8_t>(high_bytes + i)); !text.empty()) table.emplace(first_character(text).code, static_cast<char>(high_bytes + i));
+      if (const std::string_view text = utf8_of(of, static_cast<std::uint8_t>(high_bytes + i)); !text.empty())
+        table.emplace(first_character(text).code, static_cast<char>(high_bytes + i));
     return table;
   };
-  static const std::map<char32_t, char> cp1251 = table_of(Encoding::cp1251), koi8r = table_of(Encoding::koi8r), cp866 = table_of(Encoding::cp866);
+  static const std::map<char32_t, char> cp1251 = table_of(Encoding::cp1251), koi8r = table_of(Encoding::koi8r),
+                                        cp866 = table_of(Encoding::cp866);
   return encoding == Encoding::cp1251 ? cp1251 : encoding == Encoding::koi8r ? koi8r : cp866;
 }
 
@@ -154,7 +159,8 @@ Result<std::string> bytes_of(std::string_view utf8, const WrittenLetters& letter
     const Character one = first_character(utf8.substr(at));
     const std::size_t size = std::max<std::size_t>(one.size, 1);
     const std::string_view character = utf8.substr(at, size);
-    if (one.size == 0 || !has_letter(letters, one.code)) return fail(alarm(AlarmId::bad_encoding, {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + size)}, character));
+    if (one.size == 0 || !has_letter(letters, one.code))
+      return fail(alarm(AlarmId::bad_encoding, {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + size)}, character));
     if (one.code < first_high || letters.encoding == Encoding::utf8) bytes += character;
     else bytes += bytes_above(letters.encoding).at(one.code);
     at += size;

@@ -26,7 +26,7 @@ bool has_russian(const WrittenLetters& letters);
 bool is_written_so(std::string_view utf8, const WrittenLetters& letters);
 
 struct Transliterated {
-  std::string text;           // UTF-8, of these letters alone
+  std::string text;            // UTF-8, of these letters alone
   std::size_t characters = 0;  // that have become others
 };
 /// What has no place among these letters becomes what is read alike: Ё as Е or YO, ж as Ж or ZH, « as ".

@@ -1,7 +1,7 @@
 #pragma once
 // The least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose every iterate obeys all limits:
-// Newton steps on T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals. b as the unknown: Verscheure et al. 2009, IEEE TAC 54(10); the
-// jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian. Slow and sure: for what
+// Newton steps on T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals. b as the unknown: Verscheure et al. 2009, IEEE TAC 54(10);
+// the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian. Slow and sure: for what
 // motion/least_time/primal_dual does not find.
 
 #include <array>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "base/stop.h"
 #include "base/lanes.h"
+#include "base/stop.h"
 #include "motion/least_time/timed_path.h"
 
 namespace kadr {
@@ -97,8 +97,8 @@ class LeastTime {
   PathEnds ends_;
   LimitMargins margins_;
   std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ in each cell at its places: (cell * axes + axis) * places + place
-  std::size_t n_ = 0;          // cells
-  std::size_t variables_ = 0;  // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
+  std::size_t n_ = 0;                 // cells
+  std::size_t variables_ = 0;         // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
   bool first_given_ = false;  // the first cell follows from the start

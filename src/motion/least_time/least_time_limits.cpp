@@ -83,8 +83,7 @@ void LeastTime::find_moving() {
   for (std::size_t a = 0; a < path.axes; ++a) {
     bool moves = false;
     for (std::size_t k = 0; k < n_; ++k)
-      for (std::size_t i = (k * path.axes + a) * places, end = i + places; i < end; ++i)
-        moves = moves || x1_[i] != 0 || x2_[i] != 0;
+      for (std::size_t i = (k * path.axes + a) * places, end = i + places; i < end; ++i) moves = moves || x1_[i] != 0 || x2_[i] != 0;
     if (moves) moving_.push_back({a, 1 / (margins_.acceleration * path.acceleration[a]), 1 / (margins_.jerk * path.jerk[a])});
   }
 }

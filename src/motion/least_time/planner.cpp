@@ -21,9 +21,9 @@ constexpr std::size_t most_window = 6000;  // cells: then some are handed out th
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double gentle = 0.1;      // |Δu| of corners that are like those of a curve
+constexpr double gentle = 0.1;       // |Δu| of corners that are like those of a curve
 constexpr double longest_s = 0.014;  // of a cell, at the commanded speed
-constexpr double fastest = 1e12;    // mm²/s²: no limit of ṡ², in numbers that can be calculated with
+constexpr double fastest = 1e12;     // mm²/s²: no limit of ṡ², in numbers that can be calculated with
 
 double square(double x) { return x * x; }
 
@@ -282,7 +282,8 @@ double Planner::draw_cell(double to, std::size_t end_piece, double* c, Memory::K
   for (std::size_t a = 0; a < now_.cells.axes; ++a) {
     double* const of_axis = c + a * TimedPath::terms;
     std::fill(of_axis, of_axis + TimedPath::terms, 0);
-    if (straight) of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+    if (straight)
+      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
     else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - now_.cut, of_axis);
   }
   return straight ? 0 : beyond(c, to, end_piece);

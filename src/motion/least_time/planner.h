@@ -46,8 +46,8 @@ class Planner {
   /// The axes come to rest; all is handed out.
   void stop();
 
-  /// Plans whenever so many seconds of motion at the commanded feeds have come in, not only after some hundred pieces: for whoever waits for
-  /// the first cells of long pieces. It costs some more plans.
+  /// Plans whenever so many seconds of motion at the commanded feeds have come in, not only after some hundred pieces: for whoever waits
+  /// for the first cells of long pieces. It costs some more plans.
   void plan_each(double seconds) { plan_each_ = seconds; }
   /// Asked by all that may take long.
   void stop_by(StopToken stop) { stop_ = stop; }

@@ -118,11 +118,11 @@ void Planner::cell_by_cell() {
   out_.clear();
   for (std::size_t k = 0; k < now_.cells.cells(); ++k) {
     std::array<double, max_axes> from{}, to{}, way{};
-    TimedCells cell{
-        axes,
-        {},
-        {},
-        {now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>(k * row), now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
+    TimedCells cell{axes,
+                    {},
+                    {},
+                    {now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>(k * row),
+                     now_.cells.shapes.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
     cell.position(0, 0, from.data());
     cell.position(0, now_.cells.h[k], to.data());
     double squares = 0;

@@ -5,7 +5,8 @@
 // Each limit ±c ≤ 1 has a slack s = 1 ∓ c of its own, and a dual z; s z = μ, μ → 0 (Nocedal, Wright: Numerical Optimization, 19). What
 // makes it quick:
 //
-//   - The jerk is |L| ≤ J/√b with L linear in b. J/√b is convex, so its tangent lies below it: a step within the tangent is within the limit.
+//   - The jerk is |L| ≤ J/√b with L linear in b. J/√b is convex, so its tangent lies below it: a step within the tangent is within the
+//   limit.
 //   - Every slack and every dual has a step length of its own, and b goes the whole step: one tight place does not shorten the step of the
 //     window. What that makes wrong the next step mends.
 //   - After some steps over all cells, only the blocks of eight cells go on that have not come to rest, and some beside them.
@@ -16,8 +17,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/stop.h"
 #include "base/lanes.h"
+#include "base/stop.h"
 #include "motion/least_time/timed_path.h"
 
 namespace kadr {
@@ -35,8 +36,8 @@ class PrimalDual {
   double steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t places = 3;    // of a cell that its limits are looked at: its ends and its middle
-  static constexpr std::size_t pad = lanes;   // cells of no meaning before the first and after the last: whole blocks
+  static constexpr std::size_t places = 3;     // of a cell that its limits are looked at: its ends and its middle
+  static constexpr std::size_t pad = lanes;    // cells of no meaning before the first and after the last: whole blocks
   static constexpr std::size_t per_axis = 34;  // numbers of a moving axis in each cell: below
   // of a place: x′, x″, x‴ divided by the jerk limit
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
@@ -47,10 +48,10 @@ class PrimalDual {
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{};
-  static constexpr double at_rest = 0.005;      // of a middle: a step
-  static constexpr double most_beyond = 0.005;  // of a limit with its margin, in the places
-  static constexpr double most_gap = 3;         // slack · dual of the limits of a cell, as a share of their μ
-  static constexpr double allowed = 1;          // of a limit
+  static constexpr double at_rest = 0.005;                  // of a middle: a step
+  static constexpr double most_beyond = 0.005;              // of a limit with its margin, in the places
+  static constexpr double most_gap = 3;                     // slack · dual of the limits of a cell, as a share of their μ
+  static constexpr double allowed = 1;                      // of a limit
   static constexpr double most_fall = -0.7, most_rise = 2;  // of a middle, in one step
 
   /// A number of each cell, eight in a row for each block.
@@ -60,7 +61,7 @@ class PrimalDual {
     limited,  // 1: its limits count; 0: beside a stop, or no cell
     before,   // of the ordinate at its start: the share of the middle before,
     own_before,
-    given,  // and what is given
+    given,   // and what is given
     behind,  // of that at its end
     own_behind,
     inverse_cap,
@@ -150,9 +151,9 @@ class PrimalDual {
   std::array<std::vector<double>, 6> products_;  // of each cell: its part of the matrix, by the middles before, own, behind
   std::array<std::vector<double>, 3> slopes_;    // and of the gradient
   std::array<std::vector<double>, 3> diagonals_;
-  std::vector<double> tied_;   // of each cell: its middle as a share of that before, beside a turn; else 0
-  bool turns_ = false;         // any
-  std::vector<char> restless_;  // blocks
+  std::vector<double> tied_;                 // of each cell: its middle as a share of that before, beside a turn; else 0
+  bool turns_ = false;                       // any
+  std::vector<char> restless_;               // blocks
   double first_share_ = 0, last_share_ = 0;  // beside stops
   std::vector<double> middles_;
   std::vector<CellSpeeds> speeds_;

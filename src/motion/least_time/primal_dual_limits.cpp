@@ -11,13 +11,13 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-constexpr double least_b = 1e-6;        // of the middle: beside a turn b is 0
-constexpr double least_slack = 1e-5;    // of a limit
-constexpr double greatest_dual = 1e3;   // s per limit
-constexpr double least_dual = 0.05;     // of μ
-constexpr double kept = 0.2;            // of a slack or dual that one step leaves at least
-constexpr double first_slack = 0.2;     // at least, to begin with
-constexpr double bend_of_time = 0.75;   // d²/dm² of m^(−1/2)
+constexpr double least_b = 1e-6;       // of the middle: beside a turn b is 0
+constexpr double least_slack = 1e-5;   // of a limit
+constexpr double greatest_dual = 1e3;  // s per limit
+constexpr double least_dual = 0.05;    // of μ
+constexpr double kept = 0.2;           // of a slack or dual that one step leaves at least
+constexpr double first_slack = 0.2;    // at least, to begin with
+constexpr double bend_of_time = 0.75;  // d²/dm² of m^(−1/2)
 
 }  // namespace
 
@@ -196,10 +196,12 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
     }
     sums.take(is_limited);
     const Lanes m = speed.o1, by_m = 1 / m, fall = (0.5 * Lanes(of_block + length * lanes)) * by_m * by_m * root_of(m);  // −dT/dm
-    const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes), by_slack = 1 / slack;
+    const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes),
+        by_slack = 1 / slack;
     sums.h11 += (2 * bend_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
     sums.g1 += (mu - dual * (1 - m * by_cap - slack)) * by_slack * by_cap - fall;
-    const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_behind * lanes), v(of_block + behind * lanes);
+    const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_behind * lanes),
+        v(of_block + behind * lanes);
     (p * p * sums.h00).to(&products_[0][i]);
     (p * (q * sums.h00 + sums.h01 + u * sums.h02)).to(&products_[1][i]);
     (p * v * sums.h02).to(&products_[2][i]);
@@ -254,7 +256,8 @@ KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu
     }
     const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes);
     const Lanes c = 1 - speed.o1 * by_cap, change = c - slack - by.o1 * by_cap;
-    const Lanes new_dual = Pairs<Lanes>::moved_dual(dual, (mu - dual * change) / slack, mu), new_slack = Pairs<Lanes>::moved_slack(slack, change);
+    const Lanes new_dual = Pairs<Lanes>::moved_dual(dual, (mu - dual * change) / slack, mu),
+                new_slack = Pairs<Lanes>::moved_slack(slack, change);
     new_dual.to(of_block + cap_dual * lanes), new_slack.to(of_block + cap_slack * lanes);
     gap = is_limited * gap + new_dual * new_slack;
     worst = lesser(worst, c);
@@ -326,7 +329,8 @@ void PrimalDual::derive(const Range& range, double mu) {
   // what belongs to cells outside
   const std::size_t outside[] = {range.first * lanes - 1, range.end * lanes};
   for (const std::size_t i : outside)
-    for (auto* const all : {&products_[0], &products_[1], &products_[2], &products_[3], &products_[4], &products_[5], &slopes_[0], &slopes_[1], &slopes_[2]})
+    for (auto* const all :
+         {&products_[0], &products_[1], &products_[2], &products_[3], &products_[4], &products_[5], &slopes_[0], &slopes_[1], &slopes_[2]})
       (*all)[i] = 0;
   side_by_side([&](auto like) __attribute__((always_inline)) { gather<decltype(like)>(range); });
 }

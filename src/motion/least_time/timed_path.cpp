@@ -96,8 +96,8 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   for (double& m : middles) m *= std::cbrt(m);
 }
 
-/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². Its middle
-/// is a third of b₁.
+/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². Its
+/// middle is a third of b₁.
 double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;

@@ -42,8 +42,8 @@ struct TimedPath {
 struct Derivatives {
   double x1, x2, x3;
   static Derivatives at(const double* c, double s) {
-    return {c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5]))), 2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])),
-            6 * c[3] + s * (24 * c[4] + s * 60 * c[5])};
+    return {c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5]))),
+            2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])), 6 * c[3] + s * (24 * c[4] + s * 60 * c[5])};
   }
 };
 
@@ -83,7 +83,8 @@ double slowest_alone(const TimedPath& path);
 void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<double>& middles);
 /// d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3).
 double soonest_rise(const TimedPath& path);
-/// The middle ordinate, at most, of the cell beside a stop, whose constant jerk keeps the limits; `ahead`: of motion, 1: the stop is before it.
+/// The middle ordinate, at most, of the cell beside a stop, whose constant jerk keeps the limits; `ahead`: of motion, 1: the stop is before
+/// it.
 double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins);
 /// The middle ordinate of the cell beside a stop as a share of that of its neighbour, of lengths h and next: b′ is continuous.
 inline double share_beside_stop(double h, double next) { return 1.0 / 3 / (1 + 2.0 / 3 * next / h); }

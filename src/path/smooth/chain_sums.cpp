@@ -1,4 +1,5 @@
-// ChainSums: how the corners of a chain move the path, by running sums. For path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
+// ChainSums: how the corners of a chain move the path, by running sums. For path/smooth/smooth_path; tested by
+// tests/path/chain_sums_test.cpp.
 
 #include "path/smooth/chain_sums.h"
 
@@ -106,7 +107,8 @@ void ChainSums::move(const Corners& corners, double s, const WidthAt& width, dou
     const Sums* const sums = before(n, y);
     for (std::size_t g = 0; g < groups_; ++g) {
       const Sums& m = sums[g];
-      const Four cubes = ((m.m0 * y - 3 * m.m1) * y + 3 * m.m2) * y - m.m3, squares = (m.m0 * y - 2 * m.m1) * y + m.m2, ways = m.m0 * y - m.m1;
+      const Four cubes = ((m.m0 * y - 3 * m.m1) * y + 3 * m.m2) * y - m.m3, squares = (m.m0 * y - 2 * m.m1) * y + m.m2,
+                 ways = m.m0 * y - m.m1;
       way[g] += (part / 6) * cubes;
       slope[g] += (part / 2) * squares;
       bend[g] += part * ways;

@@ -56,10 +56,10 @@ class ChainSums {
   void add_ways(double at, double width, double* x);
 
   std::size_t axes_, groups_;
-  double from_ = 1, to_ = 0;              // for places between it is ready
-  double origin_ = 0;                     // lengths are counted from here: the sums stay small
-  std::vector<double> at_;                // of the corners; a last one that is never reached
-  std::vector<Sums> sums_;                // over the first 0, 1, 2, … corners, of each group of axes
+  double from_ = 1, to_ = 0;               // for places between it is ready
+  double origin_ = 0;                      // lengths are counted from here: the sums stay small
+  std::vector<double> at_;                 // of the corners; a last one that is never reached
+  std::vector<Sums> sums_;                 // over the first 0, 1, 2, … corners, of each group of axes
   std::array<std::size_t, nodes> seen_{};  // corners before each node, at the last place
 };
 

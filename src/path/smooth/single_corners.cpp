@@ -66,7 +66,9 @@ double SmoothPath::share_alone(std::size_t vertex) const {
   constexpr double beside_chain = 0.8;
   constexpr double faint = 0.02;  // of the tolerance: a corner that moves the path less, as wide as can be
   bool any = false;
-  corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) { any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]); });
+  corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) {
+    any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]);
+  });
   return any ? beside_chain : 1;
 }
 
@@ -88,8 +90,10 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   look_at_roundings(done_);
   factor_.assign(at_.size(), 1);
   for (const std::size_t i : marks_) {
-    if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i)) continue;  // alone it is as wide as the tolerance allows
-    const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}), allowed = between * tolerance_[i] * share_alone(i);
+    if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i))
+      continue;  // alone it is as wide as the tolerance allows
+    const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}),
+                 allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
     any = true;
     const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners bear it together
@@ -109,7 +113,8 @@ double SmoothPath::width_alone(std::size_t vertex) const {
   const SoftCorner& shape = SoftCorner::of(turn_[vertex]);
   const double tolerance = tolerance_[vertex];
   if (!on_curve(vertex)) return tolerance / (shape.highest() * turn_[vertex]);
-  const double length = (length_[vertex - 1] + length_[vertex]) / 2;  // a chain of chords of a circle is moved by curvature · w² · second_moment
+  const double length =
+      (length_[vertex - 1] + length_[vertex]) / 2;  // a chain of chords of a circle is moved by curvature · w² · second_moment
   return std::sqrt(used * tolerance * length / (shape.second_moment() * turn_[vertex]));
 }
 

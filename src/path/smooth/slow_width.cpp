@@ -16,7 +16,7 @@ constexpr double slope = 0.15;       // of the width
 constexpr double levelled = 0.5;     // of the width, to each side: the least of it, then the mean
 constexpr double widest = SoftCorner::widest;
 constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);  // each reaches a part further
-constexpr std::size_t reach = 2 * rounds + 4;                                      // parts, of both
+constexpr std::size_t reach = 2 * rounds + 4;                                    // parts, of both
 
 }  // namespace
 

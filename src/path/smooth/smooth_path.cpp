@@ -23,7 +23,8 @@ constexpr double straight_bend = 1e-12;  // |Δu| of pieces that go on straight 
 void SmoothPath::begin(const double* at) {
   point_.assign(at, at + axes_);
   bend_.assign(axes_, 0);
-  for (std::vector<double>* const of_vertices : {&turn_, &at_, &squeezed_, &width_, &in_chain_, &tolerance_, &room_}) of_vertices->assign(1, 0);
+  for (std::vector<double>* const of_vertices : {&turn_, &at_, &squeezed_, &width_, &in_chain_, &tolerance_, &room_})
+    of_vertices->assign(1, 0);
   direction_.clear();
   length_.clear();
   feed_.clear();
@@ -95,7 +96,8 @@ void SmoothPath::forget(double before) {
   if (drop == 0) return;
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   for (std::vector<double>* const of_axes : {&point_, &bend_, &direction_}) cut(*of_axes, drop * axes_);
-  for (std::vector<double>* const one : {&turn_, &at_, &squeezed_, &width_, &in_chain_, &tolerance_, &room_, &length_, &feed_}) cut(*one, drop);
+  for (std::vector<double>* const one : {&turn_, &at_, &squeezed_, &width_, &in_chain_, &tolerance_, &room_, &length_, &feed_})
+    cut(*one, drop);
   cut(tag_, drop);
   cut(on_curve_, drop);
   cut(paced_, drop);

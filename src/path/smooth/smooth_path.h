@@ -2,10 +2,11 @@
 // SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance, so that a chain of short pieces becomes
 // one smooth curve. A window of a longer path: pieces come in at the end, what is done with is forgotten.
 //
-//   gentle corners   all together, as wide as the place asks for (path/smooth/chain_sums, slow_width): work per piece does not depend on how
+//   gentle corners   all together, as wide as the place asks for (path/smooth/chain_sums, slow_width): work per piece does not depend on
+//   how
 //                    many are felt at a place
-//   sharp corners,   each as wide as its own tolerance and its neighbours allow (path/smooth/soft_corner); where several are felt, their ways
-//   near an end      add up. Ends: where the axes stand for an instant; a rounding does not reach over them
+//   sharp corners,   each as wide as its own tolerance and its neighbours allow (path/smooth/soft_corner); where several are felt, their
+//   ways near an end      add up. Ends: where the axes stand for an instant; a rounding does not reach over them
 
 #include <cstddef>
 #include <cstdint>
@@ -91,7 +92,7 @@ class SmoothPath {
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // |Δu|
-  static constexpr double squeezed_to = 40;  // mm: a piece, for what is known along it
+  static constexpr double squeezed_to = 40;         // mm: a piece, for what is known along it
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);
@@ -111,7 +112,7 @@ class SmoothPath {
   double square_beside(std::size_t vertex, double width, double most);
   double widest_in_chain(std::size_t vertex, double width);
   void open_widths();
-  struct Looks {  // of a piece
+  struct Looks {        // of a piece
     double felt, step;  // how far from its ends, how dense, mm
   };
   Looks looks(std::size_t piece, double tolerance) const;

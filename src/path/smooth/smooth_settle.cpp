@@ -11,11 +11,11 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;    // |Δu| of pieces that go on straight but for rounding
-constexpr double sharp = 0.3;            // |Δu| of a corner that is rounded by itself
-constexpr double alike = 0.1;           // of |Δu|: a neighbour that bends at least so much makes a chain
-constexpr double feed_alike = 1e-6;      // relative: rounding of a way divided by its time
-constexpr double used_by_chain = 0.95;   // of the tolerance; the rest is for what lies between the places looked at
+constexpr double straight_on = 1e-12;                    // |Δu| of pieces that go on straight but for rounding
+constexpr double sharp = 0.3;                            // |Δu| of a corner that is rounded by itself
+constexpr double alike = 0.1;                            // of |Δu|: a neighbour that bends at least so much makes a chain
+constexpr double feed_alike = 1e-6;                      // relative: rounding of a way divided by its time
+constexpr double used_by_chain = 0.95;                   // of the tolerance; the rest is for what lies between the places looked at
 constexpr double felt_ahead = 2.5 * SoftCorner::widest;  // mm: a corner's width in the chain is known when the path is, so far behind it
 
 }  // namespace
@@ -99,11 +99,13 @@ double SmoothPath::square_beside(std::size_t vertex, double width, double most) 
 
 /// The widest rounding of the chain that is within the tolerance at a vertex, looked for from `width` on.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
-  constexpr double narrowest = 1e-4;                       // mm
-  constexpr double enough = 0.98;                          // of the square
+  constexpr double narrowest = 1e-4;  // mm
+  constexpr double enough = 0.98;     // of the square
   constexpr double most_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
-  const auto towards = [&](double square) { return 0.997 * std::sqrt(std::sqrt(most / square)); };  // the way grows with the square of the width
+  const auto towards = [&](double square) {
+    return 0.997 * std::sqrt(std::sqrt(most / square));
+  };  // the way grows with the square of the width
   double square = square_beside(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
@@ -146,14 +148,15 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// How dense the places of a piece are looked at, mm: as the narrowest rounding felt there asks for, and so dense that what bends most there
-/// moves the path by little of the tolerance between them.
+/// How dense the places of a piece are looked at, mm: as the narrowest rounding felt there asks for, and so dense that what bends most
+/// there moves the path by little of the tolerance between them.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   constexpr double in_chain = 4, alone = 16;  // places in a width
   constexpr double unseen = 0.02;             // of the tolerance
   constexpr double most_places = 32, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
-  const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w, narrower = std::min(width_before, width_behind);
+  const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w,
+               narrower = std::min(width_before, width_behind);
   Looks looks{beyond_it * std::max(width_before, width_behind), narrower / in_chain};
   double most_turn = 0;
   for (std::size_t i = std::max<std::size_t>(piece, 1) - 1; i < std::min(piece + 3, at_.size()); ++i)
