@@ -74,7 +74,10 @@ class RunCommand {
         view.statistics.count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
       if (i != session.own()) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, channel.control->tool_position());
-      if (needs_planner(options, job.profile)) view.planned = &session.plan(i, options.limits.stop);
+      if (needs_planner(options, job.profile)) {
+        view.planned = &session.plan(i, options.limits.stop);
+        view.planned->work_side_by_side();
+      }
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
       if (std::FILE* const tips = outputs.stream("--samples-tip"); tips != nullptr) view.planned->write_tips(tips);

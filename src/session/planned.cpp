@@ -31,7 +31,10 @@ void Planned::write_tips(std::FILE* file) {
   motion_.on_place = [this](std::uint64_t motion, const ToolPosition& from) { writer_->take_place(motion, from); };
 }
 
-Planned::Memory Planned::memory() const { return {motion_.snapshot(), time_, writer_ ? std::optional(writer_->memory()) : std::nullopt}; }
+Planned::Memory Planned::memory() {
+  motion_.settle();
+  return {motion_.snapshot(), time_, writer_ ? std::optional(writer_->memory()) : std::nullopt};
+}
 
 void Planned::remember(const Memory& memory) {
   motion_.restore(memory.motion);

@@ -45,6 +45,8 @@ class Planned {
 
   /// Planner::plan_each().
   void plan_each(double seconds) { motion_.plan_each(seconds); }
+  /// Planner::work_side_by_side().
+  void work_side_by_side() { motion_.work_side_by_side(); }
   /// AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
 
@@ -57,7 +59,7 @@ class Planned {
     PlannedTime time;
     std::optional<SampleWriter::Memory> samples;
   };
-  Memory memory() const;
+  Memory memory();
   void remember(const Memory& memory);
 
   /// All samples so far could be written; else the error of the system.

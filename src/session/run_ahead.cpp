@@ -3,36 +3,10 @@
 
 #include "session/run_ahead.h"
 
-#include <sched.h>
-
 #include <system_error>
 #include <utility>
 
 namespace kadr {
-namespace {
-
-/// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
-/// as long as three batches, in a virtual machine longer.
-template <class Value, class Done>
-void wait_for(const std::atomic<Value>& changes, const Done& done) {
-  constexpr int most_looks = 20'000;  // less than a millisecond
-  for (int look = 0;; ++look) {
-    const Value seen = changes.load(std::memory_order_acquire);
-    if (done()) return;
-    if (look >= most_looks) changes.wait(seen, std::memory_order_acquire);
-#if defined(__x86_64__) || defined(__i386__)
-    else __builtin_ia32_pause();
-#endif
-  }
-}
-
-/// That this process may use.
-bool has_several_processors() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 1;
-}
-
-}  // namespace
 
 RunAhead::RunAhead(Control& control) : control_(control), beside_(has_several_processors()) {}
 

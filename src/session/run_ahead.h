@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/side_by_side.h"
 #include "control/control.h"
 
 namespace kadr {

@@ -152,7 +152,7 @@ void AxisMotion::stop_by(StopToken stop) {
 }
 
 AxisMotion::Refused AxisMotion::refused() const {
-  const Planner::Refused& refused = planner_.refused();
+  const WindowTimer::Refused& refused = planner_.refused();
   for (const Record& record : now_.records)
     if (record.motion == refused.tag) return {refused.way, Spent::of(record.spent)};
   return {refused.way, {}};

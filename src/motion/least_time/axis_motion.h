@@ -69,6 +69,9 @@ class AxisMotion {
 
   /// Planner::plan_each().
   void plan_each(double seconds) { planner_.plan_each(seconds); }
+  /// Planner::work_side_by_side(), Planner::settle().
+  void work_side_by_side() { planner_.work_side_by_side(); }
+  void settle() { planner_.settle(); }
   /// All feeds but those of threads are this one, mm/min; 0: as programmed.
   void run_dry(double feed) { dry_feed_ = feed; }
 
@@ -95,7 +98,7 @@ class AxisMotion {
   };
 
  public:
-  /// What it remembers from step to step.
+  /// What it remembers from step to step; it is settled.
   struct Memory {
     explicit Memory(const MotionLimits& limits) : threads(limits) {}
     std::deque<Record> records;
@@ -144,7 +147,7 @@ class AxisMotion {
   AxisRoles roles_;
   double tolerance_;
   double dry_feed_ = 0;  // mm/min; 0: as programmed
-  Axes rapid_{};  // mm/min or degrees/min
+  Axes rapid_{};         // mm/min or degrees/min
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kadr {
 namespace {
@@ -35,6 +36,18 @@ double even_s(double length, const Ramp& ramp) { return std::max(0.0, length / r
 double rest_to_rest_s(double length, const LineLimits& limits) {
   const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
   return 2 * ramp.seconds() + even_s(length, ramp);
+}
+
+LineLimits limits_along(const MotionLimits& limits, const double* way, double feed) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  LineLimits line{feed, none, none};
+  for (std::size_t a = 0; a < limits.speed.size(); ++a) {
+    if (way[a] == 0) continue;
+    line.speed = std::min(line.speed, limits.speed[a] / std::fabs(way[a]));
+    line.acceleration = std::min(line.acceleration, limits.acceleration[a] / std::fabs(way[a]));
+    line.jerk = std::min(line.jerk, limits.jerk[a] / std::fabs(way[a]));
+  }
+  return line;
 }
 
 void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "motion/least_time/motion_limits.h"
 #include "motion/least_time/timed_cells.h"
 
 namespace kadr {
@@ -11,6 +12,9 @@ namespace kadr {
 struct LineLimits {
   double speed = 0, acceleration = 0, jerk = 0;
 };
+
+/// Those of the axes along a straight way, `way` its unit vector, and of `feed`, mm/s.
+LineLimits limits_along(const MotionLimits& limits, const double* way, double feed);
 
 /// Appends the phases. NCT 7.0 has the same closed form with T = acceleration / jerk.
 ///   pre  length > 0, limits > 0

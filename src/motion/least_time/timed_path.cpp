@@ -27,6 +27,14 @@ double* TimedPath::add_shapes() {
   return shapes.data() + shapes.size() - axes * terms;
 }
 
+void TimedPath::append(const TimedPath& more) {
+  const auto add = [](auto& v, const auto& other) { v.insert(v.end(), other.begin(), other.end()); };
+  add(h, more.h);
+  add(most, more.most);
+  add(turns, more.turns);
+  add(shapes, more.shapes);
+}
+
 void TimedPath::forget(std::size_t count) {
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   cut(h, count);

@@ -33,6 +33,7 @@ struct TimedPath {
   void clear();
   const double* shape(std::size_t cell, std::size_t axis) const { return shapes.data() + (cell * axes + axis) * terms; }
   double* add_shapes();
+  void append(const TimedPath& more);
   void forget(std::size_t count);
   /// The first cells by themselves.
   TimedPath first(std::size_t count) const;

@@ -38,6 +38,7 @@ void SmoothPath::begin(const double* at) {
   last_width_ = widest;
   done_ = 1;
   settled_ = 0;
+  forgotten_ = 0;
 }
 
 void SmoothPath::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced) {
@@ -94,6 +95,7 @@ void SmoothPath::forget(double before) {
   std::size_t drop = 0;
   while (drop + 1 < length_.size() && at_[drop + 1] < before - 4 * widest) ++drop;
   if (drop == 0) return;
+  forgotten_ += drop;
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   for (std::vector<double>* const of_axes : {&point_, &bend_, &direction_}) cut(*of_axes, drop * axes_);
   for (std::vector<double>* const one : {&turn_, &at_, &squeezed_, &width_, &in_chain_, &tolerance_, &room_, &length_, &feed_})

@@ -39,6 +39,8 @@ class SmoothPath {
 
   /// Forgets the pieces that end before a length, but for those whose corners are felt after it.
   void forget(double before);
+  /// So many pieces, since it began.
+  std::size_t forgotten() const { return forgotten_; }
 
   std::size_t pieces() const { return length_.size(); }
   bool empty() const { return length_.empty(); }
@@ -117,7 +119,7 @@ class SmoothPath {
   };
   Looks looks(std::size_t piece, double tolerance) const;
   double farthest(std::size_t piece);
-  bool narrow(double known);
+  bool narrow(double known, bool first_round);
   void narrow_at(std::size_t piece, double over);
   double tolerance_at(double s, std::size_t piece) const;
   double squared_way_to(std::size_t piece, const double* x) const;
@@ -145,12 +147,15 @@ class SmoothPath {
   std::vector<Rounding> roundings_;  // while it settles, of all vertices
   std::vector<double> factor_;       // likewise
   std::vector<std::size_t> marks_;
+  std::vector<std::size_t> narrowed_;  // while it settles: pieces that were moved too far in the last round
   ChainSums sums_;
   SlowWidth slow_;
-  double last_width_ = widest;  // that was found in the chain
-  double reach_ = 0;            // the widest rounding by itself
-  std::size_t done_ = 0;        // vertices before are settled
+  double last_width_ = widest;     // that was found in the chain
+  bool has_one_tolerance_ = true;  // all corners have
+  double reach_ = 0;               // the widest rounding by itself
+  std::size_t done_ = 0;           // vertices before are settled
   double settled_ = 0;
+  std::size_t forgotten_ = 0;
 };
 
 /// The inner vertices within `reach` of s; `around`: the piece that holds it.

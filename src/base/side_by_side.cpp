@@ -1,0 +1,70 @@
+// SideBySide: one piece of work at a time in a thread of its own. For motion/least_time/planner, session/run_ahead; tested by
+// tests/base/side_by_side_test.cpp.
+
+#include "base/side_by_side.h"
+
+#include <sched.h>
+
+#include <system_error>
+#include <utility>
+
+namespace kadr {
+
+bool has_several_processors() {
+  cpu_set_t set;
+  return sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 1;
+}
+
+SideBySide::~SideBySide() {
+  if (!thread_.joinable()) return;
+  wait_for(done_, [&] { return is_done(); });
+  over_.store(true, std::memory_order_release);
+  given_.fetch_add(1, std::memory_order_release);
+  given_.notify_one();
+  thread_.join();
+}
+
+void SideBySide::carry_out() {
+  try {
+    work_();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+}
+
+void SideBySide::begin(std::function<void()> work) {
+  work_ = std::move(work);
+  begun_ = true;
+  if (!thread_.joinable() && !alone_) {
+    alone_ = !has_several_processors();
+    try {
+      if (!alone_) thread_ = std::thread([this] { this->work(); });
+    } catch (const std::system_error&) {
+      alone_ = true;
+    }
+  }
+  if (alone_) return carry_out();
+  given_.fetch_add(1, std::memory_order_release);
+  given_.notify_one();
+}
+
+void SideBySide::work() {
+  constexpr int few_looks = 200;  // more would keep a processor from others; who gives the work does not wait for it to begin
+  for (std::uint32_t seen = 0;; ++seen) {
+    wait_for(
+        given_, [&] { return given_.load(std::memory_order_acquire) != seen; }, few_looks);
+    if (over_.load(std::memory_order_acquire)) return;
+    carry_out();
+    done_.store(seen + 1, std::memory_order_release);
+    done_.notify_one();
+  }
+}
+
+void SideBySide::wait() {
+  if (!begun_) return;
+  if (!alone_) wait_for(done_, [&] { return is_done(); });
+  begun_ = false;
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+}  // namespace kadr

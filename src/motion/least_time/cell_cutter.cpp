@@ -1,0 +1,316 @@
+// CellCutter: a smooth curve → cells. For motion/least_time/planner; tested by
+// tests/motion/planner_test.cpp.
+
+#include "motion/least_time/cell_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/least_time/least_time.h"
+#include "motion/least_time/rest_to_rest.h"
+#include "path/smooth/soft_corner.h"
+
+namespace kadr {
+namespace {
+
+constexpr double growth = 0.2;  // of the cells, by their distance from what made them small
+constexpr double corner_part = 1.0 / SoftCorner::cells;
+constexpr double gentle = 0.1;       // |Δu| of corners that are like those of a curve
+constexpr double longest_s = 0.014;  // of a cell, at the commanded speed
+constexpr double fastest = 1e12;     // mm²/s²: no limit of ṡ², in numbers that can be calculated with
+
+double square(double x) { return x * x; }
+
+/// The polynomial of the fifth degree with position and two derivatives given at 0 and h.
+void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
+  const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
+  const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
+  c[0] = from[0];
+  c[1] = from[1];
+  c[2] = from[2] / 2;
+  c[3] = (10 * way - h * (4 * slope - h * bend / 2)) / (h * h * h);
+  c[4] = (-15 * way + h * (7 * slope - h * bend)) / (h * h * h * h);
+  c[5] = (6 * way - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h);
+}
+
+}  // namespace
+
+void CutCells::clear() {
+  path.clear();
+  sources.clear();
+  standing.clear();
+}
+
+void CutCells::append(const CutCells& more) {
+  path.append(more.path);
+  sources.insert(sources.end(), more.sources.begin(), more.sources.end());
+  standing.insert(standing.end(), more.standing.begin(), more.standing.end());
+}
+
+void CutCells::forget(std::size_t count) {
+  path.forget(count);
+  sources.erase(sources.begin(), sources.begin() + static_cast<std::ptrdiff_t>(count));
+  standing.erase(standing.begin(), standing.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+CellCutter::CellCutter(const MotionLimits& limits) : axes_(limits.speed.size()), limits_(limits) {}
+
+void CellCutter::begin() {
+  cut_ = 0, piece_ = passed_ = 0, has_knot_ = false;
+  needed_from_ = 0;
+}
+
+bool CellCutter::feed_changes(std::size_t vertex) const {
+  constexpr double of_way = 1e-6,
+                   on_surface = 0.05;  // relative: the feed is the way divided by its time; on a surface it changes all along
+  if (path_->is_paced(vertex)) return false;
+  const double same = path_->on_curve(vertex) ? on_surface : of_way;
+  const double before = path_->feed(vertex - 1), behind = path_->feed(vertex);
+  return std::fabs(before - behind) > same * (before + behind);
+}
+
+/// A cell has the lowest feed of its pieces: of a short one that is much slower it must not reach far beyond it, mm.
+double CellCutter::room_at_feed_change(std::size_t vertex) const {
+  constexpr double much = 2;
+  const std::size_t slower = path_->feed(vertex - 1) < path_->feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
+  if (path_->feed(faster) < much * path_->feed(slower)) return path_->ends() - path_->begins();
+  return path_->at(slower + 1) - path_->at(slower);
+}
+
+/// Longer than any ramp to a speed lasts, s: farther from the ends of a piece it is passed evenly.
+double CellCutter::ramp_s(double speed) const {
+  double seconds = 0;
+  for (std::size_t a = 0; a < axes_; ++a)
+    seconds = std::max(seconds, speed / limits_.acceleration[a] + limits_.acceleration[a] / limits_.jerk[a]);
+  return seconds;
+}
+
+/// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them; no longer than is
+/// passed in longest_s, but in the middle of a long piece. `curve_part`: of a rounding's
+/// width, of those between the chords of a curve.
+double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
+  const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
+  double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
+  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
+  const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
+  size = std::min(size, rest(0) + growth * s);
+  if (last) size = std::min(size, rest(path_->pieces()) + growth * (path_->ends() - s));
+  const double reach = SmoothPath::widest + size / growth;
+  const auto take = [&](std::size_t i) {
+    const double w = path_->width(i), away = std::fabs(s - path_->at(i));
+    if (path_->turns_back(i)) size = std::min(size, rest(i) + growth * away);
+    else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
+    if (w > 0 && !path_->is_chained(i))
+      size =
+          std::min(size, w * (path_->on_curve(i) || path_->turn(i) < gentle ? curve_part : corner_part) + growth * std::max(0.0, away - w));
+  };
+  const std::vector<std::size_t>& marks = path_->marks();
+  auto mark = std::lower_bound(marks.begin(), marks.end(), s - reach, [&](std::size_t i, double from) { return path_->at(i) < from; });
+  for (; mark != marks.end() && path_->at(*mark) < s + reach; ++mark) take(*mark);
+  return std::min(size, size_in_chain(s, piece, reach));
+}
+
+/// Of a cell among the chain's corners.
+double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
+  constexpr double part = 1;  // of the width
+  double away = reach;
+  for (std::size_t i = piece + 1; i-- > 1 && s - path_->at(i) < away;)
+    if (path_->is_chained(i)) away = s - path_->at(i);
+  for (std::size_t i = piece + 1; i < path_->pieces() && path_->at(i) - s < away; ++i)
+    if (path_->is_chained(i)) away = path_->at(i) - s;
+  if (away >= reach) return reach;
+  const double w = path_->width_at(s, piece).w;
+  return part * w + growth * std::max(0.0, away - w);
+}
+
+/// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
+bool CellCutter::is_even(double h) {
+  constexpr double uneven = 0.02;        // of the curvature
+  constexpr double unimportant = 0.008;  // of the acceleration that the axis may have
+  Knot middle, end;
+  const std::size_t half = path_->piece_at(cut_ + h / 2, piece_), far = path_->piece_at(cut_ + h, half);
+  path_->evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
+  path_->evaluate(cut_ + h, far, end.x.data(), end.x1.data(), end.x2.data());
+  double off = 0, most = 0;
+  const double by_speed = unimportant / square(path_->feed(piece_));
+  for (std::size_t a = 0; a < axes_; ++a) {
+    const double of_axis = std::fabs(middle.x2[a] - (knot_.x2[a] + end.x2[a]) / 2);
+    if (of_axis > by_speed * limits_.acceleration[a]) off = std::max(off, of_axis);
+    most = std::max({most, std::fabs(knot_.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
+  }
+  return off <= uneven * most;
+}
+
+double CellCutter::next_size(bool last) {
+  constexpr double wide = 0.2;
+  double size = size_at(cut_, piece_, last, wide);
+  const double least = size_at(cut_, piece_, last, corner_part);
+  while (size > least && (cut_ + size > path_->ends() || !is_even(size))) size = std::max(least, size / 2);
+  return size;
+}
+
+void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
+
+/// Of the roundings that reach into a cell the tightest one.
+Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
+  const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_behind = path_->width_at(to, end_piece).w;
+  Bend bend = Bend::none;
+  double tightest = 0;
+  const auto take = [&](std::size_t i, double chain) {
+    const double w = path_->is_chained(i) ? chain : path_->width(i);
+    if (w <= 0 || path_->at(i) - w >= to || path_->at(i) + w <= from || path_->turn(i) <= tightest * w) return;
+    tightest = path_->turn(i) / w;
+    bend = path_->on_curve(i) ? Bend::curve : Bend::corner;
+  };
+  for (std::size_t i = piece_ + 1; i-- > 1 && from - path_->at(i) < SmoothPath::widest;) take(i, chain_before);
+  for (std::size_t i = piece_ + 1; i < path_->pieces() && path_->at(i) - to < SmoothPath::widest; ++i) take(i, chain_behind);
+  return bend;
+}
+
+/// How far a cell with these polynomials, from the knot on, is beyond the tolerance of the path, as a share of it: at vertices, halfway
+/// between, and in more places if it has few pieces.
+double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
+  constexpr double dense = 12;  // places in a cell within one piece
+  double most = 0;
+  const auto look = [&](double s, std::size_t piece) {
+    const double z = s - cut_;
+    std::array<double, max_axes> x{};
+    double squares = 0;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      const double* const q = c + a * TimedPath::terms;
+      x[a] = q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * (q[4] + z * q[5]))));
+      squares += square(x[a] - path_->point(piece)[a] - (s - path_->at(piece)) * path_->direction(piece)[a]);
+    }
+    const double tolerance = std::max(path_->tolerance(piece), path_->tolerance(piece + 1));
+    if (squares > square(tolerance)) most = std::max(most, path_->beyond(s, piece, x.data()));
+  };
+  for (std::size_t i = piece_; i <= last_piece; ++i) {
+    const double from = std::max(cut_, path_->at(i)), until = std::min(to, path_->at(i + 1));
+    const double places = std::clamp(std::ceil(dense * (until - from) / (to - cut_)), 2.0, dense);
+    for (double k = 0; k < places; ++k) look(from + (until - from) * k / places, i);
+  }
+  look(to, last_piece);
+  return most;
+}
+
+/// The lowest feed of the pieces from where the last cell ends; where it changes with the path, the lowest in places of the cell.
+double CellCutter::feed_between(double from, double to) const {
+  double feed = path_->feed(piece_);
+  bool paced = piece_ > 0 && path_->is_paced(piece_);
+  for (std::size_t i = piece_; i + 1 < path_->pieces(); ++i) {
+    if (path_->at(i + 1) >= to) {
+      paced |= path_->is_paced(i + 1);
+      break;
+    }
+    if (path_->is_paced(i + 1)) paced = true;
+    else feed = std::min(feed, path_->feed(i + 1));
+  }
+  if (!paced) return feed;
+  feed = std::numeric_limits<double>::infinity();
+  constexpr int places = 3;
+  std::size_t piece = piece_;
+  for (int i = 0; i < places; ++i) {
+    const double s = from + (to - from) * i / (places - 1);
+    piece = path_->piece_at(s, piece);
+    feed = std::min(feed, path_->feed_at(s, piece));
+  }
+  return feed;
+}
+
+/// The polynomials of a cell from the knot to a length, and the knot there.
+///   returns  how far it is beyond the tolerance
+double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
+  const bool straight = bend_at(to, end_piece) == Bend::none;
+  path_->evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
+  const Knot& start = knot_;
+  for (std::size_t a = 0; a < axes_; ++a) {
+    double* const of_axis = c + a * TimedPath::terms;
+    std::fill(of_axis, of_axis + TimedPath::terms, 0);
+    if (straight)
+      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+    else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - cut_, of_axis);
+  }
+  return straight ? 0 : beyond(c, to, end_piece);
+}
+
+/// The greatest ṡ² that the feed and the axes' speeds allow in a cell of the length h, mm²/s².
+double CellCutter::most_in(const double* c, double h, double feed) const {
+  double most = fastest;
+  std::array<double, LeastTime::places> squares{};
+  for (std::size_t a = 0; a < axes_; ++a)
+    for (std::size_t p = 0; p < squares.size(); ++p) {
+      const double x1 = Derivatives::at(c + a * TimedPath::terms, LeastTime::place_parts[p] * h).x1;
+      if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
+      squares[p] += square(x1);
+    }
+  for (const double way : squares) most = std::min(most, square(feed) / way);
+  return most;
+}
+
+/// What a stretch of the path takes, as a part of its pieces with a stop at both ends of each, s. `piece`: where it begins.
+double CellCutter::standing_s(double from, double to, std::size_t piece) {
+  double seconds = 0;
+  for (std::size_t i = piece; i < path_->pieces() && path_->at(i) < to; ++i) {
+    if (standing_.piece != i) {
+      const double way = path_->at(i + 1) - path_->at(i);
+      standing_ = {i, rest_to_rest_s(way, limits_along(limits_, path_->direction(i), path_->feed(i))) / way};
+    }
+    seconds += standing_.per_mm * std::max(0.0, std::min(to, path_->at(i + 1)) - std::max(from, path_->at(i)));
+  }
+  return seconds;
+}
+
+/// A cell from the knot on, of this size or, where that leaves the tolerance, a smaller one.
+///   returns  where it ends
+double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
+  constexpr double smaller = 0.6;
+  double* const c = out.path.add_shapes();
+  const double from = cut_;
+  Knot end;
+  std::size_t next = path_->piece_at(to, piece_);
+  double beyond = draw_cell(to, turns ? next - 1 : next, c, end);
+  for (double size = smaller * (to - from); beyond > 0 && size > least; size *= smaller) {
+    turns = false;
+    to = from + size;
+    next = path_->piece_at(to, piece_);
+    beyond = draw_cell(to, next, c, end);
+  }
+  const double h = to - from, feed = feed_between(from, to);
+  out.sources.push_back({path_->tag(piece_), feed, bend_at(to, next)});
+  out.sources.back().beyond = beyond;
+  out.standing.push_back(standing_s(from, to, piece_));
+  out.path.h.push_back(h);
+  out.path.most.push_back(most_in(c, h, feed));
+  out.path.turns.push_back(turns ? 1 : 0);
+  piece_ = next;
+  knot_ = end;
+  if (turns) set_knot(to, next);
+  return to;
+}
+
+void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out) {
+  constexpr double rest = 1.5;  // cells: what is left before an end becomes one
+  path_ = &path;
+  standing_ = {};
+  piece_ = passed_ - std::min(passed_, path.forgotten());
+  if (!has_knot_) set_knot(cut_, piece_ = path.piece_at(cut_, 0));
+  has_knot_ = true;
+  const double settled = path.settled();
+  for (std::size_t turn = piece_ + 1; cut_ < settled && !stop.asked();) {
+    while (turn < path.pieces() && (path.at(turn) <= cut_ || !path.turns_back(turn))) ++turn;
+    const bool known = turn < path.pieces();
+    const double end = known ? path.at(turn) : path.ends(), size = next_size(last);
+    const bool at_end = (known || last) && cut_ + rest * size >= end;
+    const double to = at_end ? end : cut_ + size;
+    if (to > settled) break;
+    cut_ = add_cell(to, size_at(cut_, piece_, last, corner_part) / 4, at_end && known, out);
+  }
+  passed_ = piece_ + path.forgotten();
+  double fastest_feed = 0;
+  for (std::size_t i = piece_; i < path.pieces(); ++i) fastest_feed = std::max(fastest_feed, path.feed(i));
+  constexpr double farthest = 50;  // mm: sizes of cells longer than those beside a corner so far away
+  needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / growth);
+}
+
+}  // namespace kadr
