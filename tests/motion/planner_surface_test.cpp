@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "looked_cells.h"
 #include "motion/least_time/planner.h"
 #include "planned_run.h"
 
@@ -65,46 +66,23 @@ class Nearest {
   std::size_t last_ = 0;
 };
 
-struct Looked {
-  double farthest = 0, acceleration = 0, jerk = 0, speed = 0;  // mm; shares of the limits
-  std::size_t unsolved = 0;
-};
-
-void look_at(const TimedCells& cells, const MotionLimits& limits, Nearest& nearest, Looked& looked) {
-  constexpr int places = 16;
-  if (cells.unsolved) ++looked.unsolved;
-  for (std::size_t k = 0; k < cells.laws.size(); ++k)
-    for (int i = 0; i < places; ++i) {
-      const TimeLaw::State state = cells.laws[k].at((i + 0.5) / places);
-      Point at{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double* const c = cells.path.data() + (k * 3 + a) * TimedCells::terms;
-        const Derivatives x = Derivatives::at(c, state.way);
-        const double v = state.speed, acceleration = x.x1 * state.acceleration + x.x2 * v * v;
-        const double jerk = x.x1 * state.jerk + 3 * x.x2 * v * state.acceleration + x.x3 * v * v * v;
-        looked.speed = std::max(looked.speed, std::fabs(x.x1 * v) / limits.speed[a]);
-        looked.acceleration = std::max(looked.acceleration, std::fabs(acceleration) / limits.acceleration[a]);
-        looked.jerk = std::max(looked.jerk, std::fabs(jerk) / limits.jerk[a]);
-      }
-      cells.position(k, state.way, at.data());
-      looked.farthest = std::max(looked.farthest, nearest(at));
-    }
-}
-
 class PlannerSurface : public testing::TestWithParam<Surface> {};
 
 TEST_P(PlannerSurface, IsWithinToleranceAndLimitsEverywhere) {
   const std::vector<Point> points = points_of(GetParam());
   const MotionLimits limits = test::three_axes(200, 1000, 20000);
   Nearest nearest(points);
-  Looked looked;
-  Planner planner(limits, [&](const TimedCells& cells) { look_at(cells, limits, nearest, looked); });
+  test::Looked looked;
+  double farthest = 0;
+  Planner planner(limits, [&](const TimedCells& cells) {
+    looked.take(cells, limits, [&](const Point& at) { farthest = std::max(farthest, nearest(at)); });
+  });
   planner.begin(points.front().data());
   for (const Point& to : points) planner.line_to(to.data(), GetParam().feed, tolerance, false, 0);
   planner.stop();
   EXPECT_EQ(planner.failures(), 0U);
   EXPECT_EQ(looked.unsolved, 0U);
-  EXPECT_LE(looked.farthest, tolerance * 1.005);
+  EXPECT_LE(farthest, tolerance * 1.005);
   EXPECT_LE(looked.speed, 1.001);
   EXPECT_LE(looked.acceleration, 1.01);
   EXPECT_LE(looked.jerk, 1.03);  // looked at in eleven places of a cell: docs/planner.md

@@ -74,11 +74,12 @@ void ChainSums::add_ways(double at, double width, double* x) {
   const double by = 1 / (6 * width * width);
   std::array<Four, Groups> sum{};
   for (std::size_t n = 0; n < nodes; ++n) {
-    const double y = at - pulse.node[n] * width, part = pulse.kink[n] * by;
+    const double y = at - pulse.node[n] * width, by_m3 = pulse.kink[n] * by, by_m2 = 3 * by_m3 * y, by_m1 = by_m2 * y,
+                 by_m0 = by_m3 * y * y * y;
     const Sums* const sums = before(n, y);
     for (std::size_t g = 0; g < Groups; ++g) {
       const Sums& m = sums[g];
-      sum[g] += part * (((m.m0 * y - 3 * m.m1) * y + 3 * m.m2) * y - m.m3);
+      sum[g] += (by_m0 * m.m0 - by_m1 * m.m1) + (by_m2 * m.m2 - by_m3 * m.m3);
       if (n == nodes / 2) sum[g] -= m.m0 * y - m.m1;
     }
   }

@@ -61,6 +61,8 @@ void SmoothPath::tell_kinds(std::size_t first) {
 
 void SmoothPath::settle(bool last, StopToken stop) {
   const std::size_t first = std::max<std::size_t>(done_, 1);
+  const auto [least, most] = std::minmax_element(tolerance_.begin() + (tolerance_.size() > 1 ? 1 : 0), tolerance_.end() - 1);
+  has_one_tolerance_ = tolerance_.size() <= 2 || *least == *most;
   find_ends(first, last);
   tell_kinds(first);
   sums_.forget();
@@ -143,7 +145,8 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     in_chain_[i] = last_width_ = widest_in_chain(i, last_width_);
   }
   open_widths();
-  for (int round = 0; round < most_rounds && !stop.asked() && narrow(known); ++round) open_widths();
+  narrowed_.clear();
+  for (int round = 0; round < most_rounds && !stop.asked() && narrow(known, round == 0); ++round) open_widths();
   for (std::size_t i = done_; i + 1 < at_.size(); ++i)
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
@@ -179,10 +182,8 @@ double SmoothPath::farthest(std::size_t piece) {
   if (tolerance == 0) return 0;
   double most = 0;
   const auto look = [&](double along) {
-    const double s = at_[piece] + along;
-    double share = square_moved(s, piece, width_at(s, piece).w) / (tolerance * tolerance);
-    if (share > 1) share *= std::pow(tolerance / std::max(tolerance, tolerance_at(s, piece)), 2);
-    most = std::max(most, share);
+    const double s = at_[piece] + along, allowed = has_one_tolerance_ ? tolerance : tolerance_at(s, piece);
+    if (allowed > 0) most = std::max(most, square_moved(s, piece, width_at(s, piece).w) / (allowed * allowed));
   };
   const Looks looks = this->looks(piece, tolerance);
   if (length < 2 * looks.felt) {
@@ -194,18 +195,24 @@ double SmoothPath::farthest(std::size_t piece) {
   return std::sqrt(most);
 }
 
-/// Where it is not settled: what is moved too far becomes narrower there.
+/// Where it is not settled: what is moved too far becomes narrower there. After the first round only what is near enough to what became
+/// narrower in the last one to be changed by it is looked at.
 ///   returns  false: nothing is
-bool SmoothPath::narrow(double known) {
+bool SmoothPath::narrow(double known, bool first_round) {
   constexpr double rounding = 1e-9;  // relative: of a corner alone that meets its tolerance exactly
-  bool any = false;
+  const double felt = SlowWidth::felt() + 2 * widest;
+  std::vector<std::size_t> last;
+  last.swap(narrowed_);
+  auto near = last.begin();
   for (std::size_t i = piece_at(settled_, 0); i < pieces() && at_[i + 1] <= known; ++i) {
+    while (near != last.end() && squeezed_[*near + 1] + felt < squeezed_[i]) ++near;
+    if (!first_round && (near == last.end() || squeezed_[*near] - felt > squeezed_[i + 1])) continue;
     const double share = farthest(i);
     if (share <= 1 + rounding) continue;
-    any = true;
+    narrowed_.push_back(i);
     narrow_at(i, share);
   }
-  return any;
+  return !narrowed_.empty();
 }
 
 void SmoothPath::narrow_at(std::size_t piece, double over) {
