@@ -85,7 +85,7 @@ TEST_P(PlannerSurface, IsWithinToleranceAndLimitsEverywhere) {
   EXPECT_LE(farthest, tolerance * 1.005);
   EXPECT_LE(looked.speed, 1.001);
   EXPECT_LE(looked.acceleration, 1.01);
-  EXPECT_LE(looked.jerk, 1.03);  // looked at in eleven places of a cell: docs/planner.md
+  EXPECT_LE(looked.jerk, 1.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, PlannerSurface,

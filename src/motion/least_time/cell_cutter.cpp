@@ -62,8 +62,7 @@ void CellCutter::begin() {
 }
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
-  constexpr double of_way = 1e-6,
-                   on_surface = 0.05;  // relative: the feed is the way divided by its time; on a surface it changes all along
+  constexpr double of_way = 1e-3, on_surface = 0.05;  // relative: the feed is a way divided by its time; on a surface it changes all along
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
   const double before = path_->feed(vertex - 1), behind = path_->feed(vertex);
@@ -111,17 +110,22 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Of a cell among the chain's corners.
+/// Of a cell among the chain's corners: as long as that is wide between lines, where the cell smooths the path once more; among the chords
+/// of a curve, which is smooth, shorter ones follow the changes of speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
-  constexpr double part = 1;  // of the width
+  constexpr double between_lines = 1, on_curves = 0.45;  // of the width
   double away = reach;
-  for (std::size_t i = piece + 1; i-- > 1 && s - path_->at(i) < away;)
-    if (path_->is_chained(i)) away = s - path_->at(i);
-  for (std::size_t i = piece + 1; i < path_->pieces() && path_->at(i) - s < away; ++i)
-    if (path_->is_chained(i)) away = path_->at(i) - s;
+  bool on_curve = false;
+  const auto take = [&](std::size_t i, double off) {
+    if (off >= away || !path_->is_chained(i)) return;
+    away = off;
+    on_curve |= path_->on_curve(i);
+  };
+  for (std::size_t i = piece + 1; i-- > 1 && s - path_->at(i) < away;) take(i, s - path_->at(i));
+  for (std::size_t i = piece + 1; i < path_->pieces() && path_->at(i) - s < away; ++i) take(i, path_->at(i) - s);
   if (away >= reach) return reach;
   const double w = path_->width_at(s, piece).w;
-  return part * w + growth * std::max(0.0, away - w);
+  return (on_curve ? on_curves : between_lines) * w + growth * std::max(0.0, away - w);
 }
 
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.

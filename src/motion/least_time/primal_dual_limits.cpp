@@ -281,7 +281,7 @@ KADR_LANES void PrimalDual::move(const Range& range) {
 ///   returns  the greatest share of a limit
 template <class Lanes>
 KADR_LANES double PrimalDual::look(const Range& range, bool tighten) {
-  constexpr std::array<double, 8> between = {0, 0.06, 0.2, 0.35, 0.65, 0.8, 0.94, 1};
+  constexpr std::array<double, 12> between = {0, 0.05, 0.13, 0.22, 0.32, 0.41, 0.59, 0.68, 0.78, 0.87, 0.95, 1};
   constexpr double a_little_more = 1.005;
   Lanes greatest = {};
   for (std::size_t block = range.first; block < range.end; ++block) {
