@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -43,6 +44,36 @@ TEST(SmoothPath, ACornerAloneUsesItsTolerance) { EXPECT_NEAR(most_moved({{30, 0,
 // A gentle corner close to a sharp one: what moves the path most lies after both.
 TEST(SmoothPath, AWideRoundingBesideANarrowOneStaysWithin) {
   EXPECT_LE(most_moved({{3, 0, 0.005}, {3.004, 0.0097, 0.005}, {3.3, 1.32, 0.005}, {5, 1.2, 0.005}, {5, 4, 0.005}}), 1.001);
+}
+
+/// How much the path at the vertex `i` differs from that just before and behind it: position, direction, curvature.
+double jump_at(SmoothPath& path, std::size_t i) {
+  constexpr double aside = 1e-9;  // mm
+  double jump = 0;
+  for (const int side : {-1, 1}) {
+    double x[2], x1[2], x2[2], y[2], y1[2], y2[2];
+    const double s = path.at(i), near = s + side * aside;
+    path.evaluate(s, path.piece_at(s, 0), x, x1, x2);
+    path.evaluate(near, path.piece_at(near, 0), y, y1, y2);
+    for (int a = 0; a < 2; ++a) jump = std::max({jump, std::fabs(x[a] - y[a]), std::fabs(x1[a] - y1[a]), 0.01 * std::fabs(x2[a] - y2[a])});
+  }
+  return jump;
+}
+
+// A cell may begin exactly there: its direction was that of half a corner more.
+TEST(SmoothPath, IsSmoothAtTheCornersThemselves) {
+  SmoothPath path(2);
+  const double start[2] = {0, 0};
+  path.begin(start);
+  for (int i = 1; i <= 40; ++i) {  // gentle ones, rounded together; then sharp ones
+    const double to[2] = {0.25 * i, std::sin(0.25 * i)};
+    path.line_to(to, 100, 0.01, false, 0);
+  }
+  for (const auto& to : {std::array<double, 2>{12, 3}, {14, -3}, {20, 0}}) path.line_to(to.data(), 100, 0.01, false, 0);
+  path.settle(true);
+  EXPECT_TRUE(path.is_chained(20));
+  EXPECT_FALSE(path.is_chained(42));
+  for (std::size_t i = 1; i < path.pieces(); ++i) EXPECT_LE(jump_at(path, i), 1e-5) << i;
 }
 
 // By the next place where the axes stand for an instant, on either side.

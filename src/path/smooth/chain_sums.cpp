@@ -59,11 +59,11 @@ void ChainSums::reach(const Corners& corners, double s) {
   for (std::size_t& seen : seen_) seen = std::min(seen, at_.size() - 1);
 }
 
-/// The sums over the corners before y.
+/// The sums over the corners up to y: where that is a corner, its piece is the one behind it.
 const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   std::size_t& seen = seen_[node];
-  while (at_[seen] < y) ++seen;
-  while (seen > 0 && at_[seen - 1] >= y) --seen;
+  while (at_[seen] <= y) ++seen;
+  while (seen > 0 && at_[seen - 1] > y) --seen;
   return &sums_[seen * groups_];
 }
 

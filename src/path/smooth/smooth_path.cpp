@@ -155,10 +155,10 @@ void SmoothPath::evaluate(double s, std::size_t piece, double* x, double* x1, do
   sums_.move(chained(), s, width_at(s, piece), x, x1, x2);
   if (reach_ == 0) return;
   corners_near(s, piece, reach_, [&](std::size_t i) {
-    const double w = width_[i], offset = s - at_[i], away = std::fabs(offset);
+    const double w = width_[i], away = std::fabs(s - at_[i]);
     if (is_chained_[i] != 0 || away >= w) return;
     const SoftCorner::Shape shape = SoftCorner::of(turn_[i]).at(away / w);
-    const double g = w * shape.g, g1 = offset > 0 ? -shape.slope : shape.slope, g2 = shape.pulse / w;
+    const double g = w * shape.g, g1 = i <= piece ? -shape.slope : shape.slope, g2 = shape.pulse / w;
     const double* const bend = bend_.data() + i * axes_;
     for (std::size_t a = 0; a < axes_; ++a) {
       x[a] += bend[a] * g;
@@ -172,10 +172,10 @@ double SmoothPath::feed_at(double s, std::size_t piece) const {
   double pace = 1 / feed_[piece];
   const double chain_width = width_at(s, piece).w;
   corners_near(s, piece, widest, [&](std::size_t i) {
-    const double w = is_chained_[i] != 0 ? chain_width : width_[i], offset = s - at_[i], away = std::fabs(offset);
+    const double w = is_chained_[i] != 0 ? chain_width : width_[i], away = std::fabs(s - at_[i]);
     if (paced_[i] == 0 || away >= w) return;
     const double slope = SoftCorner::of(turn_[i]).at(away / w).slope;
-    pace += (1 / feed_[i] - 1 / feed_[i - 1]) * (offset > 0 ? -slope : slope);
+    pace += (1 / feed_[i] - 1 / feed_[i - 1]) * (i <= piece ? -slope : slope);
   });
   return pace > 0 ? 1 / pace : feed_[piece];
 }

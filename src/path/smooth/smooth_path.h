@@ -78,7 +78,7 @@ class SmoothPath {
   /// No corner at all: one straight line at one feed.
   bool is_one_line() const;
 
-  /// Position and its first two derivatives by the length, of each axis. `piece`: that holds s.
+  /// Position and its first two derivatives by the length, of each axis. `piece`: piece_at(s).
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
   /// The feed goes over into that of the next piece as the corner between them is rounded.
