@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 #include "stock/cut/lean_cut.h"
 #include "stock/cut/lean_division.h"
@@ -151,15 +152,23 @@ void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here,
   const std::uint16_t tool = sweeps_[number].tool;
   const LeanBody& body = leaning_[tool][i];
   if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
-  const auto cut = [&](const LeanSweep& sweep, const LocalSweep& tip) {
-    cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i]}, std::int32_t(number), outcome);
-  };
+  // Lines that a part turns over are cut by its halves, which let twice as much of a line lie between its ends.
+  const std::function<void(const LeanWay&, const LeanSweep&, const LocalSweep&, const LineSet*)> cut =
+      [&](const LeanWay& way, const LeanSweep& sweep, const LocalSweep& tip, const LineSet* only) {
+        const LineSet later = cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);
+        if (!later.any) return;
+        for (const double first : {0.0, 0.5}) {
+          const LeanWay half = way.between(first, first + 0.5);
+          cut(half, LeanSweep(half, {}, lattice_.edge()), local_sweep(half.from, half.to, here.around, lattice_.edge()), &later);
+        }
+      };
   const LeanDivision division = division_of(here.sweep, body);
-  if (division.parts == 1) return cut(here.sweep, here.tip);
+  if (division.parts == 1) return cut(here.way, here.sweep, here.tip, nullptr);
   for (std::size_t part = 0; part < std::size_t(division.parts); ++part) {
     const LeanWay way = here.way.between(division.share[part], division.share[part + 1]);
     const LeanSweep sweep(way, {}, lattice_.edge());
-    if (kadr::may_reach(sweep, body, scale_, material.top)) cut(sweep, local_sweep(way.from, way.to, here.around, lattice_.edge()));
+    if (kadr::may_reach(sweep, body, scale_, material.top))
+      cut(way, sweep, local_sweep(way.from, way.to, here.around, lattice_.edge()), nullptr);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "stock/cut/lean_cut.h"
 
 #include "stock/cut/lean_cutter.h"
+#include "stock/cut/lean_later.h"
 
 namespace kadr {
 namespace {
@@ -70,7 +71,7 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
   }
 }
 
-LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome)
+LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LineSet& later)
     : Cutter(brick, scale, cut.tip, cut.upright_body, by, outcome),
       lean_(cut.sweep),
       body_leaning_(cut.body),
@@ -83,7 +84,9 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       around_columns_(bounds_of(around_square_, cut.sweep)),
       widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
       ball_(ball_way(cut.body.corner)),
-      below_shaft_(is_below_shaft()) {}
+      below_shaft_(is_below_shaft()),
+      only_(cut.only),
+      later_(later) {}
 
 /// Of a ball end.
 BallWay LeanCutter::ball_way(float radius) const {
@@ -93,6 +96,15 @@ BallWay LeanCutter::ball_way(float radius) const {
     way.to[d] = lean_.tips[1][d] + body_leaning_.middle * lean_.directions[1][d];
   }
   return way;
+}
+
+/// From the first of its intervals to the last.
+void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
+  std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
+  for (const FurtherInterval& f : lines.further) {
+    const bool any = from[f.line] < to[f.line];
+    from[f.line] = any ? std::min(from[f.line], f.from) : f.from, to[f.line] = any ? std::max(to[f.line], f.to) : f.to;
+  }
 }
 
 /// No place of the brick is above the lower face of the shaft, which is within the ball.
@@ -143,11 +155,17 @@ bool may_reach(const LeanSweep& s, const LeanBody& body, const BrickScale& scale
   return least(at[0], at[1], below) - body.middle * below <= std::sqrt(square + below * below) * (body.corner + room);
 }
 
-void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LaneWidth width) {
-  LeanCutter cutter(brick, scale, cut, by, outcome);
-  if (cutter.takes_all()) return cutter.clear();
+LineSet cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
+                          LaneWidth width) {
+  LineSet later;
+  LeanCutter cutter(brick, scale, cut, by, outcome, later);
+  if (cutter.takes_all()) {
+    cutter.clear();
+    return later;
+  }
   width == LaneWidth::wide ? cut_leaning_wide(cutter) : cut_leaning_pair(cutter);
   cutter.end();
+  return later;
 }
 
 }  // namespace kadr

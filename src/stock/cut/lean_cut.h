@@ -26,19 +26,28 @@ struct LeanSweep {
   float guess_error() const { return half_turn * reach; }
 };
 
+/// Lines of a brick, a bit each.
+struct LineSet {
+  static constexpr int at_once = 8;
+  std::uint8_t bits[3][brick_lines / at_once] = {};  // by family, then eight lines each from a multiple of it on
+  bool any = false;
+};
+
 /// A sweep of a body.
 struct LeanCut {
   const LeanSweep& sweep;
   const LeanBody& body;
   const LocalSweep& tip;          // the way of the tip
   const SweptBody& upright_body;  // the same body
+  const LineSet* only = nullptr;  // these lines; null: all
 };
 
 /// Whether the body may reach a brick whose material ends at `top` above its lower side: as a box, by the planes of faces, side and ball.
 bool may_reach(const LeanSweep& sweep, const LeanBody& body, const BrickScale& scale, float top);
 
-/// Takes away what the body sweeps.
-void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
-                       LaneWidth width = widest_lanes());
+/// Takes away what the body sweeps, but of lines that it turns over (lean_over.h).
+///   returns  these lines: they are to be cut by the halves of the way
+LineSet cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
+                          LaneWidth width = widest_lanes());
 
 }  // namespace kadr

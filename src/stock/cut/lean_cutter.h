@@ -11,13 +11,13 @@
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
 #include "stock/cut/lean_cut.h"
-#include "stock/cut/lean_pose.h"
+#include "stock/cut/lean_over_rows.h"
 
 namespace kadr {
 
 class LeanCutter : public Cutter {
  public:
-  LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome);
+  LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LineSet& later);
 
   bool takes_all() const;
   template <class V>
@@ -52,10 +52,16 @@ class LeanCutter : public Cutter {
   template <class V, int family>
   bool sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, int family>
-  bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept);
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
+  template <class V, LeanBody::Kind kind, int family>
+  MarksOf<V> for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept, const Swept<V>& material);
+  template <class V, LeanBody::Kind kind, int family>
+  MarksOf<V> may_reach_farther(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& swept, const Swept<V>& material) const;
+  template <class V>
+  MarksOf<V> is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
   struct RowRange {
     int first, last;  // up to before it
@@ -76,10 +82,13 @@ class LeanCutter : public Cutter {
   float widest_;            // of the body, with room for the same
   BallWay ball_;            // of a ball end
   bool below_shaft_;
+  LeanOver over_;
+  const LineSet* only_;
+  LineSet& later_;
 };
 
 /// A place changes what is found by the turn times so much: mm that are let pass.
-inline constexpr float let_pass = 4e-4f;
+inline constexpr float let_pass = 2.5e-4f;
 inline constexpr int quick_steps = 2, most_refined = 16;
 
 template <class V>
@@ -184,6 +193,7 @@ KADR_IN_LANES void LeanCutter::cut() {
   const WayPast<V> past = way_past(vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
   const Reached r = reached<V>(past);
   if (r.squares == 0) return;
+  over_ = LeanOver(lean_, body_leaning_, scale_.edge);
   switch (body_leaning_.kind) {
     case LeanBody::Kind::cylinder: return cut_kind<V, LeanBody::Kind::cylinder>(r, past);
     case LeanBody::Kind::cone: return cut_kind<V, LeanBody::Kind::cone>(r, past);
@@ -216,8 +226,9 @@ KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRo
   for (int i = 0;; ++i) {
     const Vec3Of<V> here = plus(line.shift, place, grows);
     lines.past = way_past<V>({-here.x, -here.y, -here.z});
-    const Swept<V> found = either(
-        line.at_ends, lean_between<V, kind>(lines, body_leaning_, {plus(line.at, spread<V>(-0.5f), here), line.first, line.last}, near_));
+    const LeanPlace<V> at{plus(line.at, spread<V>(-0.5f), here), line.first, line.last};
+    Swept<V> found = either(line.at_ends, lean_between<V, kind>(lines, body_leaning_, at, near_));
+    if (over_.family[family].any()) found = either(found, shifted_at_ends<V, kind>(lines, body_leaning_, at.at));
     const V end = choose(by_from, found.from, found.to), moved = most(end - place, place - end);
     const MarksOf<V> misses = found.from > found.to, above = choose(misses, place<middle, end> place);
     end_of = {choose(open, found.from, end_of.from), choose(open, found.to, end_of.to)};
@@ -328,7 +339,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
 
 template <class V, int family>
 KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material,
-                                           Swept<V>& swept) const {
+                                           Swept<V>& swept) {
   swept = in_ball_tube(tube, lanes_at<V>(scale_.place + lane) - half_, scale_.place[row] - half_);
   swept = {swept.from + half_, swept.to + half_};
   const bool meets = any(meet(swept, material));
@@ -338,16 +349,10 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallT
   Swept<V> shaft;
   if (!sweeps<V, LeanBody::Kind::cylinder, family>(all, row, lane, left, shaft)) return meets;
   swept = either(swept, where(meet(shaft, left), shaft.from, shaft.to));
+  if (!over_.family[family].any()) return true;
+  const MarksOf<V> now = ~for_later<V, LeanBody::Kind::cylinder, family>(all, row, lane, shaft, left);
+  swept = where(now, swept.from, swept.to);
   return true;
-}
-
-/// From the first of its intervals to the last.
-inline void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
-  std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
-  for (const FurtherInterval& f : lines.further) {
-    const bool any = from[f.line] < to[f.line];
-    from[f.line] = any ? std::min(from[f.line], f.from) : f.from, to[f.line] = any ? std::max(to[f.line], f.to) : f.to;
-  }
 }
 
 template <class V, LeanBody::Kind kind, int family>
@@ -374,12 +379,16 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached, const WayPast<
       const int at = row * brick_edge + lane;
       const Swept<V> material{lanes_at<V>((several ? first : lines.from) + at), lanes_at<V>((several ? last : lines.to) + at)};
       if (!any(material.from < material.to)) continue;
+      if (only_ != nullptr && only_->bits[family][at / LineSet::at_once] == 0) continue;
       Swept<V> swept;
       if constexpr (kind == LeanBody::Kind::ball) {
         if (!sweeps_ball<V, family>(all, tube, row, lane, material, swept)) continue;
       } else {
         if (!sweeps<V, kind, family>(all, row, lane, material, swept)) continue;
       }
+      if (only_ != nullptr) swept = where(marks_of<V>(only_->bits[family][at / LineSet::at_once]), swept.from, swept.to);
+      if (kind != LeanBody::Kind::ball && over_.family[family].any())
+        swept = where(~for_later<V, kind, family>(all, row, lane, swept, material), swept.from, swept.to);
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }

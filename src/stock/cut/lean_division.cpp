@@ -19,7 +19,7 @@ HeightRange heights_of(const LeanSweep& s) {
   return {s.middle[2] - reach, s.middle[2] + reach};
 }
 
-bool has_flat_face(const LeanBody& body, const HeightRange& heights) {
+bool has_face(const LeanBody& body, const HeightRange& heights) {
   const auto is_near = [&](float height, float radius) { return radius > 0 && heights.holds(height); };
   switch (body.kind) {
     case LeanBody::Kind::cylinder:
@@ -49,13 +49,15 @@ void put_between(std::array<double, 5>& share, int& count, double at) {
 
 }  // namespace
 
+bool has_flat_face(const LeanSweep& sweep, const LeanBody& body) { return has_face(body, heights_of(sweep)); }
+
 LeanDivision division_of(const LeanSweep& s, const LeanBody& body) {
   LeanDivision division;
   if (s.half_turn == 0) return division;
   const HeightRange heights = heights_of(s);
   std::array<double, 5> at{0, 1};
   int stretches = 1;
-  if (has_flat_face(body, heights))
+  if (has_face(body, heights))
     for (int family = 0; family < 3; ++family) {
       const double first = double(s.axes_first[family][2]), last = double(s.axes_last[family][2]);
       if (first * last < 0) put_between(at, stretches, first / (first - last));

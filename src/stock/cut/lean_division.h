@@ -21,6 +21,9 @@ struct LeanDivision {
   int parts = 1;
 };
 
+/// Near the brick.
+bool has_flat_face(const LeanSweep& sweep, const LeanBody& body);
+
 /// `sweep`: the whole way, seen from the brick.
 LeanDivision division_of(const LeanSweep& sweep, const LeanBody& body);
 

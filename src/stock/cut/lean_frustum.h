@@ -120,12 +120,14 @@ KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& most_value
   s = {most(s.from, least(a, b)), least(s.to, most(a, b))};
 }
 
-/// Within a circle about the axis: of places `start` + t `way` in a plane, and the way's length².
+inline constexpr float nearly_still = 1e-24f;  // of a way², mm²
+
+/// Within a circle about the axis: of places `start` + t `way` in a plane, and the way's length²; `none`: below that it does not move.
 template <class V>
-KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V& way_y, const V& square, const V& radius) {
-  const V cross = x * way_y - y * way_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(nearly_along));
+KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V& way_y, const V& square, const V& radius, float none) {
+  const V cross = x * way_y - y * way_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(none));
   const V middle = -(x * way_x + y * way_y) * per, half = root(room) * per;
-  const MarksOf<V> along = square < nearly_along, inside = x * x + y * y < radius * radius;
+  const MarksOf<V> along = square < none, inside = x * x + y * y < radius * radius;
   return {choose(along, choose(inside, spread<V>(-missed), spread<V>(missed)), choose(room > 0.f, middle - half, spread<V>(missed))),
           choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
 }
@@ -159,7 +161,7 @@ KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float ra
   const V room = u * u + v * v - cross * cross, r = root(room);
   const V c = at.x * at.x + at.y * at.y - here * here, q = -(b + choose(b < 0.f, -r, r));
   const V one = q / guarded(a), other = c / guarded(q), first = least(one, other), last = most(one, other);
-  const MarksOf<V> narrow = a > 0.f, grows_on = grows > 0.f, meets = (room >= 0.f) | (a < 0.f);
+  const MarksOf<V> narrow = a >= 0.f, grows_on = grows > 0.f, meets = (room >= 0.f) | (a < 0.f);
   const V from = choose(narrow, first, choose(grows_on, last, spread<V>(-missed)));
   const V to = choose(narrow, last, choose(grows_on, spread<V>(missed), first));
   return where(meets, from, to);
@@ -170,11 +172,19 @@ enum class Side { straight, any };
 
 inline float widens(const Frustum& f) { return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low); }
 
+/// mm: a line that lies in a face but for rounding is in it, all of it: the tool may turn it out of the face there and then.
+inline constexpr float in_face = 2e-5f;
+
+template <class V>
+KADR_IN_LANES void clip_by_faces(Swept<V>& s, const V& height, const Heading& h, const Frustum& f) {
+  clip_between(s, height - (f.low - in_face), spread<V>(f.high - f.low + 2 * in_face), h.per_z);
+}
+
 template <class V, Side side>
 KADR_IN_LANES Swept<V> in_frustum(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
-  if (side == Side::straight || widens(f) == 0.f) return in_cylinder(at, h, f);
-  Swept<V> s = in_cone(at, vector_of<V>(h), f.low_radius, f.low, widens(f));
-  clip_between(s, at.z - f.low, spread<V>(f.high - f.low), h.per_z);
+  const bool straight = side == Side::straight || widens(f) == 0.f;
+  Swept<V> s = straight ? in_circle(at.x, at.y, h, f.low_radius) : in_cone(at, vector_of<V>(h), f.low_radius, f.low, widens(f));
+  clip_by_faces(s, at.z, h, f);
   return s;
 }
 
@@ -184,14 +194,15 @@ KADR_IN_LANES Swept<V> in_shifted_disc(const LeanLines<V>& l, const Vec3Of<V>& a
   // Places s on the line and t of the way where the face is at the line: s h.z - t way.z = height - at.z; the foot, and from there.
   const Heading& h = l.heading;
   const Vec3Of<V>& way = l.past.way;
-  const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(nearly_none)), up = (height - at.z) * per;
+  const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_way * shortest_way)), up = (height - at.z) * per;
   const V s = h.z * up, t = -way.z * up;
   const V x = at.x + s * h.x - t * way.x, y = at.y + s * h.y - t * way.y;
   const V way_x = way.z * h.x - h.z * way.x, way_y = way.z * h.y - h.z * way.y;
-  Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius));
+  Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius), nearly_still);
   clip_between(in, t, spread<V>(1.f), h.per_z);
   const V a = s + in.from * way.z, b = s + in.to * way.z;
-  return where((in.from <= in.to) & (square > nearly_none) & l.past.moves, least(a, b), most(a, b));
+  // Where neither the face nor the line goes up it lies in the face as the tool stands at the ends of its way, or nowhere.
+  return where((in.from <= in.to) & (square > shortest_way * shortest_way) & l.past.moves, least(a, b), most(a, b));
 }
 
 /// What the outline of the side, seen along the way, sweeps: two straight lines of the side.

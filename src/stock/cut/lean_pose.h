@@ -37,7 +37,7 @@ template <class V>
 KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
   const Swept<V> side = in_circle(at.x, at.y, h, f.low_radius);
   Swept<V> in = side;
-  clip_between(in, at.z - f.low, spread<V>(f.high - f.low), h.per_z);
+  clip_by_faces(in, at.z, h, f);
   return {at, h, side, in};
 }
 

@@ -148,4 +148,11 @@ KADR_IN_LANES Swept<V> lean_between(const LeanLines<V>& l, const LeanBody& b, co
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_between<V, Side::straight>(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
+/// The tool at the ends of its way as it would stand there if it only shifted: that is off the true one by what the way bends, and what is
+/// between them begins here.
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES Swept<V> shifted_at_ends(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at) {
+  return lean_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.way)});
+}
+
 }  // namespace kadr::lanes

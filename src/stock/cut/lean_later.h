@@ -1,0 +1,123 @@
+#pragma once
+// LeanCutter: which lines it leaves for the halves of the way. For stock/cut/lean_cut alone.
+
+#include "stock/cut/lean_cutter.h"
+
+namespace kadr {
+
+/// An end that was found is where the cylinder as it stands at an end of its way has it, and the line comes to it there far more steeply
+/// than the tool turns.
+///   half   of the brick: places of poses are from its middle
+///   steep  sine of the least angle
+template <class V>
+KADR_IN_LANES MarksOf<V> stands_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
+  const Heading& e = pose.heading;
+  const V place = is_from ? pose.in.from : pose.in.to, at_side = is_from ? pose.side.from : pose.side.to, found = place + half;
+  const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
+  const MarksOf<V> by_side = is_from ? place <= at_side : place >= at_side;
+  const V sine = choose(by_side, most(through, -through), spread<V>(std::fabs(e.z) * radius));
+  return (pose.in.from <= pose.in.to) & (found <= end) & (found >= end) & (sine >= steep * radius);
+}
+
+/// A place of a bull nose where its surface may be all but flat along the line: close to its lower face, or at its side.
+template <class V>
+KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const {
+  const LeanBody& b = body_leaning_;
+  const V at = place - half_, first = line.first.z + at * all.first.z, last = line.last.z + at * all.last.z;
+  const LeanOver::Family& by = over_.family[family];
+  return (least(first, last) < (by.by_edge || by.by_face ? over_.edge_below : -missed)) |
+         (most(first, last) > (by.by_shaft  ? b.middle - 0.1f * b.corner
+                               : by.by_face ? b.shaft.high - 0.1f
+                                            : missed));
+}
+
+/// Lines on which more than what was found may be swept. An end was found with the shift that the tool has there; of a place farther on by
+/// x that is wrong by x · turn / 2. A body that is hardly larger tells how flat its surface lies to the line: where it is steeper than that
+/// nothing farther on can be reached.
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& swept,
+                                                       const Swept<V>& material) const {
+  const float most_off = over_.apart / 2;
+  const LeanBody hardly_larger = body_leaning_.larger(over_allowed);
+  const MarksOf<V> there = material.from < material.to;
+  MarksOf<V> misses = there & (swept.from > swept.to);
+  MarksOf<V> open_from = there & ~misses & (swept.from - material.from > most_off) & (swept.from < material.to),
+             open_to = there & ~misses & (material.to - swept.to > most_off) & (swept.to > material.from);
+  if constexpr (kind == LeanBody::Kind::cylinder) {
+    if (any(open_from | open_to)) {
+      const Frustum& f = body_leaning_.shaft;
+      const Pose<V> first = in_pose(line.first, all.first, f), last = in_pose(line.last, all.last, f);
+      const auto is_steep = [&](const Pose<V>& pose, const V& end, bool is_from) {
+        return stands_steeply(pose, end, is_from, half_, f.low_radius, 4 * lean_.half_turn);
+      };
+      open_from = open_from & ~is_steep(first, swept.from, true) & ~is_steep(last, swept.from, true);
+      open_to = open_to & ~is_steep(first, swept.to, false) & ~is_steep(last, swept.to, false);
+    }
+  }
+  if constexpr (kind == LeanBody::Kind::rounded) {
+    open_from = open_from & is_where_flat(all, line, family, swept.from), open_to = open_to & is_where_flat(all, line, family, swept.to);
+  }
+  const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]);
+  LeanLines<V> lines{all.even.heading, all.first, all.last, all.even.past};
+  const auto around_line = [&](const LeanRow<V>& l) {
+    const Swept<V> nearly = in_cylinder(l.at, all.even.heading, around_);
+    return Swept<V>{nearly.from + half_, nearly.to + half_};
+  };
+  const auto with_shift_at = [&](const V& place) {
+    const Vec3Of<V> here = plus(line.shift, place - half_, grows);
+    lines.past = way_past<V>({-here.x, -here.y, -here.z});
+    const LeanPlace<V> at{plus(line.at, spread<V>(-0.5f), here), line.first, line.last};
+    return either(lean_swept<V, kind>(lines, hardly_larger, at, near_), shifted_at_ends<V, kind>(lines, hardly_larger, at.at));
+  };
+  MarksOf<V> farther = there & ~there;
+  if (any(misses)) misses = misses & meet(around_line(line), material);
+  if (any(misses)) {
+    const Swept<V> even = lean_swept<V, kind>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
+    farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
+              (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
+  }
+  // Where not even the larger body takes the end that was found none was found.
+  const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
+    if (!any(open)) return;
+    const Swept<V> larger = with_shift_at(end);
+    const V place = end - half_, on = is_from ? place - larger.from : larger.to - place;
+    farther = farther | (open & ((on > most_off) | (place < larger.from) | (place > larger.to)));
+  };
+  look_at(open_from, swept.from, true);
+  look_at(open_to, swept.to, false);
+  return farther;
+}
+
+/// Those of eight lines that halves of the way are to cut; they are noted.
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept,
+                                               const Swept<V>& material) {
+  const V places = lanes_at<V>(scale_.place + lane) - half_;
+  const float row_place = scale_.place[row] - half_;
+  LeanRow<V> line;
+  line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
+  line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
+  line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
+  line.at = plus(line.at, spread<V>(0.5f), vector_of<V>(lean_.aside));
+  const Swept<V> asked = both(swept, material);
+  const MarksOf<V> asks = asked.from < asked.to;
+  MarksOf<V> nothing = asks & ~asks;
+  if constexpr (kind == LeanBody::Kind::rounded) {
+    nothing = ~(is_where_flat(all, line, family, asked.from) | is_where_flat(all, line, family, asked.to));
+  }
+  const MarksOf<V> later = are_turned_over<V, kind>(over_, family, body_leaning_, {line.first, all.first}, {line.last, all.last},
+                                                    where(~nothing, asked.from - half_, asked.to - half_)) |
+                           may_reach_farther<V, kind, family>(all, line, swept, material);
+  if (!any(later)) return later;
+  alignas(32) std::int32_t each[lane_count];
+  store(each, later);
+  const int at = (row * brick_edge + lane) / LineSet::at_once;
+  const unsigned asked_for = only_ == nullptr ? 255 : only_->bits[family][at];
+  unsigned bits = 0;
+  for (int i = 0; i < lane_count; ++i) bits |= each[i] != 0 ? 1u << i : 0;
+  later_.bits[family][at] = std::uint8_t(bits & asked_for);
+  later_.any = later_.any || later_.bits[family][at] != 0;
+  return later;
+}
+
+}  // namespace kadr

@@ -1,0 +1,78 @@
+#pragma once
+// Which of eight lines a tool that leans turns over. For stock/cut/lean_cutter.
+
+#include "stock/cut/lean_over.h"
+#include "stock/cut/lean_pose.h"
+
+namespace kadr::lanes {
+
+/// By a bit each.
+template <class V>
+KADR_IN_LANES MarksOf<V> marks_of(unsigned bits) {
+  alignas(32) std::int32_t each[lane_count];
+  for (int i = 0; i < lane_count; ++i) each[i] = (bits >> i & 1) != 0 ? -1 : 0;
+  return lanes_at<MarksOf<V>>(each);
+}
+
+/// A line as it is at one end of the way.
+template <class V>
+struct LineAtEnd {
+  Vec3Of<V> at;
+  Heading heading;
+};
+
+/// Both intervals are there, and more than `apart` lies between them. What is asked for may begin near to one of them: there it is off by
+/// at most turn · (how far in).
+template <class V>
+KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
+  const V from = least(first.to, last.to), to = most(first.from, last.from);
+  return (first.from <= first.to) & (last.from <= last.to) & (to - from > apart) & (asked.from <= asked.to) &
+         (least(asked.to - from, to - asked.from) > 0.25f * apart);
+}
+
+/// More than `apart` of what is asked for lies beyond what the tool takes as it stands at the ends of its way. A cone is bent the more the
+/// nearer to its point: what is apart may come and go between the ends of the way.
+template <class V>
+KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
+  const V from = least(first.from, last.from), to = most(first.to, last.to);
+  const MarksOf<V> before = least(from, asked.to) - asked.from > apart, after = asked.to - most(to, asked.from) > apart;
+  return (asked.from <= asked.to) & (before | after | are_apart(first, last, asked, apart));
+}
+
+template <class V>
+KADR_IN_LANES Swept<V> in_cone_and_shaft(const LineAtEnd<V>& line, const LeanBody& body) {
+  const Swept<V> in = in_frustum<V, Side::any>(line.at, line.heading, body.end), cone = where(in.from <= in.to, in.from, in.to);
+  return body.shaft.high > body.shaft.low ? either(cone, in_frustum<V, Side::straight>(line.at, line.heading, body.shaft)) : cone;
+}
+
+/// The tool as it stands, of which nothing moves.
+template <class V>
+KADR_IN_LANES Swept<V> in_rounded(const LineAtEnd<V>& line, const LeanBody& body) {
+  const V none = spread<V>(0.f);
+  const LeanLines<V> lines{line.heading, line.heading, line.heading, way_past<V>({none, none, none})};
+  return in_shifted_rounded(lines, body, {line.at, line.at, line.at});
+}
+
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES MarksOf<V> are_turned_over(const LeanOver& over, int family, const LeanBody& body, const LineAtEnd<V>& first,
+                                         const LineAtEnd<V>& last, const Swept<V>& asked) {
+  const LeanOver::Family& by = over.family[family];
+  MarksOf<V> turned = asked.from < asked.to;
+  if (!any(turned)) return turned;
+  turned = turned & ~turned;
+  // Sides as if they had no ends: beyond a face they are reached sooner or later on the way.
+  if (by.by_shaft) {
+    const float radius = body.shaft.low_radius;
+    const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };
+    turned = are_apart(in(first), in(last), asked, over.apart);
+  }
+  if constexpr (kind == LeanBody::Kind::cone) {
+    if (by.by_end) turned = turned | are_far_from(in_cone_and_shaft(first, body), in_cone_and_shaft(last, body), asked, over.apart);
+  }
+  if constexpr (kind == LeanBody::Kind::rounded) {
+    if (by.by_edge) turned = turned | are_apart(in_rounded(first, body), in_rounded(last, body), asked, over.apart);
+  }
+  return turned;
+}
+
+}  // namespace kadr::lanes
