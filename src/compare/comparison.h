@@ -34,6 +34,7 @@ struct CompareRules {
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
   bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
   bool first_only = false;       // it is over with the first difference
+  bool times = true;             // CourseSpot::at is told
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along
@@ -43,7 +44,7 @@ struct CompareRules {
 struct CourseSpot {
   Origin origin;       // of what comes next there
   std::string file{};  // that its line stands in, if that is not the program itself
-  double at = 0;       // s since the start, as programmed
+  double at = 0;       // s since the start, as programmed; 0 where the rules want no times
   Axes stand{};        // machine coordinates, in the order of Comparison::axes
 };
 

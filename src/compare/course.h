@@ -24,6 +24,8 @@ class Course {
 
   /// What is shown to the operator is passed over.
   void pass_messages() { messages_ = false; }
+  /// When things are is not told: nobody counts it. Before the first item.
+  void pass_times() { session_->outlets().clock = nullptr; }
   std::size_t passed_messages() const { return passed_messages_; }
   /// A change of the tool is a stop, and which one it is does not count: it is changed by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
