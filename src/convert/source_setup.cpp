@@ -9,6 +9,7 @@
 #include "config/machine_codes.h"
 #include "config/setup_check.h"
 #include "config/setup_names.h"
+#include "convert/variable_numbers.h"
 #include "out/program/codes.h"
 
 namespace kadr {
@@ -76,10 +77,11 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
   if (has_key(to, "offsets")) made.offsets = setup.offsets;
   if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
     for (const std::uint32_t tool : names.tools) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
+  const VariableNumbers numbers(from, to);
   const SetupNamesOf known(&to, to.axes, to.axes);
   if (has_key(to, "variables"))
     for (const auto& [name, value] : setup.variables)
-      if (known.allows(SetupNames::variable, name)) made.variables[name] = value;
+      if (const auto there = numbers.given(name); there && known.allows(SetupNames::variable, *there)) made.variables[*there] = value;
   const std::map<int, AxisValues> zeros = zeros_of(setup, from);
   if (has_key(to, "zeros")) {
     for (const auto& [number, values] : zeros)
