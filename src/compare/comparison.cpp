@@ -379,6 +379,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
   made.axes = frame;
   made.passed_messages = course_a.passed_messages();
+  made.passed_exact_stops = course_a.passed_exact_stops();
   return made;
 }
 

@@ -70,6 +70,7 @@ struct Comparison {
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: those that pieces stand in, but for the programs
   Vec3 zero;                                                  // of the work system of the first cut, machine coordinates
   std::size_t passed_messages = 0;                            // of a, that do not count by the rules
+  std::size_t passed_exact_stops = 0;                         // of a, where b's control has none
   bool feeds_at_speed = false;                                // they were equal so somewhere
   bool lost = false;                                          // from the last difference on they have no place in common that was found
 
