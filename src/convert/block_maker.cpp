@@ -80,12 +80,13 @@ Status BlockMaker::number(std::string& line) {
   const WordFormat& n = def_.grammar.word('N');
   if (wanted_number_ == 0 && !def_.grammar.block_number_required) return {};
   const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
-  std::uint32_t number = wanted_number_;
+  std::uint32_t number = section_ != 0 ? 0 : wanted_number_;
   if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;
   if (number == 0 || !n.known) return {};
+  if (section_ != 0 && number / section_blocks != section_) return fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number)));
   if (number > most) return def_.grammar.block_number_required ? fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number))) : Status();
   last_number_ = number;
-  line += fmt::format("N{:0{}} ", number, n.drop_zeros ? 1 : n.whole_digits);
+  line += fmt::format("N{:0{}} ", number, n.drop_zeros && section_ == 0 ? 1 : n.whole_digits);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/result.h"
 #include "config/control_def.h"
@@ -53,11 +54,24 @@ class BlockMaker {
   void set_skip(std::uint8_t skip) { skip_ = skip; }
   /// What stands in the block so far is not written.
   void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
+  /// The next blocks are those of a subprogram whose number is the first digits of theirs (spec/s2c42 3): 2 of N02001.
+  void begin_section(std::uint32_t number) {
+    if (section_ == 0) number_before_ = last_number_;
+    section_ = number, last_number_ = number * section_blocks;
+  }
+  /// They are over.
+  ///   returns  the number of the last one
+  std::uint32_t end_section() {
+    section_ = 0;
+    return std::exchange(last_number_, number_before_);
+  }
   bool empty() const { return words_.empty() && comment_.empty(); }
   /// The block is over.
   ///   alarms  word_has_no_room  of N, where every block needs one; conversion_too_long
   Status end();
   std::size_t blocks() const { return blocks_; }
+
+  static constexpr std::uint32_t section_blocks = 1000;  // numbers of a subprogram's blocks
 
  private:
   Status number(std::string& line);
@@ -67,6 +81,7 @@ class BlockMaker {
   std::string words_, comment_;
   std::string line_;  // keeps its memory
   std::uint32_t wanted_number_ = 0, last_number_ = 0;
+  std::uint32_t section_ = 0, number_before_ = 0;  // 0: none; of the block before it
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;
 };
