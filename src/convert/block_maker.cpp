@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kadr {
 
@@ -60,6 +62,27 @@ Status BlockMaker::dwell_word(const CodeRow& row, double seconds) {
   for (const char letter : {'P', 'E', 'X'})
     if ((row.takes >> (letter - 'A') & 1U) != 0) return seconds_word(letter, seconds);
   return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(row.function).name));
+}
+
+bool BlockMaker::is_full_of_codes(char letter) const {
+  const std::uint32_t most = def_.grammar.word(letter).at_most;
+  std::uint32_t count = 0;
+  for (std::size_t at = 0; at < words_.size();) {
+    if (words_[at] != 'G' && words_[at] != 'M') return false;
+    if (words_[at] == letter) ++count;
+    at = std::min(words_.find(' ', at), words_.size() - 1) + 1;
+  }
+  return most != 0 && count >= most;
+}
+
+Status BlockMaker::code_text(std::string_view code) {
+  if (skip_ == 0 && is_full_of_codes(code.front())) {
+    std::string comment = std::exchange(comment_, {});
+    KADR_TRY(end());
+    comment_ = std::move(comment);
+  }
+  text(code);
+  return {};
 }
 
 void BlockMaker::text(std::string_view word) {

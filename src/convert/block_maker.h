@@ -45,6 +45,8 @@ class BlockMaker {
   ///   alarms  function_has_no_code  it takes none
   Status dwell_word(const CodeRow& row, double seconds);
   bool has_word(char letter) const { return def_.grammar.word(letter).known; }
+  /// A code, already written. Where the block holds as many as it may, and nothing but codes, those are a block before.
+  Status code_text(std::string_view code);
   /// As it stands, already written.
   void text(std::string_view word);
   /// In the block's brackets; what must not stand there is left out.
@@ -75,6 +77,7 @@ class BlockMaker {
 
  private:
   Status number(std::string& line);
+  bool is_full_of_codes(char letter) const;
 
   const ControlDef& def_;
   std::function<bool(std::string_view)> put_;

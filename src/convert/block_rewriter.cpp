@@ -188,8 +188,7 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
 Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   const CodeRow* const match = match_.of(row);
   if (match == nullptr) return cannot(row.code);
-  out.text(with_digits(to_, *match));
-  return {};
+  return out.code_text(with_digits(to_, *match));
 }
 
 /// Its number is that of another function there.
