@@ -6,6 +6,7 @@ its source once more by `kadr diff`, and a changed word of it is found.
 """
 import argparse
 import collections
+import json
 import random
 import re
 import sys
@@ -144,6 +145,82 @@ def exact_stops(kadr, folder, given):
         expect(status == 1 or (status == 0 and word in ('G61', 'G64') and again), f'exact stops: {one.name()}: without {word} {status} in {file.read_text(encoding="utf-8")}')
 
 
+# Corners as the NCT and Fanuc have them: slower inside, not slowed down, as usual; within a contour, between places that are written out.
+CORNERS = '''G21 G90 G17 G64
+G0 X0. Y0. Z5.
+G1 X10. F300.
+G62 X20.
+Y10.
+G3 X10. Y20. I-10. J0.
+G63 G1 X0.
+G64 Y0.
+G62
+G52 X1.
+X5. Y5.
+G52 X0.
+G64 X30.
+M2
+'''
+
+
+def corner_modes(kadr, folder, given):
+    """G62 and G63 are written in blocks that are written out; without one it is not equal."""
+    file = folder / 'corners.nc'
+    file.write_text(CORNERS, encoding='utf-8')
+    jobs = [(control, to, way) for control, to in (('nct', 'fanuc'), ('fanuc', 'nct')) for way in ((), ('--flat',), ('--flat', '--way', 'plain'))]
+
+    def look(numbered):
+        number, (control, to, way) = numbered
+        out = folder / f'corners_{number}.nc'
+        got = run(kadr, 'convert', file, '--from', control, '--to', to, '--out', out, '--lang', 'en', *way)
+        if got.returncode != 0 or 'not carried over' in got.stderr:
+            return got.stderr
+        text = out.read_text(encoding='utf-8')
+        gone = folder / f'corners_gone_{number}.nc'
+        gone.write_text(text.replace('G63', ''), encoding='utf-8')
+        found = run(kadr, 'diff', file, gone, '--control-a', control, '--control-b', to, '--lang', 'en')
+        return '' if 'G62' in text and 'G63' in text and found.returncode == 1 else text
+    for job, said in zip(jobs, pairs.all_of(look, list(enumerate(jobs)), given.jobs)):
+        expect(said == '', f'corners: {job}: {said[:600]}')
+
+
+# Subprograms with numbers and names, called from another one, several times, beside a line that the 2С42 has to have written out.
+SUBPROGRAMS = {
+    'fanuc': 'O0001\nG90 G54\nG0 X0. Y0. Z5.\nM98 P2 L3\nG90 G0 X50.\nM98 P1234\nM30\nO0002\nG91 G1 X5. F200.\n(UP)\nM98 P1234\nG90\nM99\nO1234\nG91 G1 Y2. F100.\nG1 X4. Y1.\nG90\nM99\n',
+    'mach3': 'G90 G40\nG0 X0 Y0 Z5\nM98 P100 L2\nM98 P7\nM30\nO100\nG91 G1 X5 F200\nG90\nM99\nO7\nG1 X1 Y1\nM99\n',
+    'linuxcnc': 'o<step> sub\nG91 G1 X5 F200\nG90\no<step> endsub\no12 sub\no<step> call\nG1 Y7\no12 endsub\nG90 G40\nG0 X0 Y0 Z5\no<step> call\no12 call\nM2\n',
+}
+SECTIONS = {'fanuc': (('L02', 'L0203', 'N02001'), 2), 'mach3': (('L07', 'N07001'), 2), 'linuxcnc': (('L12', 'N12001'), 2)}
+
+
+def sections(kadr, folder):
+    """Subprograms become those of the 2С42, before the program, under their numbers where these are two digits."""
+    for control, text in SUBPROGRAMS.items():
+        file = folder / f'sections_{control}.nc'
+        file.write_text(text, encoding='utf-8')
+        one = pairs.convert(kadr, control, file, 's2c42', folder / f'sections_{control}_out.nc')
+        expect(one.outcome == 'written: word by word', f'sections of {control}: {one.outcome} {one.said[:600]}')
+        made = one.out.read_text(encoding='utf-8') if one.proven() else ''
+        words, ends = SECTIONS[control]
+        expect(made.startswith('L\n') and all(word in made for word in words) and made.count(' M17') == ends and made.index(' M2\n') < made.index('%'), f'sections of {control}:\n{made}')
+        back = pairs.convert(kadr, 's2c42', one.out, control, folder / f'sections_{control}_back.nc', one.out_setup())
+        expect(back.proven(), f'sections back to {control}: {back.outcome} {back.said[:600]}')
+
+
+def set_ups(kadr, folder):
+    """What the other control has not is left out of its set-up; several channels are refused."""
+    file, setup = folder / 'given.ngc', folder / 'given.json'
+    file.write_text('G21 G90\nG1 X#100 F100\nG1 Y[#31 * 2]\nM2\n', encoding='utf-8')
+    setup.write_text(json.dumps({'variables': {'#100': 7, '#5161': 10, '#5181': 20, '#31': 3}}), encoding='utf-8')
+    for to in ('nct', 'fanuc', 'haas', 'mach3'):
+        one = pairs.convert(kadr, 'linuxcnc', file, to, folder / f'given_{to}.nc', setup)
+        expect(one.proven() and (one.out_setup().read_text(encoding='utf-8').count('#5161') == 0 or to == 'mach3'), f'given variables to {to}: {one.outcome}')
+    two = folder / 'two.json'
+    two.write_text(json.dumps({'channels': {'2': {'program': 'M30'}}}), encoding='utf-8')
+    got = run(kadr, 'convert', EXAMPLES / 'nct' / 'corners.nct', '--from', 'nct', '--to', 'fanuc', '--setup', two, '--lang', 'en')
+    expect(got.returncode == 1 and got.stdout == '' and 'not converted' in got.stderr and 'two.json: channels.2' in got.stderr, f'channels: {got.returncode} {got.stderr}')
+
+
 def wrong_use(kadr, folder):
     flange = EXAMPLES / 's2c42' / 'flange.nc'
     expect(run(kadr, 'convert', flange, '--from', 's2c42').returncode == 2, 'no control to convert to')
@@ -175,6 +252,9 @@ def main():
         folder = Path(name)
         wrong_use(given.kadr, folder)
         exact_stops(given.kadr, folder, given)
+        corner_modes(given.kadr, folder, given)
+        sections(given.kadr, folder)
+        set_ups(given.kadr, folder)
         proven = every_pair(given.kadr, folder, given)
         again(given.kadr, proven, given)
         mutations(given.kadr, proven, folder, given)

@@ -17,6 +17,7 @@
 #include "config/control_file.h"
 #include "config/told.h"
 #include "convert/conversion_text.h"
+#include "lang/text/text_spool.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -45,6 +46,10 @@ class ConvertCommand {
     outputs_.writes("--out", o_.out.empty() ? "-" : o_.out);
     outputs_.writes("--setup-out", o_.setup_out);
     if (!outputs_.check()) return wrong_usage;
+    if (!job_->setup.channels.empty()) {
+      complain(fmt::format("{}: {}: channels.{}", no_conversion_of_channels(), job_->setup_file, job_->setup.channels.begin()->first));
+      return alarms;
+    }
     const auto spec = spec_of();
     if (!spec) return wrong_usage;
     const auto made = converted(*spec);
@@ -60,9 +65,7 @@ class ConvertCommand {
       if (!program) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
       auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
       if (!opened) return tl::unexpected(opened.error().fault.key + ": " + told(opened.error().fault.en, opened.error().fault.ru));
-      std::unique_ptr<Session> session = std::move(*opened);
-      if (session->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
-      return session;
+      return std::move(*opened);
     };
   }
   std::optional<ConversionSpec> spec_of() {
@@ -75,13 +78,12 @@ class ConvertCommand {
     spec.letters = letters_;
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
-    spec.source_text = std::make_shared<const std::string>(SourceText(open_text(job_->file, job_->encoding)).whole());
+    spec.source_text = utf8_text(open_text(job_->file, job_->encoding));
     spec.source = opens(job_->setup);
     if (Setup elsewhere = job_->setup; probe_elsewhere(elsewhere)) spec.elsewhere = opens(std::move(elsewhere));
-    spec.target = [this](std::shared_ptr<const std::string> text,
-                         const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
+    spec.target = [this](std::shared_ptr<ByteSource> text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto session =
-          Session::open({to_, job_->profile, setup, {job_->file, shared_text_source(std::move(text)), Encoding::utf8}, o_.run.limits});
+          Session::open({to_, job_->profile, setup, {job_->file, shared_source(std::move(text)), Encoding::utf8}, o_.run.limits});
       if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
       (*session)->control().set_waiting(Control::Waiting::pass);
       return std::move(*session);
@@ -100,15 +102,9 @@ class ConvertCommand {
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
-    std::string changed = unproven ? transliterated(unproven_mark() + *one.text, letters_).text : std::string();
-    if (const std::string& text = unproven ? changed : *one.text; !is_written_so(text, letters_)) {
-      auto bytes = bytes_of(text, letters_);
-      if (!bytes) return complain(of_target->sentence(bytes.error(), language(o_.run))), alarms;
-      changed = std::move(*bytes);
-    }
-    const std::string& written = changed.empty() ? *one.text : changed;
     if (!outputs_.open()) return wrong_usage;
-    std::fwrite(written.data(), 1, written.size(), outputs_.stream("--out"));
+    if (const Status written = write(one, unproven.has_value()); !written)
+      return complain(of_target->sentence(written.error(), language(o_.run))), alarms;
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
@@ -120,6 +116,27 @@ class ConvertCommand {
     explain(one, sides);
     for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], sides);
     return ok;
+  }
+
+  /// The program, in its letters.
+  ///   alarms  bad_encoding
+  Status write(const ConversionTry& one, bool unproven) {
+    std::FILE* const file = outputs_.stream("--out");
+    const auto put = [&](std::string_view text) -> Status {
+      auto bytes = is_written_so(text, letters_) ? Result<std::string>(text) : bytes_of(text, letters_);
+      if (!bytes) return fail(bytes.error());
+      std::fwrite(bytes->data(), 1, bytes->size(), file);
+      return {};
+    };
+    const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
+    const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // all of it between leader and trailer
+    Status status = put(mark);
+    (void)each_piece(*one.text, [&](std::string_view piece) {
+      if (status) status = put(in_letters(piece));
+      return status.has_value();
+    });
+    return status;
   }
 
   void explain(const ConversionTry& one, const ConversionSides& sides) const {

@@ -368,6 +368,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   const std::vector<std::string> frame = common_frame(*a, *b);
   const double chord = rules.tolerance * chord_of_tolerance;
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
+  if (!rules.times) course_a.pass_times(), course_b.pass_times();
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
@@ -378,6 +379,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
   made.axes = frame;
   made.passed_messages = course_a.passed_messages();
+  made.passed_exact_stops = course_a.passed_exact_stops();
   return made;
 }
 

@@ -34,6 +34,7 @@ struct CompareRules {
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
   bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
   bool first_only = false;       // it is over with the first difference
+  bool times = true;             // CourseSpot::at is told
   std::size_t most_told = 1000;  // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along
@@ -43,7 +44,7 @@ struct CompareRules {
 struct CourseSpot {
   Origin origin;       // of what comes next there
   std::string file{};  // that its line stands in, if that is not the program itself
-  double at = 0;       // s since the start, as programmed
+  double at = 0;       // s since the start, as programmed; 0 where the rules want no times
   Axes stand{};        // machine coordinates, in the order of Comparison::axes
 };
 
@@ -69,6 +70,7 @@ struct Comparison {
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: those that pieces stand in, but for the programs
   Vec3 zero;                                                  // of the work system of the first cut, machine coordinates
   std::size_t passed_messages = 0;                            // of a, that do not count by the rules
+  std::size_t passed_exact_stops = 0;                         // of a, where b's control has none
   bool feeds_at_speed = false;                                // they were equal so somewhere
   bool lost = false;                                          // from the last difference on they have no place in common that was found
 

@@ -177,6 +177,8 @@ void Course::take_motion(const Step& step, const Motion& motion) {
     const bool goes = (exact_end_ || motion.exact) && !stands(step, motion);
     if (goes && exact_end_) stop_exactly(step);
     if (motion.exact && state.move == CourseMove::feed && (goes || exact_end_)) exact_end_ = step.action.origin;
+  } else if (motion.exact && state.move == CourseMove::feed) {
+    ++passed_exact_stops_;
   }
   if (!zero_ && state.move == CourseMove::feed) zero_ = frame_zero_;
   const auto add = [&](double begins, double ends) -> Axes& {

@@ -24,6 +24,10 @@ class Course {
 
   /// What is shown to the operator is passed over.
   void pass_messages() { messages_ = false; }
+  /// When things are is not told: nobody counts it. Before the first item.
+  void pass_times() { session_->outlets().clock = nullptr; }
+  /// Exact stops that do not count by look_at().
+  std::size_t passed_exact_stops() const { return passed_exact_stops_; }
   std::size_t passed_messages() const { return passed_messages_; }
   /// A change of the tool is a stop, and which one it is does not count: it is changed by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
@@ -77,7 +81,7 @@ class Course {
   std::optional<AlarmReport> stopped_;
   bool over_ = false;
   bool messages_ = true, tools_by_hand_ = false;
-  std::size_t passed_messages_ = 0;
+  std::size_t passed_messages_ = 0, passed_exact_stops_ = 0;
 };
 
 }  // namespace kadr

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kadr {
 
@@ -62,6 +64,27 @@ Status BlockMaker::dwell_word(const CodeRow& row, double seconds) {
   return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(row.function).name));
 }
 
+bool BlockMaker::is_full_of_codes(char letter) const {
+  const std::uint32_t most = def_.grammar.word(letter).at_most;
+  std::uint32_t count = 0;
+  for (std::size_t at = 0; at < words_.size();) {
+    if (words_[at] != 'G' && words_[at] != 'M') return false;
+    if (words_[at] == letter) ++count;
+    at = std::min(words_.find(' ', at), words_.size() - 1) + 1;
+  }
+  return most != 0 && count >= most;
+}
+
+Status BlockMaker::code_text(std::string_view code) {
+  if (skip_ == 0 && is_full_of_codes(code.front())) {
+    std::string comment = std::exchange(comment_, {});
+    KADR_TRY(end());
+    comment_ = std::move(comment);
+  }
+  text(code);
+  return {};
+}
+
 void BlockMaker::text(std::string_view word) {
   if (!words_.empty()) words_ += ' ';
   words_ += word;
@@ -80,12 +103,13 @@ Status BlockMaker::number(std::string& line) {
   const WordFormat& n = def_.grammar.word('N');
   if (wanted_number_ == 0 && !def_.grammar.block_number_required) return {};
   const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
-  std::uint32_t number = wanted_number_;
+  std::uint32_t number = section_ != 0 ? 0 : wanted_number_;
   if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;
   if (number == 0 || !n.known) return {};
+  if (section_ != 0 && number / section_blocks != section_) return fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number)));
   if (number > most) return def_.grammar.block_number_required ? fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number))) : Status();
   last_number_ = number;
-  line += fmt::format("N{:0{}} ", number, n.drop_zeros ? 1 : n.whole_digits);
+  line += fmt::format("N{:0{}} ", number, n.drop_zeros && section_ == 0 ? 1 : n.whole_digits);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/result.h"
 #include "config/control_def.h"
@@ -44,6 +45,8 @@ class BlockMaker {
   ///   alarms  function_has_no_code  it takes none
   Status dwell_word(const CodeRow& row, double seconds);
   bool has_word(char letter) const { return def_.grammar.word(letter).known; }
+  /// A code, already written. Where the block holds as many as it may, and nothing but codes, those are a block before.
+  Status code_text(std::string_view code);
   /// As it stands, already written.
   void text(std::string_view word);
   /// In the block's brackets; what must not stand there is left out.
@@ -53,20 +56,35 @@ class BlockMaker {
   void set_skip(std::uint8_t skip) { skip_ = skip; }
   /// What stands in the block so far is not written.
   void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
+  /// The next blocks are those of a subprogram whose number is the first digits of theirs (spec/s2c42 3): 2 of N02001.
+  void begin_section(std::uint32_t number) {
+    if (section_ == 0) number_before_ = last_number_;
+    section_ = number, last_number_ = number * section_blocks;
+  }
+  /// They are over.
+  ///   returns  the number of the last one
+  std::uint32_t end_section() {
+    section_ = 0;
+    return std::exchange(last_number_, number_before_);
+  }
   bool empty() const { return words_.empty() && comment_.empty(); }
   /// The block is over.
   ///   alarms  word_has_no_room  of N, where every block needs one; conversion_too_long
   Status end();
   std::size_t blocks() const { return blocks_; }
 
+  static constexpr std::uint32_t section_blocks = 1000;  // numbers of a subprogram's blocks
+
  private:
   Status number(std::string& line);
+  bool is_full_of_codes(char letter) const;
 
   const ControlDef& def_;
   std::function<bool(std::string_view)> put_;
   std::string words_, comment_;
   std::string line_;  // keeps its memory
   std::uint32_t wanted_number_ = 0, last_number_ = 0;
+  std::uint32_t section_ = 0, number_before_ = 0;  // 0: none; of the block before it
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;
 };

@@ -59,6 +59,7 @@ struct BlockRewriter::Kinds {
 
 BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), codes_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
   const bool has_mode = row_that_does(to, {{Function::exact_stop_mode, any_argument}}) != nullptr, has_block = row_that_does(to, {{Function::exact_stop_block, any_argument}}) != nullptr;
+  is_metric_ = row_that_does(to, {{Function::millimetre, any_argument}, {Function::inch, any_argument}}) == nullptr;
   stops_.by_block = has_block && !has_mode, stops_.by_mode = has_mode && !has_block;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if (letter == 'F' || letter == 'H' || letter == 'K' || letter == 'L' || letter == 'P' || letter == 'Q' || letter == 'S' || letter == 'T') continue;
@@ -148,7 +149,7 @@ Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
 
 /// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
 Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
-  if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words && (to_.grammar.macro || to_.grammar.label_address != 0)) return flow_.write(block, out);
+  if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words && (to_.grammar.macro || to_.grammar.label_address != 0 || flow_.has_sections())) return flow_.write(block, out);
   const bool is_assignment = block.statement.kind == StatementKind::assign && !block.statement.with_if;
   const bool both = from_.grammar.macro && to_.grammar.macro && block.statement.kind != StatementKind::o_word && block.statement.kind != StatementKind::system;
   if (!both && !(is_assignment && to_.grammar.expressions)) return cannot(block.text_of(block.statement.where));
@@ -164,6 +165,7 @@ Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
 
 Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   if (is_to_o_lines() && o_lines_.begins(label)) return o_lines_.begin(label, out);
+  if (flow_.has_sections()) return flow_.begin_section(std::to_string(label), out);
   if (to_.grammar.label_address == 0 && !to_.grammar.programs_by_label && !to_.grammar.o_words) return cannot("O");
   out.text(fmt::format("O{}", label));
   return {};
@@ -186,8 +188,7 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
 Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   const CodeRow* const match = match_.of(row);
   if (match == nullptr) return cannot(row.code);
-  out.text(with_digits(to_, *match));
-  return {};
+  return out.code_text(with_digits(to_, *match));
 }
 
 /// Its number is that of another function there.
@@ -363,6 +364,7 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     }
     return {};
   };
+  if (kinds.call != nullptr && flow_.has_sections()) return flow_.call_in_section(block, out);
   KADR_TRY(exact_stop(kinds, out));
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
@@ -372,6 +374,7 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
       if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // told: conversion_text
+      if (row->function == Function::millimetre && is_metric_) continue;
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       if (one.address == 'M' && is_other_code(one, *row)) return cannot(row->code);
       if (one.address != 'M' || !machine_code(one, *row, out)) KADR_TRY(code(*row, out));

@@ -86,6 +86,7 @@ class BlockRewriter {
     bool is_mode = false;                    // exact stops are in force in the text
     bool goes_on = false;                    // behind this block they are not
   } stops_;
+  bool is_metric_ = false;  // the other control counts in mm alone
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
   double feed_ = -1;                                // last F of the text

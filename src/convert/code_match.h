@@ -8,7 +8,8 @@
 
 namespace kadr {
 
-constexpr int continuous_cutting = 64;  // CodeRow::arg of Function::feed_control: G64 of the NCT
+constexpr int inner_corners = 62, without_slowing = 63;  // of G62, G63
+constexpr int continuous_cutting = 64;                   // CodeRow::arg of Function::feed_control: G64 of the NCT
 
 class CodeMatch {
  public:

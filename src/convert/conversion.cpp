@@ -13,6 +13,7 @@
 #include "convert/flat_program.h"
 #include "convert/source_comments.h"
 #include "convert/word_by_word.h"
+#include "lang/text/text_spool.h"
 #include "out/program/words.h"
 
 namespace kadr {
@@ -23,8 +24,8 @@ class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
       : spec_(spec),
-        blocks_(*spec.to, [this](std::string_view line) { return text_->append(line).size() <= most_made; }),
-        comments_(*spec.source_text) {
+        blocks_(*spec.to, [this](std::string_view line) { return text_.append(line), text_.size() <= most_made; }),
+        comments_(spec.source_text) {
     made_.as = as;
   }
 
@@ -53,7 +54,7 @@ class Writing {
     if (!made_.cannot_say) note(flat.finish());
     for (const std::string& comment : comments_.rest())
       if (!made_.cannot_say) blocks_.comment(comment), note(blocks_.end());
-    if (!made_.cannot_say) made_.text = text_;
+    if (!made_.cannot_say) made_.text = text_.source();
     return std::move(made_);
   }
 
@@ -83,7 +84,7 @@ class Writing {
 
   const ConversionSpec& spec_;
   ConversionTry made_;
-  std::shared_ptr<std::string> text_ = std::make_shared<std::string>();
+  TextSpool text_;
   BlockMaker blocks_;
   SourceComments comments_;
   std::unique_ptr<Session> session_;
@@ -115,14 +116,24 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
   return one;
 }
 
+bool is_written_so(ByteSource& text, const WrittenLetters& letters) {
+  return each_piece(text, [&](std::string_view piece) { return kadr::is_written_so(piece, letters); });
+}
+
 /// What its text has no letters for is written with others; it is read once more then.
 tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Setup& setup, CompareRules rules) {
   const WrittenLetters letters = spec.letters.value_or(spec.to->letters);
   if (is_written_so(*one.text, letters)) return {};
-  Transliterated made = transliterated(*one.text, letters);
-  if (made.characters == 0) return {};
-  one.transliterated = made.characters;
-  one.text = std::make_shared<const std::string>(std::move(made.text));
+  TextSpool text;
+  std::size_t characters = 0;
+  (void)each_piece(*one.text, [&](std::string_view piece) {
+    const Transliterated made = transliterated(piece, letters);
+    text.append(made.text), characters += made.characters;
+    return !spec.stop.asked();
+  });
+  if (characters == 0 || spec.stop.asked()) return {};
+  one.transliterated = characters;
+  one.text = text.source();
   auto a = spec.source();
   if (!a) return tl::unexpected(a.error());
   auto b = spec.target(one.text, setup);
@@ -159,6 +170,12 @@ bool is_of_exact_stop(const CodeRow& row) {
          row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
+/// Blocks that are written out say it too.
+bool is_said_there(const CodeRow& code, const PathModes& there) {
+  if (there.exact && is_of_exact_stop(code)) return true;
+  return (there.speeds && code.function == Function::feed_control) || (there.smoothing && code.function == Function::smoothing);
+}
+
 }  // namespace
 
 double usual_tolerance(const ControlDef& from, const ControlDef& to) {
@@ -178,27 +195,26 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   if (!session) return tl::unexpected(session.error());
   const std::unique_ptr<Session> opened = std::move(*session);
   if (const auto fault = MachineCodes(opened->def(), *spec.to).fault()) return tl::unexpected(sentence_of(*fault));
-  const ProgramShape shape(shared_text_source(spec.source_text), opened->def(), spec.stop);
+  const ProgramShape shape(spec.source_text, opened->def(), spec.stop);
   all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
   all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   const CodeMatch match(opened->def(), *spec.to);
   const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
     const CodeRow& code = opened->def().codes[row];
-    if (there.exact && is_of_exact_stop(code)) continue;
+    if (is_said_there(code, there)) continue;
     all.path_modes.push_back(code.code);
     if (match.of(code) == nullptr) all.path_modes_unknown.push_back(code.code);
   }
-  if (shape.rounds_corners()) {
-    all.path_modes.emplace_back("G64 P");
-    if (!there.tolerance) all.path_modes_unknown.emplace_back("G64 P");
-  }
+  if (shape.rounds_corners() && !there.tolerance)
+    for (auto* const codes : {&all.path_modes, &all.path_modes_unknown}) codes->emplace_back("G64 P");
   CompareRules rules;
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
   rules.feeds_at_speed = true;
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
   rules.first_only = true;
+  rules.times = false;
   rules.messages = shows_same_messages(opened->def(), *spec.to);
   for (const ConvertedAs as :
        {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {

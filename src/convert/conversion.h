@@ -28,11 +28,11 @@ enum class ConvertedAs : std::uint8_t {
 struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>()>;
   using OpensText =
-      std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<const std::string> text, const Setup& setup)>;
+      std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<ByteSource> text, const Setup& setup)>;
   Opens source;       // of the program under its own control
   Opens elsewhere{};  // the same with what a probe touches at another place (probe_elsewhere); empty: nothing is probed
   OpensText target;   // of a text under the other control, from that set-up
-  std::shared_ptr<const std::string> source_text;  // UTF-8
+  std::shared_ptr<ByteSource> source_text;  // UTF-8, lines divided by '\n'
   const ControlDef* to = nullptr;
   bool flat = false;                        // calls, loops and cycles are written out even where the other control has them
   std::optional<ConvertedAs> only{};        // this way and no other
@@ -55,8 +55,8 @@ struct ConversionTry {
   std::optional<Alarm> cannot_say;  // the other control has nothing for …
   Origin at;                        // … this block
   Comparison proof;                 // where it could be said
-  std::shared_ptr<const std::string> text = std::make_shared<std::string>();
-  bool is_proven() const { return !cannot_say && !text->empty() && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
+  std::shared_ptr<ByteSource> text = text_source({});
+  bool is_proven() const { return !cannot_say && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   std::size_t transliterated = 0;         // characters that the other control's text has not
   std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
 };

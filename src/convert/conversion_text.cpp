@@ -97,9 +97,11 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   if (one.transliterated != 0)
     notes.push_back(told(fmt::format("letters that its text cannot hold are written as others: {}", one.transliterated),
                          fmt::format("букв, которых нет в её кодировке, записано другими: {}", one.transliterated)));
-  const auto& lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()
-                     : one.as == ConvertedAs::words      ? made.path_modes_unknown
-                                                         : made.path_modes;
+  std::vector<std::string> lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()
+                                  : one.as == ConvertedAs::words      ? made.path_modes_unknown
+                                                                      : made.path_modes;
+  // Cycles stop exactly without a code of the program.
+  if (lost.empty() && one.proof.passed_exact_stops != 0) lost.push_back(told("exact stops", "точные остановы"));
   if (!lost.empty())
     notes.push_back(told(fmt::format("not carried over: {} (how corners are gone round)", fmt::join(lost, ", ")),
                          fmt::format("не перенесено: {} (как проходятся углы)", fmt::join(lost, ", "))));
@@ -108,7 +110,7 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
 
 std::optional<std::size_t> best_unproven(const Converted& made) {
   const auto could_be_said = [](const ConversionTry& one) {
-    return !one.cannot_say && !one.text->empty() && one.as != ConvertedAs::as_it_stands;
+    return !one.cannot_say && one.text->size() != 0 && one.as != ConvertedAs::as_it_stands;
   };
   const auto found = std::find_if(made.tries.begin(), made.tries.end(), could_be_said);
   if (found == made.tries.end()) return std::nullopt;
@@ -123,7 +125,7 @@ std::string nothing_proven() {
 }
 
 std::string no_conversion_of_channels() {
-  return told("programs of several channels are not converted", "программы нескольких каналов не переводятся");
+  return told("not converted: programs of several channels are not", "не переведено: программы нескольких каналов не переводятся");
 }
 
 }  // namespace kadr

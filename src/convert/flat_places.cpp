@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "convert/code_match.h"
 #include "convert/flat_program.h"
 #include "convert/source_setup.h"
 
@@ -106,6 +107,9 @@ class PlaceWriter {
         modes.incremental = modes.incremental || row.function == Function::incremental;
         modes.inch = modes.inch || row.function == Function::inch;
         modes.exact = modes.exact || row.function == Function::exact_stop_mode;
+        if (row.function != Function::feed_control) continue;
+        if (row.arg == inner_corners) modes.corners = CornerSpeed::inner_slower;
+        if (row.arg == without_slowing) modes.corners = CornerSpeed::kept;
       }
     }
     return modes;

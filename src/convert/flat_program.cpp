@@ -120,7 +120,8 @@ void FlatProgram::pass(const Action& action) {
     system_ = m->system, side_ = m->side;
     if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = source_unit_ = m->unit;
     if (is_arc(m->kind) || m->side != 0) plane_ = plane_of(*m, axes_);
-    if (m->kind != MotionKind::rapid) tolerance_ = m->tolerance;
+    if (m->kind != MotionKind::rapid) tolerance_ = m->tolerance, corners_ = m->corner_speed;
+    if (m->kind == MotionKind::feed && !m->exact) smoothing_ = m->smoothing;
   } else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
     placement_ = frame->placement;
     said_origin_ = placement_.origin;
@@ -142,6 +143,7 @@ Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
   system_is_said_ = true;
   known_ = 0, code_ = Function::count, feed_ = -1;
   relative_ = before.incremental;
+  corners_ = before.corners, smoothing_before_ = smoothing_;
   if (before.inch) KADR_TRY(blocks_.code({{Function::millimetre, any_argument}}));
   return blocks_.end();
 }
@@ -151,7 +153,9 @@ Status FlatProgram::close(const FlatBefore& after) {
   if (unit_ && unit_ != source_unit_ &&
       (source_unit_ != FeedUnit::mm_per_rev || row_that_does(blocks_.def(), {{Function::feed_per_revolution, any_argument}}) != nullptr))
     KADR_TRY(feed_unit(source_unit_));
-  if (has_stop_modes() && is_exact_ != after.exact) KADR_TRY(stop_mode(after.exact));
+  if (modes_.speeds && !after.exact && corners_ != after.corners) KADR_TRY(corner_mode(after.corners));
+  else if (has_stop_modes() && is_exact_ != after.exact) KADR_TRY(stop_mode(after.exact));
+  if (modes_.smoothing && smoothing_ != smoothing_before_) KADR_TRY(smoothing_mode(smoothing_before_));
   if (after.inch) KADR_TRY(blocks_.code({{Function::inch, any_argument}}));
   return blocks_.end();
 }
@@ -217,6 +221,7 @@ Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
 Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInForce& now) {
   if (has_acts_) KADR_TRY(end_block());
   if (std::exchange(has_probed_, has_probed_ || motion.kind == MotionKind::probe) && !after_probe_allowed_) return no_code("probe");
+  KADR_TRY(smoothing(motion));
   KADR_TRY(said_before(motion, now));
   KADR_TRY(said_with(motion, now));
   const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
@@ -226,6 +231,7 @@ Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInFor
     case MotionKind::home: KADR_TRY(is_in_machine(motion) ? machine_motion(motion) : straight(Function::rapid, motion)); break;
     case MotionKind::feed:
       KADR_TRY(rounding(motion));
+      KADR_TRY(corners(motion));
       KADR_TRY(end_of_motion(motion.exact));
       KADR_TRY(feed(motion));
       KADR_TRY(straight(Function::linear, motion));
@@ -233,6 +239,7 @@ Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInFor
     case MotionKind::arc_cw:
     case MotionKind::arc_ccw:
       KADR_TRY(rounding(motion));
+      KADR_TRY(corners(motion));
       KADR_TRY(feed(motion));
       KADR_TRY(arc(motion));
       break;
@@ -310,10 +317,12 @@ Status FlatProgram::arc(const Motion& motion) {
   const Vec2 centre{on_machine[first], on_machine[second]};
   const Function function = motion.kind == MotionKind::arc_cw ? Function::arc_cw : Function::arc_ccw;
   const int turns = std::max(1, int(std::ceil(motion.turns - tol::whole_number))), pieces = is_said_by_lead(motion, turns) ? 1 : turns;
-  if (pieces > most_turns) return no_code("arc_cw");
   const Axes from = at_;
-  const double radius = std::hypot(from[first] - centre.x, from[second] - centre.y),
-               begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
+  const Arms arms{std::hypot(from[first] - centre.x, from[second] - centre.y),
+                  std::hypot(motion.machine[first] - centre.x, motion.machine[second] - centre.y)};
+  if (is_spiral(arms)) return spiral(motion, centre, arms);
+  if (pieces > most_turns) return no_code("arc_cw");
+  const double radius = arms.begin, begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
   const double sense = function == Function::arc_ccw ? 1 : -1;
   for (int i = 1; i <= pieces; ++i) {  // each turn by itself, all of the same angle
     Axes end = motion.machine;

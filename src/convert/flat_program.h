@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "action/step.h"
+#include "compare/path_modes.h"
 #include "convert/block_maker.h"
 
 namespace kadr {
@@ -34,6 +35,7 @@ struct OffsetsInForce {
 struct FlatBefore {
   bool incremental = false, inch = false;
   bool exact = false;  // exact stop mode
+  CornerSpeed corners = CornerSpeed::limited;
 };
 
 /// What is known of the program that is converted.
@@ -50,7 +52,7 @@ struct FlatSource {
 class FlatProgram {
  public:
   FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way)
-      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way) {}
+      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way), modes_(path_modes_of(blocks.def())) {}
 
   /// Where the axes stand at the beginning, and the zero in force.
   Status begin(const ToolPosition& stand, const Placement& placement);
@@ -84,6 +86,11 @@ class FlatProgram {
   Status straight(Function function, const Motion& motion);
   Status axis_words(const Motion& motion);
   Status arc(const Motion& motion);
+  struct Arms {
+    double begin = 0, end = 0;  // radii, mm
+  };
+  bool is_spiral(const Arms& arms) const;
+  Status spiral(const Motion& motion, Vec2 centre, const Arms& arms);
   Status one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns);
   bool is_said_by_lead(const Motion& motion, int turns) const;
   double rise_of(std::size_t axis, const Axes& to) const;
@@ -97,6 +104,10 @@ class FlatProgram {
   Status stop_mode(bool exact);
   Status end_of_motion(bool exact);
   Status rounding(const Motion& motion);
+  Status corners(const Motion& motion);
+  Status corner_mode(CornerSpeed corners);
+  Status smoothing(const Motion& motion);
+  Status smoothing_mode(std::uint8_t smoothing);
   Status spindle(const Spindle& spindle);
   Status spindle_on();
   Status speed(const Speed& speed);
@@ -119,6 +130,7 @@ class FlatProgram {
   const FlatSource source_;
   const std::vector<std::string>& axes_;
   const FlatWay way_;
+  const PathModes modes_;  // of the other control
 
   Axes at_{};  // machine coordinates
   Placement placement_;
@@ -143,9 +155,11 @@ class FlatProgram {
   Coolant coolant_ = Coolant::off;
   double said_length_ = 0;  // mm, by word
   bool surface_ = false, has_acts_ = false;
-  bool is_exact_ = false;         // exact stop mode
-  double tolerance_ = 0;          // mm that corners may be rounded by
-  bool wants_direction_ = false;  // S stands in the block, and M3 or M4 must beside it
+  bool is_exact_ = false;  // exact stop mode
+  double tolerance_ = 0;   // mm that corners may be rounded by
+  CornerSpeed corners_ = CornerSpeed::limited;
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1; in the blocks that are said otherwise
+  bool wants_direction_ = false;                       // S stands in the block, and M3 or M4 must beside it
 };
 
 }  // namespace kadr

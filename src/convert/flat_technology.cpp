@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compare/path_modes.h"
 #include "config/machine_codes.h"
 #include "convert/code_match.h"
 #include "convert/source_setup.h"
@@ -164,6 +163,7 @@ bool FlatProgram::has_stop_modes() const {
 Status FlatProgram::stop_mode(bool exact) {
   is_exact_ = exact;
   tolerance_ = 0;
+  corners_ = CornerSpeed::limited;
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(go_on_codes);
 }
 
@@ -180,10 +180,39 @@ Status FlatProgram::end_of_motion(bool exact) {
 Status FlatProgram::rounding(const Motion& motion) {
   if (motion.exact || motion.tolerance == tolerance_) return {};
   tolerance_ = motion.tolerance;
-  if (!path_modes_of(blocks_.def()).tolerance) return {};
+  if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
   return tolerance_ > 0 ? blocks_.word('P', tolerance_) : Status();
+}
+
+/// G62, G63 and back: in the block of the motion.
+Status FlatProgram::corners(const Motion& motion) {
+  if (motion.corner_speed == corners_ || !modes_.speeds) return {};
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // it takes their place
+  return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
+}
+
+Status FlatProgram::corner_mode(CornerSpeed corners) {
+  constexpr int by[] = {continuous_cutting, inner_corners, without_slowing};
+  corners_ = corners;
+  is_exact_ = false;
+  return blocks_.code({{Function::feed_control, by[std::size_t(corners)]}});
+}
+
+/// G5.1, before the block of the motion. Straight motions alone can be smoothed (nct 4.7); Q1 puts short ones together.
+Status FlatProgram::smoothing(const Motion& motion) {
+  if (motion.kind != MotionKind::feed || motion.exact || !modes_.smoothing) return {};
+  const std::uint8_t wanted = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
+  return wanted == smoothing_ ? Status() : smoothing_mode(wanted);
+}
+
+Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {
+  KADR_TRY(end_block());
+  smoothing_ = smoothing;
+  KADR_TRY(blocks_.code({{Function::smoothing, any_argument}}));
+  KADR_TRY(blocks_.word('Q', smoothing));
+  return blocks_.end();
 }
 
 /// M codes are those that the tables say, or go through under their number where the other control hands that number to its machine too.

@@ -13,8 +13,8 @@
 namespace kadr {
 namespace {
 
-constexpr int most_nested = 3;                                               // DO1 to DO3
-constexpr std::uint32_t first_named = 8000;                                  // subprograms with names
+constexpr int most_nested = 3;                                                   // DO1 to DO3
+constexpr std::uint32_t first_named = 8000;                                      // subprograms with names
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // variables (spec/fanuc 5.1)
 
 Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
@@ -35,6 +35,14 @@ std::string_view behind_word(const Block& block) {
   return trimmed(rest);
 }
 
+/// "12" of o12, "<name>" of O< Name >: letters' case and blanks do not count.
+std::string label_of(std::string_view word) {
+  std::string label;
+  for (const char c : word.substr(std::min<std::size_t>(1, word.size())))
+    if (c != ' ' && c != '\t') label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return label;
+}
+
 /// The end of a bracket that begins there.
 std::size_t end_of_bracket(std::string_view text) {
   int depth = 0;
@@ -47,23 +55,32 @@ std::size_t end_of_bracket(std::string_view text) {
 
 }  // namespace
 
-bool FlowRewriter::begins_subprogram(const Block& block) { return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::sub; }
-bool FlowRewriter::ends_subprogram(const Block& block) { return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::endsub; }
+bool FlowRewriter::begins_subprogram(const Block& block) {
+  return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::sub;
+}
+bool FlowRewriter::ends_subprogram(const Block& block) {
+  return block.statement.kind == StatementKind::o_word && block.statement.o_word == OWord::endsub;
+}
 
 Status FlowRewriter::write(const Block& block, BlockMaker& out) {
   const Statement& s = block.statement;
   const std::string_view label = block.text_of(s.label_where), rest = behind_word(block);
   const bool has_macros = to_.grammar.macro;
   switch (s.o_word) {
-    case OWord::label: return line(fmt::format("O{}", number_of(label)), out);
+    case OWord::label:
+      if (has_sections()) return no_way("O");
+      return line(fmt::format("O{}", number_of(label)), out);
     case OWord::sub:
       scope_ = label;
+      if (has_sections()) return begin_section(label_of(label), out);
       return line(fmt::format("O{}", number_of(label)), out);
     case OWord::endsub:
     case OWord::return_: {
       if (s.o_word == OWord::endsub) scope_.clear(), open_.clear();
       if (!rest.empty()) return no_way("return [ ]");
-      return out.code({{Function::return_program, any_argument}, {Function::subprogram_return, any_argument}, {Function::subprogram_end, any_argument}});
+      return out.code({{Function::return_program, any_argument},
+                       {Function::subprogram_return, any_argument},
+                       {Function::subprogram_end, any_argument}});
     }
     case OWord::call: return call(label, rest, out);
     default: break;
@@ -91,10 +108,14 @@ Status FlowRewriter::line(const std::string& text, BlockMaker& out) const {
   out.text(text);
   return out.end();
 }
-Status FlowRewriter::label_line(std::uint32_t label, BlockMaker& out) const { return label == 0 ? Status() : line(fmt::format("N{}", label), out); }
+Status FlowRewriter::label_line(std::uint32_t label, BlockMaker& out) const {
+  return label == 0 ? Status() : line(fmt::format("N{}", label), out);
+}
 
 Status FlowRewriter::begin_loop(Open open, std::string_view condition, BlockMaker& out) {
-  const auto nested = [this] { return 1 + static_cast<int>(std::count_if(open_.begin(), open_.end(), [](const Open& one) { return one.loop != 0; })); };
+  const auto nested = [this] {
+    return 1 + static_cast<int>(std::count_if(open_.begin(), open_.end(), [](const Open& one) { return one.loop != 0; }));
+  };
   if (open.word == OWord::if_) {
     const auto otherwise = not_that(condition);
     if (!otherwise) return fail(otherwise.error());
@@ -170,6 +191,7 @@ Status FlowRewriter::leave(bool goes_on, BlockMaker& out) {
 }
 
 Status FlowRewriter::call(std::string_view label, std::string_view arguments, BlockMaker& out) {
+  if (arguments.empty() && has_sections()) return call_in_section(label_of(label), 1, out);
   if (arguments.empty() && !to_.grammar.macro) {
     KADR_TRY(out.code({{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}}));
     out.text(fmt::format("P{}", number_of(label)));
@@ -188,11 +210,42 @@ Status FlowRewriter::call(std::string_view label, std::string_view arguments, Bl
   return {};
 }
 
+Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
+  const auto number = sections_.of(label);
+  if (!number) return no_way("L");
+  out.begin_section(*number);
+  return {};
+}
+
+/// The block's other words act before (spec/s2c42 3).
+Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out) {
+  const auto call = sections_.call(label, times);
+  if (!call) return no_way("L");
+  out.text(*call);
+  return out.end();
+}
+
+Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
+  constexpr double most_label = 9999;  // more digits: times and label together (spec/fanuc 9.1)
+  std::optional<std::uint32_t> label;
+  std::uint32_t times = 1;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& one = block.words[i];
+    const bool is_count = one.code < 0 && !one.expression && one.value >= 0 && one.value <= most_label;
+    if (is_count && one.address == 'P') label = static_cast<std::uint32_t>(one.value);
+    else if (is_count && one.address == 'L') times = static_cast<std::uint32_t>(one.value);
+    else if (one.address != 'M' && one.address != 'N') return no_way(block.text_of(block.where));
+  }
+  if (!label || block.word_count > 3 + (block.has('N') ? 1U : 0U)) return no_way(block.text_of(block.where));
+  return call_in_section(std::to_string(*label), times, out);
+}
+
 /// Of a comparison the opposite one; of anything else that it is 0.
 Result<std::string> FlowRewriter::not_that(std::string_view condition) {
   auto text = expression(condition);
   if (!text) return text;
-  constexpr std::array<std::array<std::string_view, 2>, 6> opposite = {{{"EQ", "NE"}, {"NE", "EQ"}, {"GT", "LE"}, {"LE", "GT"}, {"LT", "GE"}, {"GE", "LT"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 6> opposite = {
+      {{"EQ", "NE"}, {"NE", "EQ"}, {"GT", "LE"}, {"LE", "GT"}, {"LT", "GE"}, {"GE", "LT"}}};
   int depth = 0;
   std::size_t found = std::string::npos;
   const std::array<std::string_view, 2>* by = nullptr;
@@ -208,8 +261,10 @@ Result<std::string> FlowRewriter::not_that(std::string_view condition) {
   return text->replace(found, 2, (*by)[1]);
 }
 
-std::uint32_t FlowRewriter::number_of(std::string_view label) {
-  if (!label.empty() && std::all_of(label.begin(), label.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) && label.size() < 6) return static_cast<std::uint32_t>(std::stoul(std::string(label)));
+std::uint32_t FlowRewriter::number_of(std::string_view word) {
+  const std::string label = label_of(word);
+  if (std::all_of(label.begin(), label.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) && !label.empty() && label.size() < 6)
+    return static_cast<std::uint32_t>(std::stoul(label));
   return labels_.emplace(label, first_named + static_cast<std::uint32_t>(labels_.size())).first->second;
 }
 

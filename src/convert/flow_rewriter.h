@@ -1,6 +1,6 @@
 #pragma once
-// FlowRewriter: loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc 5, nct 23),
-// and named variables as numbered ones.
+// FlowRewriter: loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc 5, nct
+// 23), and named variables as numbered ones.
 
 #include <cstdint>
 #include <map>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "convert/block_maker.h"
+#include "convert/section_numbers.h"
 #include "convert/variable_numbers.h"
 #include "lang/block/block.h"
 
@@ -21,7 +22,7 @@ inline constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF
 class FlowRewriter {
  public:
   /// Of O lines: `to` has macros, or subprograms under labels at least.
-  FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to) {}
+  FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to), sections_(to) {}
 
   /// Numbers of variables that the program uses itself.
   void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
@@ -35,7 +36,17 @@ class FlowRewriter {
   static bool begins_subprogram(const Block& block);
   static bool ends_subprogram(const Block& block);
 
+  /// The other control's subprograms stand in a section before the program.
+  bool has_sections() const { return sections_.are_there(); }
+  /// There: what follows is the subprogram of that label.
+  ///   alarms  function_has_no_code  no number is left
+  Status begin_section(const std::string& label, BlockMaker& out);
+  /// M98 P2 L5 as L0205.
+  ///   alarms  function_has_no_code  other words stand beside it
+  Status call_in_section(const Block& block, BlockMaker& out);
+
  private:
+  Status call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out);
   struct Open {
     OWord word;
     int loop = 0;                      // m of DOm
@@ -57,6 +68,7 @@ class FlowRewriter {
   const ControlDef& from_;
   const ControlDef& to_;
   const VariableNumbers numbers_;
+  SectionNumbers sections_;
   std::vector<Open> open_;
   std::map<std::string, std::uint32_t> labels_;     // of subprograms with names
   std::map<std::string, std::uint32_t> variables_;  // by scope and name

@@ -58,7 +58,7 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     if (got && *got == BlockReader::Got::end) break;
     lines_ = block.position.line;
     if (got && !take_plain(block)) take(block, def);
-    if (last_block_ != block.position.line) blocks_.push_back(block.position.line);
+    note_block(block.position.line);
     last_block_ = block.position.line;
   }
   close_subprogram();
@@ -263,9 +263,14 @@ std::vector<std::uint32_t> ProgramShape::calls_outside() const {
   return lines;
 }
 
+void ProgramShape::note_block(std::uint32_t line) {
+  if (blocks_.empty() || blocks_.back().last + 1 < line) blocks_.push_back({line, line});
+  else blocks_.back().last = line;
+}
+
 std::uint32_t ProgramShape::block_before(std::uint32_t line) const {
-  const auto at = std::lower_bound(blocks_.begin(), blocks_.end(), line);
-  return at == blocks_.begin() ? 0 : *std::prev(at);
+  const auto at = std::partition_point(blocks_.begin(), blocks_.end(), [line](const TextLines& run) { return run.first < line; });
+  return at == blocks_.begin() ? 0 : std::min(std::prev(at)->last, line - 1);
 }
 
 std::optional<TextLines> ProgramShape::loop_around(TextLines lines) const {

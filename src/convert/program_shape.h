@@ -67,6 +67,7 @@ class ProgramShape {
   std::uint32_t lines() const { return lines_; }
 
  private:
+  void note_block(std::uint32_t line);
   bool take_plain(const Block& block);
   void take(const Block& block, const ControlDef& def);
   void note_flow(Function function, std::uint32_t line);
@@ -80,7 +81,7 @@ class ProgramShape {
   void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
-  std::vector<std::uint32_t> blocks_;  // lines with blocks
+  std::vector<TextLines> blocks_;  // lines with blocks, those that follow each other together
   std::vector<std::uint32_t> edges_, transforms_;
   std::vector<TextLines> loops_, contours_;
   std::map<std::uint32_t, TextLines> subprograms_;       // by label

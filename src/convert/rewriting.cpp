@@ -2,6 +2,8 @@
 
 #include "convert/rewriting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -46,7 +48,6 @@ class Rewriter {
   Result<Rewritten> write() {
     words_.set_used(spec_.used_variables);
     words_.set_macros(spec_.macros);
-    made_.lines.reserve(spec_.lines + 8);
     blocks_.begin();
     bool has_begun = false;
     while (!spec_.stop.asked()) {
@@ -74,8 +75,10 @@ class Rewriter {
       else if (!is_left_out(line)) block_or_subprogram(line);
     }
     lines_before(~std::uint32_t{0});
+    leave_subprogram();
     if (!is_over_) end_program();
-    write_tail();
+    if (spec_.to->grammar.section_address != 0) write_head();
+    else write_tail();
     if (is_full_) return fail(too_long());
     return std::move(made_);
   }
@@ -87,21 +90,37 @@ class Rewriter {
     if (in_section_ || in_subprogram_) {  // subprograms stand behind the end elsewhere
       tail_ += text, tail_lines_.push_back(source_line_);
     } else {
-      made_.lines.push_back(source_line_);
+      made_.lines.add(source_line_);
       is_full_ = !put_(text);
     }
     return !is_full_;
   }
-  /// Subprograms of O lines stand behind the end elsewhere.
+  /// Subprograms of O lines stand behind the end elsewhere; where sections are, all of them before the beginning.
   void block_or_subprogram(std::uint32_t line) {
-    if (!spec_.to->grammar.o_words && FlowRewriter::begins_subprogram(block_)) in_subprogram_ = true;
+    const bool is_label = spec_.to->grammar.section_address != 0 && block_.marker == Marker::label;
+    if (is_label) leave_subprogram();
+    if (is_label || (!spec_.to->grammar.o_words && FlowRewriter::begins_subprogram(block_))) in_subprogram_ = true;
     block(line);
-    if (FlowRewriter::ends_subprogram(block_)) in_subprogram_ = false;
+    if (FlowRewriter::ends_subprogram(block_)) leave_subprogram();
+  }
+  void leave_subprogram() {
+    if (std::exchange(in_subprogram_, false)) last_in_section_ = blocks_.end_section();
+  }
+  /// Before the program: `L` alone, the subprograms, M2 (spec/s2c42 3).
+  void write_head() {
+    if (tail_.empty()) return;
+    const LineOrigins of_program = std::exchange(made_.lines, {});
+    const auto end = code_of(*spec_.to, {{Function::program_end, any_argument}, {Function::tape_end, any_argument}});
+    made_.head = fmt::format("{}\n{}N{:05} {}\n", spec_.to->grammar.section_address, tail_, last_in_section_ + 1, end.value_or(""));
+    made_.lines.add(tail_lines_.front());
+    for (const std::uint32_t line : tail_lines_) made_.lines.add(line);
+    made_.lines.add(tail_lines_.back());
+    made_.lines.add(of_program);
   }
   void write_tail() {
     in_section_ = in_subprogram_ = false;
     is_full_ = !put_(tail_) || is_full_;
-    made_.lines.insert(made_.lines.end(), tail_lines_.begin(), tail_lines_.end());
+    for (const std::uint32_t line : tail_lines_) made_.lines.add(line);
   }
 
   /// Of subprograms of the 2С42 (spec/s2c42 6): N02001 begins O2.
@@ -216,10 +235,18 @@ class Rewriter {
     std::string_view rest = place.text;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
-      (void)say(rest.substr(0, end));
+      if (in_subprogram_ && spec_.to->grammar.section_address != 0) say_in_section(rest.substr(0, end));
+      else (void)say(rest.substr(0, end));
       rest.remove_prefix(end);
     }
     words_.say_again();
+  }
+
+  /// A block with another number.
+  void say_in_section(std::string_view line) {
+    if (line.starts_with('N')) line.remove_prefix(std::min(line.find(' '), line.size() - 1) + 1);
+    blocks_.text(line.substr(0, line.find('\n')));
+    if (const Status status = blocks_.end(); !status) unsaid(status.error());
   }
 
   void unsaid(const Alarm& why) {
@@ -237,14 +264,21 @@ class Rewriter {
   Block block_;
   const FlatPlace* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
-  Position passed_{0, 0, 0};  // of a line that raw_ has not read; line 0: none
-  std::uint32_t label_ = 0;   // of the subprogram in a section
+  Position passed_{0, 0, 0};           // of a line that raw_ has not read; line 0: none
+  std::uint32_t label_ = 0;            // of the subprogram in a section
+  std::uint32_t last_in_section_ = 0;  // number of the last block of the other control's section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false;
 };
 
 }  // namespace
+
+std::uint32_t LineOrigins::of(std::uint32_t line) const {
+  if (line == 0 || line > count_) return 0;
+  const auto after = std::partition_point(stretches_.begin(), stretches_.end(), [line](const Stretch& one) { return one.made < line; });
+  return std::prev(after)->source + (line - 1 - std::prev(after)->made);
+}
 
 Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put) { return Rewriter(spec, put).write(); }
 

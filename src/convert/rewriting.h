@@ -29,15 +29,39 @@ struct RewriteSpec {
   const std::vector<TextLines>* left_out = nullptr;  // subprograms that nobody calls any more
   std::set<std::uint32_t> used_variables{};          // by their numbers
   MacroShape macros{};
-  std::size_t lines = 0;  // of the source, about
   StopToken stop{};
   bool ends_early = false;  // some way behind the last line that cannot be said: it is written anew anyway
   bool russian = false;     // what is said about it
 };
 
+/// Lines of the source by lines of the text that is made of it: stretches, for most lines follow each other in both.
+class LineOrigins {
+ public:
+  /// The next line of the text is made of that line.
+  void add(std::uint32_t source) {
+    if (stretches_.empty() || source != stretches_.back().source + (count_ - stretches_.back().made))
+      stretches_.push_back({count_, source});
+    ++count_;
+  }
+  /// The lines of another text follow.
+  void add(const LineOrigins& others) {
+    for (std::uint32_t line = 1; line <= others.count_; ++line) add(others.of(line));
+  }
+  /// Of a line of the text, from 1; 0: there is none.
+  std::uint32_t of(std::uint32_t line) const;
+
+ private:
+  struct Stretch {
+    std::uint32_t made = 0, source = 0;  // from 0; from 1
+  };
+  std::vector<Stretch> stretches_;
+  std::uint32_t count_ = 0;
+};
+
 struct Rewritten {
   std::vector<UnsaidLine> unsaid;
-  std::vector<std::uint32_t> lines;  // of the source, by line of the text, from 0
+  LineOrigins lines;  // of the source, by line of the text with its head
+  std::string head;   // that stands before what has been put: a section of subprograms
 };
 
 /// Lines that cannot be said are left out and told; of a text that ends early not all.

@@ -9,11 +9,13 @@ namespace kadr {
 std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
   std::vector<std::string> found;
   names_rows_ = next_ > line;  // it comes again: nobody has looked
-  for (; next_ <= line && at_ < text_.size(); ++next_) {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    std::string_view rest = text_.substr(at_, end - at_);
-    at_ = end + 1;
-    names_rows_ = names_rows_ || rest.find_first_of("HDTLMhdtlm#[") != std::string_view::npos || rest.find("G4") != std::string_view::npos || rest.find("g4") != std::string_view::npos;
+  Line read;
+  for (; next_ <= line && !is_over_; ++next_) {
+    is_over_ = !reader_.next(read);
+    if (is_over_) break;
+    std::string_view rest = read.bytes;
+    names_rows_ = names_rows_ || rest.find_first_of("HDTLMhdtlm#[") != std::string_view::npos ||
+                  rest.find("G4") != std::string_view::npos || rest.find("g4") != std::string_view::npos;
     while (!rest.empty()) {
       const std::size_t open = rest.find_first_of("(;");
       if (open == std::string_view::npos) break;

@@ -1,16 +1,18 @@
 #pragma once
 // Comments of a program in the order of its lines, whatever control it is for: what stands in round brackets, or behind a semicolon.
 
+#include <memory>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "lang/text/line_reader.h"
 
 namespace kadr {
 
 class SourceComments {
  public:
-  /// `text` must outlive this.
-  explicit SourceComments(std::string_view text) : text_(text) {}
+  explicit SourceComments(std::shared_ptr<ByteSource> text) : reader_(std::move(text)) {}
   /// Those of the lines that have not been asked for yet, up to this one.
   std::vector<std::string> up_to(std::uint32_t line);
   std::vector<std::string> rest() { return up_to(~std::uint32_t{0}); }
@@ -18,9 +20,9 @@ class SourceComments {
   bool names_rows() const { return names_rows_; }
 
  private:
-  std::string_view text_;
-  std::size_t at_ = 0;
+  LineReader reader_;
   std::uint32_t next_ = 1;  // line
+  bool is_over_ = false;
   bool names_rows_ = true;
 };
 

@@ -9,6 +9,7 @@
 #include "config/machine_codes.h"
 #include "config/setup_check.h"
 #include "config/setup_names.h"
+#include "convert/variable_numbers.h"
 #include "out/program/codes.h"
 
 namespace kadr {
@@ -73,13 +74,16 @@ void take_spindles(Setup& made, const Setup& setup, const ControlDef& from, cons
 
 void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to, const KnownAxes& axes,
                  const ProgramNames& names) {
-  if (has_key(to, "offsets")) made.offsets = setup.offsets;
-  if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
-    for (const std::uint32_t tool : names.tools) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
   const SetupNamesOf known(&to, to.axes, to.axes);
+  for (const auto& [number, offset] : setup.offsets)
+    if (has_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
+  if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
+    for (const std::uint32_t tool : names.tools)
+      if (known.allows(SetupNames::offset, std::to_string(tool))) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
+  const VariableNumbers numbers(from, to);
   if (has_key(to, "variables"))
     for (const auto& [name, value] : setup.variables)
-      if (known.allows(SetupNames::variable, name)) made.variables[name] = value;
+      if (const auto there = numbers.given(name); there && known.allows(SetupNames::variable, *there)) made.variables[*there] = value;
   const std::map<int, AxisValues> zeros = zeros_of(setup, from);
   if (has_key(to, "zeros")) {
     for (const auto& [number, values] : zeros)

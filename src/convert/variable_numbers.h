@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "config/control_def.h"
 
@@ -17,6 +18,9 @@ class VariableNumbers {
 
   /// Nothing: the other control has no such variable.
   std::optional<std::uint32_t> of(std::uint32_t number) const;
+
+  /// The name there of one that a set-up gives a value: "#100"; nothing: none that can be given one.
+  std::optional<std::string> given(const std::string& name) const;
 
  private:
   const ControlDef& from_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "convert/rewriting.h"
+#include "lang/text/text_spool.h"
 
 namespace kadr {
 namespace {
@@ -41,11 +42,17 @@ class WordByWord {
   }
 
  private:
-  std::shared_ptr<ByteSource> source_text() const { return shared_text_source(spec_.source_text); }
+  static std::shared_ptr<ByteSource> with_head(const std::string& head, std::shared_ptr<ByteSource> text) {
+    if (head.empty()) return text;
+    TextSpool whole;
+    whole.append(head);
+    (void)each_piece(*text, [&](std::string_view piece) { return whole.append(piece), true; });
+    return whole.source();
+  }
 
   /// True: more must be written out.
   tl::expected<bool, std::string> one_round(bool ends_early) {
-    made_.text = std::make_shared<std::string>(), made_.cannot_say.reset(), made_.proof = {};
+    made_.text = text_source({}), made_.cannot_say.reset(), made_.proof = {};
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
       for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
@@ -63,22 +70,15 @@ class WordByWord {
           return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
         }
     }
-    const RewriteSpec rewriting{source_text(),
-                                from_,
-                                spec_.to,
-                                &places,
-                                &left_out_,
-                                shape_.variables(),
-                                shape_.macros(),
-                                shape_.lines(),
-                                spec_.stop,
-                                ends_early,
-                                shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
-    const auto text = std::make_shared<std::string>();
-    text->reserve(spec_.source_text->size() + spec_.source_text->size() / 2);
-    const auto written = rewrite(rewriting, [&text](std::string_view line) { return text->append(line).size() <= most_made; });
+    const RewriteSpec rewriting{spec_.source_text, from_,
+                                spec_.to,          &places,
+                                &left_out_,        shape_.variables(),
+                                shape_.macros(),   spec_.stop,
+                                ends_early,        shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
+    TextSpool text;
+    const auto written = rewrite(rewriting, [&text](std::string_view line) { return text.append(line), text.size() <= most_made; });
     if (!written) return unsayable(written.error(), 0), false;
-    made_.text = text;
+    made_.text = with_head(written->head, text.source());
     if (!written->unsaid.empty()) return write_out_unsaid(*written);
     return prove(*written);
   }
@@ -126,14 +126,13 @@ class WordByWord {
 
   /// The line of the program at which both part.
   std::optional<std::uint32_t> place_of_failure(const Rewritten& written) const {
-    const auto of_target = [&](std::uint32_t line) { return line >= 1 && line <= written.lines.size() ? written.lines[line - 1] : 0; };
     const Comparison& proof = made_.proof;
     std::uint32_t line = 0;
-    if (proof.stopped_b && proof.differences.size() < 2) line = of_target(proof.stopped_b->origin.line);
+    if (proof.stopped_b && proof.differences.size() < 2) line = written.lines.of(proof.stopped_b->origin.line);
     if (line == 0 && !proof.differences.empty()) {
       const CourseDifference& first = proof.differences.front();
       line = first.a.origin.file == 0 ? first.a.origin.line : 0;
-      if (line == 0) line = of_target(first.b.origin.line);
+      if (line == 0) line = written.lines.of(first.b.origin.line);
     }
     return line == 0 ? std::nullopt : std::optional(line);
   }

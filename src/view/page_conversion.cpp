@@ -8,6 +8,7 @@
 #include "compare/comparison_text.h"
 #include "config/control_file.h"
 #include "convert/conversion_text.h"
+#include "lang/text/text_spool.h"
 #include "view/page_inside.h"
 
 namespace kadr {
@@ -18,17 +19,17 @@ class PageConversion {
   PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
       : from_(std::move(from)), to_(std::move(to)), stop_(std::move(stop)) {}
 
-  tl::expected<Converted, std::string> make(std::string text, bool flat) const {
+  tl::expected<Converted, std::string> make(std::shared_ptr<ByteSource> text, bool flat) const {
     ConversionSpec spec;
     spec.to = to_.get();
     spec.flat = flat;
     spec.stop = stop_;
     spec.tolerance = usual_tolerance(*from_.def, *to_);
-    spec.source_text = std::make_shared<const std::string>(std::move(text));
+    spec.source_text = std::move(text);
     spec.source = [this] { return source(from_.setup); };
     if (Setup elsewhere = from_.setup; probe_elsewhere(elsewhere))
       spec.elsewhere = [this, elsewhere = std::move(elsewhere)] { return source(elsewhere); };
-    spec.target = [this](std::shared_ptr<const std::string> made, const Setup& setup) { return target(std::move(made), setup); };
+    spec.target = [this](std::shared_ptr<ByteSource> made, const Setup& setup) { return target(std::move(made), setup); };
     return converted(spec);
   }
   const ControlDef& from() const { return *from_.def; }
@@ -49,8 +50,8 @@ class PageConversion {
     return std::move(*session);
   }
 
-  Side target(std::shared_ptr<const std::string> text, const Setup& setup) const {
-    SessionSpec spec = from_.spec({from_.path, shared_text_source(std::move(text)), Encoding::utf8}, stop_);
+  Side target(std::shared_ptr<ByteSource> text, const Setup& setup) const {
+    SessionSpec spec = from_.spec({from_.path, shared_source(std::move(text)), Encoding::utf8}, stop_);
     spec.control = to_;
     spec.setup = setup;
     auto session = Session::open(std::move(spec));
@@ -122,7 +123,7 @@ PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, co
           {"file_name", why.file.empty() ? std::string() : folder.shown(why.file)},
           {"line_text", line.empty() ? std::string() : clipped(std::move(line.front()))},
           {"written_line", why.written_line},
-          {"written_text", why.written_line == 0 ? std::string() : line_of_text(*one.text, why.written_line)}};
+          {"written_text", why.written_line == 0 ? std::string() : line_of_text(whole_text(*one.text), why.written_line)}};
 }
 
 /// "flange.nc" → "flange-mach3.nc".
@@ -142,7 +143,7 @@ PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides
 
 PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& setup, std::string name) {
   return {{"proven", is_proven},         {"as", name_of(one.as)},
-          {"way", way_in_words(one.as)}, {"program", is_proven ? *one.text : unproven_mark() + *one.text},
+          {"way", way_in_words(one.as)}, {"program", (is_proven ? std::string() : unproven_mark()) + whole_text(*one.text)},
           {"setup", setup_text(setup)},  {"name", std::move(name)}};
 }
 
@@ -164,7 +165,7 @@ PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& questio
                                      : open_text(wish->path, opened->encoding, &server.folder));
   if (text.bytes() > most_converted) return not_converted(too_long_for_the_page());
   const PageConversion conversion(*opened, std::make_shared<const ControlDef>(std::move(*to)), token());
-  const auto made = conversion.make(text.whole(), question.value("flat", false));
+  const auto made = conversion.make(text_source(text.whole()), question.value("flat", false));
   if (stops) return not_converted(told("interrupted", "прервано"));
   if (!made) return not_converted(made.error());
   return conversion_answer(conversion, *made, text, question);

@@ -3,8 +3,43 @@
 #include "view/source_text.h"
 
 #include <algorithm>
+#include <cstring>
+
+#include "lang/text/text_spool.h"
 
 namespace kadr {
+namespace {
+
+/// What is damaged is shown as U+FFFD, so that what the page gets is UTF-8.
+void append_line(std::string_view bytes, Encoding encoding, std::string& text) {
+  while (!bytes.empty()) {
+    const Status read = append_utf8(bytes, encoding, text);
+    if (read) break;
+    bytes.remove_prefix(std::min<std::size_t>(std::max(read.error().where.end, read.error().where.begin + 1), bytes.size()));
+    text += "\xEF\xBF\xBD";
+  }
+}
+
+std::string utf8_of(std::string_view bytes, Encoding encoding) {
+  std::string text;
+  append_line(bytes, encoding, text);
+  return text;
+}
+
+/// ASCII, lines ended by LF alone.
+bool is_plain(std::string_view piece) {
+  constexpr std::uint64_t high_bits = 0x8080808080808080;
+  std::uint64_t any = 0;
+  std::size_t i = 0;
+  for (std::uint64_t eight = 0; i + sizeof eight <= piece.size(); i += sizeof eight) {
+    std::memcpy(&eight, piece.data() + i, sizeof eight);
+    any |= eight;
+  }
+  for (; i < piece.size(); ++i) any |= static_cast<unsigned char>(piece[i]);
+  return (any & high_bits) == 0 && piece.ends_with('\n') && piece.find('\r') == std::string_view::npos;
+}
+
+}  // namespace
 
 SourceText::SourceText(std::shared_ptr<ByteSource> source, std::optional<Encoding> encoding) : source_(std::move(source)) {
   if (!source_) return;
@@ -16,18 +51,6 @@ SourceText::SourceText(std::shared_ptr<ByteSource> source, std::optional<Encodin
 
 std::uint64_t SourceText::bytes() const { return source_ ? source_->size() : 0; }
 
-/// What is damaged is shown as U+FFFD, so that what the page gets is UTF-8.
-std::string SourceText::utf8(std::string_view bytes) const {
-  std::string text;
-  while (!bytes.empty()) {
-    const Status read = append_utf8(bytes, encoding_, text);
-    if (read) break;
-    bytes.remove_prefix(std::min<std::size_t>(std::max(read.error().where.end, read.error().where.begin + 1), bytes.size()));
-    text += "\xEF\xBF\xBD";
-  }
-  return text;
-}
-
 std::vector<std::string> SourceText::from(std::uint32_t line, std::uint32_t count) const {
   std::vector<std::string> texts;
   if (!source_ || line == 0 || line > lines_) return texts;
@@ -35,15 +58,31 @@ std::vector<std::string> SourceText::from(std::uint32_t line, std::uint32_t coun
   const std::uint32_t place = (line - 1) / stretch;
   reader.seek(places_[place], place * stretch + 1);
   for (Line read; texts.size() < count && reader.next(read);)
-    if (read.number >= line) texts.push_back(utf8(read.bytes));
+    if (read.number >= line) texts.push_back(utf8_of(read.bytes, encoding_));
   return texts;
 }
 
 std::string SourceText::whole() const {
   std::string all;
   LineReader reader(source_);
-  for (Line line; reader.next(line);) all += utf8(line.bytes), all += '\n';
+  for (Line line; reader.next(line);) append_line(line.bytes, encoding_, all), all += '\n';
   return all;
+}
+
+std::shared_ptr<ByteSource> utf8_text(OpenedText text) {
+  if (!text.source) return text_source({});
+  const std::shared_ptr<ByteSource> source = std::move(text.source);
+  LineReader reader(source);
+  const Encoding encoding = text.encoding.value_or(detect_encoding(reader.sample()).value_or(Encoding::utf8));
+  if (!is_tape(encoding) && each_piece(*source, is_plain)) return source;
+  TextSpool spool;
+  std::string bytes;
+  for (Line line; reader.next(line);) {
+    bytes.clear();
+    append_line(line.bytes, encoding, bytes);
+    spool.append(bytes += '\n');
+  }
+  return spool.source();
 }
 
 }  // namespace kadr

@@ -26,12 +26,15 @@ class SourceText {
 
  private:
   static constexpr std::uint32_t stretch = 256;  // lines between two places that are kept
-  std::string utf8(std::string_view bytes) const;
 
   std::shared_ptr<ByteSource> source_;
   Encoding encoding_ = Encoding::utf8;
   std::uint32_t lines_ = 0;
   std::vector<std::uint64_t> places_;  // offsets of lines 1, 257, …
 };
+
+/// A program as UTF-8, lines divided by '\n': the text itself where it is that already.
+///   returns  an empty text where there is none
+std::shared_ptr<ByteSource> utf8_text(OpenedText text);
 
 }  // namespace kadr

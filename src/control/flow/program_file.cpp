@@ -58,14 +58,14 @@ Result<BlockReader::Got> ProgramFile::next(Block*& block) {
 KeptBlock* ProgramFile::kept_at(Position place) {
   const bool follows = last_ != nullptr && last_->next == place;
   if (follows && last_->following != nullptr) return last_->following;
-  if (last_ != nullptr && last_->jumped != nullptr && last_->jumped_to == place.offset) return last_->jumped;
-  const auto found = kept_.find(place.offset);
+  if (last_ != nullptr && last_->jumped != nullptr && last_->jumped_to == key_of(place)) return last_->jumped;
+  const auto found = kept_.find(key_of(place));
   if (found == kept_.end()) return nullptr;
   if (follows) {
     last_->following = found->second.get();
   } else if (last_ != nullptr) {
     last_->jumped = found->second.get();
-    last_->jumped_to = place.offset;
+    last_->jumped_to = key_of(place);
   }
   return found->second.get();
 }
@@ -81,7 +81,7 @@ Block* ProgramFile::keep(Position at) {
   entry->next = reader_.position();
   Block* const block = &entry->block;
   last_ = entry.get();
-  kept_.emplace(at.offset, std::move(entry));
+  kept_.emplace(key_of(at), std::move(entry));
   return block;
 }
 
@@ -92,7 +92,7 @@ BlockReader& ProgramFile::scanner() {
 
 std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position from) {
   if (index_) return in_index(number, from, extent_of(from));
-  const std::pair key{from.offset << 16 | from.nth, number};  // a line has at most 64 K blocks
+  const std::pair key{key_of(from), number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const Extent in = extent_of(from);
   const auto found = search(number, from, in);
@@ -193,15 +193,15 @@ std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, P
 
 const Loop* ProgramFile::loop_from(Position position) {
   if (!loops_found_) find_loops();
-  if (last_loop_ != nullptr && last_loop_->begin.offset == position.offset) return last_loop_;
-  const auto found = loops_by_begin_.find(position.offset);
+  if (last_loop_ != nullptr && key_of(last_loop_->begin) == key_of(position)) return last_loop_;
+  const auto found = loops_by_begin_.find(key_of(position));
   return found == loops_by_begin_.end() ? nullptr : &loops_[found->second];
 }
 
 const Loop* ProgramFile::loop_to(Position position) {
   if (!loops_found_) find_loops();
-  if (last_loop_ != nullptr && last_loop_->end.offset == position.offset) return last_loop_;
-  const auto found = loops_by_end_.find(position.offset);
+  if (last_loop_ != nullptr && key_of(last_loop_->end) == key_of(position)) return last_loop_;
+  const auto found = loops_by_end_.find(key_of(position));
   return last_loop_ = found == loops_by_end_.end() ? nullptr : &loops_[found->second];
 }
 
@@ -228,7 +228,7 @@ void ProgramFile::find_loops() {
       loop.begin = block->position;
       loop.body = reader.position();
       loop.damaged = !got;
-      loops_by_begin_.emplace(loop.begin.offset, loops_.size());
+      loops_by_begin_.emplace(key_of(loop.begin), loops_.size());
       open.push_back(loops_.size());
       loops_.push_back(loop);
       continue;
@@ -241,7 +241,7 @@ void ProgramFile::find_loops() {
     loop.behind = reader.position();
     loop.damaged = loop.damaged || !got;
     if (overlaps) loop.fault = AlarmId::loops_overlap;
-    loops_by_end_.emplace(loop.end.offset, *nearest);
+    loops_by_end_.emplace(key_of(loop.end), *nearest);
     open.erase(std::next(nearest).base());
   }
   for (const std::size_t i : open)

@@ -22,7 +22,7 @@ struct KeptBlock {
   Position next;
   KeptBlock* following = nullptr;  // the kept block at `next`
   KeptBlock* jumped = nullptr;     // the one that a jump went to last
-  std::uint64_t jumped_to = 0;     // its offset
+  std::uint64_t jumped_to = 0;     // its key
 };
 
 /// DO … END of a file, paired as they stand in the text.
@@ -109,6 +109,7 @@ class ProgramFile {
   std::optional<Position> search(std::uint32_t number, Position from, const Extent& in);
   std::optional<Position> scan(std::uint32_t number, Position from, Position to);
   void find_loops();
+  static std::uint64_t key_of(Position at) { return at.offset << 16 | at.nth; }  // a line has at most 64 K blocks
   static std::pair<std::uint64_t, std::uint32_t> place_of(Position at) { return {at.offset, at.nth}; }
   Block* keep(Position at);
   KeptBlock* kept_at(Position place);
@@ -123,7 +124,7 @@ class ProgramFile {
   bool moved_ = false;                                                   // … if that is not where the reader is
   Memory memory_;                                                        // but for the reader's
   KeptBlock* last_ = nullptr;                                            // handed out last
-  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line
+  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by key
   std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from: offset, block of the line; number} → place
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
