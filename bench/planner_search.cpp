@@ -24,6 +24,7 @@
 
 #include "config/control_file.h"
 #include "motion/least_time/planner.h"
+#include "motion/time/estimate.h"
 #include "path/curve/machine_path.h"
 #include "session/session.h"
 
@@ -105,6 +106,10 @@ Program read(const std::string& file, const kadr::MotionLimits& limits, double t
   profile.tool_change_s = 0;
   const auto session = std::move(*kadr::Session::open({def, profile, {}, {file, kadr::text_source(text.str()), kadr::Encoding::utf8}}));
   Reader reader(tolerance);
+  const kadr::Control& control = session->control();
+  const std::vector<std::string> axes = control.axes();
+  kadr::TimeEstimate clock(kadr::AxisRoles::of(axes, control.rotary()), kadr::rates_of(profile, {}, axes));
+  session->outlets().clock = &clock;
   session->outlets().step = [&](const kadr::Step& step) { reader.take(step); };
   session->change_outlets();
   if (session->run() != kadr::Session::State::ended) throw std::runtime_error(file + ": it stops");

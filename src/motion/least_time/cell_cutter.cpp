@@ -175,7 +175,8 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
 /// How far a cell with these polynomials, from the knot on, is beyond the tolerance of the path, as a share of it: at vertices, halfway
 /// between, and in more places if it has few pieces.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
-  constexpr double dense = 12;  // places in a cell within one piece
+  constexpr double dense = 16;    // places in a cell within one piece
+  constexpr double used = 0.996;  // of the tolerance: the rest is for what lies between
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;
@@ -187,7 +188,7 @@ double CellCutter::beyond(const double* c, double to, std::size_t last_piece) co
       squares += square(x[a] - path_->point(piece)[a] - (s - path_->at(piece)) * path_->direction(piece)[a]);
     }
     const double tolerance = std::max(path_->tolerance(piece), path_->tolerance(piece + 1));
-    if (squares > square(tolerance)) most = std::max(most, path_->beyond(s, piece, x.data()));
+    if (squares > square(used * tolerance)) most = std::max(most, path_->beyond(s, piece, x.data(), used));
   };
   for (std::size_t i = piece_; i <= last_piece; ++i) {
     const double from = std::max(cut_, path_->at(i)), until = std::min(to, path_->at(i + 1));

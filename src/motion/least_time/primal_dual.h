@@ -10,7 +10,7 @@
 //   - Every slack and every dual has a step length of its own, and b goes the whole step: one tight place does not shorten the step of the
 //     window. What that makes wrong the next step mends.
 //   - After some steps over all cells, only the blocks of eight cells go on that have not come to rest, and some beside them.
-//   - Limits are looked at in three places of a cell. Then in twelve more; where one is exceeded the cell's limits are made tighter by as
+//   - Limits are looked at in three places of a cell. Then in sixteen more; where one is exceeded the cell's limits are made tighter by as
 //     much, and its block goes on.
 
 #include <array>

@@ -281,7 +281,7 @@ KADR_LANES void PrimalDual::move(const Range& range) {
 ///   returns  the greatest share of a limit
 template <class Lanes>
 KADR_LANES double PrimalDual::look(const Range& range, bool tighten) {
-  constexpr std::array<double, 12> between = {0, 0.05, 0.13, 0.22, 0.32, 0.41, 0.59, 0.68, 0.78, 0.87, 0.95, 1};
+  constexpr std::array<double, 16> between = {0, 0.04, 0.1, 0.16, 0.22, 0.28, 0.34, 0.4, 0.6, 0.66, 0.72, 0.78, 0.84, 0.9, 0.96, 1};
   constexpr double a_little_more = 1.005;
   Lanes greatest = {};
   for (std::size_t block = range.first; block < range.end; ++block) {

@@ -134,10 +134,10 @@ double SmoothPath::tolerance_at(double s, std::size_t piece) const {
   return tolerance;
 }
 
-double SmoothPath::beyond(double s, std::size_t piece, const double* x) const {
+double SmoothPath::beyond(double s, std::size_t piece, const double* x, double part) const {
   double least = squared_way_to(piece, x);
   if (least == 0) return 0;
-  const double tolerance = tolerance_at(s, piece);
+  const double tolerance = part * tolerance_at(s, piece);
   if (tolerance == 0 || least <= tolerance * tolerance) return 0;
   const double around = 4 * std::sqrt(least);  // of s: the nearest piece, but where the path comes back to the same place
   for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));

@@ -199,7 +199,8 @@ double SmoothPath::farthest(std::size_t piece) {
 /// narrower in the last one to be changed by it is looked at.
 ///   returns  false: nothing is
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;  // relative: of a corner alone that meets its tolerance exactly
+  constexpr double rounding = 1e-9;   // relative: of a corner alone that meets its tolerance exactly
+  constexpr double in_chain = 0.997;  // of the tolerance: the rest is for what lies between the places looked at
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
   last.swap(narrowed_);
@@ -208,7 +209,7 @@ bool SmoothPath::narrow(double known, bool first_round) {
     while (near != last.end() && squeezed_[*near + 1] + felt < squeezed_[i]) ++near;
     if (!first_round && (near == last.end() || squeezed_[*near] - felt > squeezed_[i + 1])) continue;
     const double share = farthest(i);
-    if (share <= 1 + rounding) continue;
+    if (share <= (is_chained_[i] != 0 || is_chained_[i + 1] != 0 ? in_chain : 1 + rounding)) continue;
     narrowed_.push_back(i);
     narrow_at(i, share);
   }
