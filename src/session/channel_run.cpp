@@ -46,6 +46,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
       rates_(rates_of(profile, setup, control.axes())),
       least_most_(rates_.least_most()),
       clock_(outlets.clock) {
+  if (outlets.wants_times) (void)clock();
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) warn(warning);
   };
@@ -210,6 +211,7 @@ void ChannelRun::change_clock() {
     clock_ = outlets_.clock;
     own_clock_.reset();
   }
+  if (outlets_.wants_times) (void)clock();
   if (clock_ != nullptr) clock_->start_over();
   now_.goes_on_at = at;
   now_.spent_then = 0;

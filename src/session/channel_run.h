@@ -52,6 +52,7 @@ struct Outlets {
   std::function<bool(const AlarmReport&)> alarm;
   Onlooker* onlooker = nullptr;                     // shown the run now and then
   TimeEstimate* clock = nullptr;                    // times the steps; missing: counted here, if somebody asks
+  bool wants_times = false;                         // of the steps: who looks asks for them always
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
   std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
   StopToken stop{};                                 // asked after each batch

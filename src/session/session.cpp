@@ -64,6 +64,7 @@ void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!planned_[i] || attached_[i]) continue;
     attached_[i] = true;
+    outlets_.own[i].wants_times = true;  // without them the planner knows no feed
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);

@@ -121,7 +121,7 @@ TEST(LimitedBy, ACircleTooFastForItsAxesTheCurve) {
   Drive run;
   circle(run, 10, 150);
   auto shares = run.shares();
-  EXPECT_GT(shares[Limit::curve], 0.6 * run.seconds());
+  EXPECT_GT(shares[Limit::curve], 0.5 * run.seconds());  // the rest its axes: X and Y take turns in speeding up
   EXPECT_EQ(shares[Limit::corner], 0);
 }
 

@@ -58,6 +58,15 @@ std::vector<double> played(Player& player, std::size_t width, const std::vector<
 const char* const square =
     "G21 G90 G94 G17\nG0 X10 Y0 Z5\nG1 Z0 F600\nX50 F1500\nG3 X60 Y10 I0 J10\nG1 Y40\nG4 P300\nX10\nY0\nG0 Z20\nM30\n";
 
+TEST(player, keeps_the_feed) {
+  ASession session("mach3", "G21 G90 G94\nG1 X10 F600\nM30\n");
+  Player player(*session, rate);
+  constexpr double at_feed = 1;  // s, and then some for the ramps
+  const double seconds = static_cast<double>(played(player, axes, {}, 1).size() / axes) / rate;
+  EXPECT_GE(seconds, at_feed);
+  EXPECT_LE(seconds, 1.5 * at_feed);
+}
+
 TEST(player, plays_what_is_written_as_samples) {
   std::size_t played_programs = 0;
   test::for_each_example([&](const Work& work) {
