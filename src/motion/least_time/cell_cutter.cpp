@@ -266,6 +266,22 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
   return seconds;
 }
 
+/// The last cell as several with the same path, where the path and not the feed is what limits its speed: so that this may change within a
+/// cell that is long for the sake of the path. `width`: of the chain there.
+void CellCutter::divide(double width, CutCells& out) const {
+  constexpr double part = 0.35;  // of the width
+  constexpr int most_parts = 4;
+  const std::size_t last = out.count() - 1;
+  const double h = out.path.h[last];
+  const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(h / (part * width)), 1.0, static_cast<double>(most_parts)));
+  if (parts == 1 || fastest_alone(out.path, last) >= out.path.most[last]) return;
+  out.path.divide_last(parts);
+  out.sources.resize(out.count(), CellSource(out.sources.back()));
+  out.standing.back() /= static_cast<double>(parts);
+  out.standing.resize(out.count(), double(out.standing.back()));
+  for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
+}
+
 /// A cell from the knot on, of this size or, where that leaves the tolerance, a smaller one.
 ///   returns  where it ends
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
@@ -288,6 +304,7 @@ double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) 
   out.path.h.push_back(h);
   out.path.most.push_back(most_in(c, h, feed));
   out.path.turns.push_back(turns ? 1 : 0);
+  divide(path_->width_at(from, piece_).w, out);
   piece_ = next;
   knot_ = end;
   if (turns) set_knot(to, next);

@@ -59,6 +59,7 @@ class CellCutter {
   double feed_between(double from, double to) const;
   double draw_cell(double to, std::size_t end_piece, double* c, Knot& end);
   double add_cell(double to, double least, bool turns, CutCells& out);
+  void divide(double width, CutCells& out) const;
   double most_in(const double* c, double h, double feed) const;
   double standing_s(double from, double to, std::size_t piece);
   void set_knot(double s, std::size_t piece);

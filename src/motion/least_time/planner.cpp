@@ -22,6 +22,8 @@ double square(double x) { return x * x; }
 Planner::Planner(const MotionLimits& limits, Sink sink)
     : axes_(limits.speed.size()), limits_(limits), sink_(std::move(sink)), now_(axes_), cutter_(limits), timer_(limits), given_(axes_) {
   cut_.path.axes = axes_;
+  cut_.path.acceleration = limits.acceleration;
+  cut_.path.jerk = limits.jerk;
 }
 
 void Planner::begin(const double* at) {

@@ -35,6 +35,33 @@ void TimedPath::append(const TimedPath& more) {
   add(shapes, more.shapes);
 }
 
+void TimedPath::divide_last(std::size_t parts) {
+  const std::size_t row = axes * terms;
+  const std::vector<double> whole(shapes.end() - static_cast<std::ptrdiff_t>(row), shapes.end());
+  const double length = h.back() / static_cast<double>(parts);
+  const char turns_behind = turns.back();
+  h.back() = length;
+  h.resize(h.size() + parts - 1, length);
+  most.resize(h.size(), most.back());
+  turns.back() = 0;
+  turns.resize(h.size(), 0);
+  turns.back() = turns_behind;
+  for (std::size_t i = 1; i < parts; ++i) {
+    const double z = static_cast<double>(i) * length;
+    double* const c = add_shapes();
+    for (std::size_t a = 0; a < axes; ++a) {
+      const double* const q = whole.data() + a * terms;
+      double* const p = c + a * terms;
+      p[0] = q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * (q[4] + z * q[5]))));
+      p[1] = q[1] + z * (2 * q[2] + z * (3 * q[3] + z * (4 * q[4] + z * 5 * q[5])));
+      p[2] = q[2] + z * (3 * q[3] + z * (6 * q[4] + z * 10 * q[5]));
+      p[3] = q[3] + z * (4 * q[4] + z * 10 * q[5]);
+      p[4] = q[4] + z * 5 * q[5];
+      p[5] = q[5];
+    }
+  }
+}
+
 void TimedPath::forget(std::size_t count) {
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   cut(h, count);

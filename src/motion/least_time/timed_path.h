@@ -34,6 +34,8 @@ struct TimedPath {
   const double* shape(std::size_t cell, std::size_t axis) const { return shapes.data() + (cell * axes + axis) * terms; }
   double* add_shapes();
   void append(const TimedPath& more);
+  /// The last cell as so many with the same path.
+  void divide_last(std::size_t parts);
   void forget(std::size_t count);
   /// The first cells by themselves.
   TimedPath first(std::size_t count) const;

@@ -154,9 +154,9 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
 /// How dense the places of a piece are looked at, mm: as the narrowest rounding felt there asks for, and so dense that what bends most
 /// there moves the path by little of the tolerance between them.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
-  constexpr double in_chain = 4, alone = 16;  // places in a width
+  constexpr double in_chain = 4, alone = 24;  // places in a width
   constexpr double unseen = 0.02;             // of the tolerance
-  constexpr double most_places = 32, beyond_it = 1.25;
+  constexpr double most_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
   const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w,
                narrower = std::min(width_before, width_behind);
