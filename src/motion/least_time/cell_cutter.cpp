@@ -176,7 +176,7 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
 /// between, and in more places if it has few pieces.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
   constexpr double dense = 16;    // places in a cell within one piece
-  constexpr double used = 0.996;  // of the tolerance: the rest is for what lies between
+  constexpr double used = 0.992;  // of the tolerance: the rest is for what lies between
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;
@@ -269,8 +269,8 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
 /// The last cell as several with the same path, where the path and not the feed is what limits its speed: so that this may change within a
 /// cell that is long for the sake of the path. `width`: of the chain there.
 void CellCutter::divide(double width, CutCells& out) const {
-  constexpr double part = 0.35;  // of the width
-  constexpr int most_parts = 4;
+  constexpr double part = 0.2;  // of the width
+  constexpr int most_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
   const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(h / (part * width)), 1.0, static_cast<double>(most_parts)));
