@@ -1,5 +1,5 @@
 // Random paths: every one is planned within the limits and the tolerance, and smoothing side by side with the rest gives the same bits.
-// KADR_PATHS: so many (of 100,000 none is an exception: docs/planner.md); KADR_FIRST_PATH: from which seed on.
+// KADR_PATHS: so many (docs/planner.md: what was seen in more); KADR_FIRST_PATH: from which seed on.
 
 #include <gtest/gtest.h>
 
