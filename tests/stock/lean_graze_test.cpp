@@ -90,5 +90,36 @@ TEST(LeanGrazeProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
               static_cast<unsigned long long>(ends), static_cast<unsigned long long>(wrong));
 }
 
+/// A line that a ball end comes to with its ball as the way begins and high up with its shaft as it ends: what lies between stays.
+TEST(LeanGraze, BetweenBallAndShaftNothingIsTaken) {
+  constexpr double cell = 0.25, first = 3.5, end = 8.8, step = 0.05;  // mm, of the line; it is taken below and above
+  Stock stock(box_blank(block), cell, 1);
+  ToolGeometry g;
+  g.kind = ToolKind::ball;
+  g.diameter = 2 * 3.46538829, g.flutes = g.length = 9.24843449;
+  const ToolShape tool = shape_of(g);
+  Sweep sweep;
+  sweep.from = {3.368736447134836, -1.2349737882585237, -0.09813580790507806};
+  sweep.to = {3.8212587756385501, -0.88657736670743259, -0.33610598689374116};
+  sweep.from_direction = {-0.0077441674795722081, -0.015522971335279738, 0.99984952129356575};
+  sweep.to_direction = {-0.01685641824266686, -0.010250767086794475, 0.99980537252915413};
+  sweep.tool = stock.add_tool(tool);
+  stock.add(sweep);
+  stock.cut();
+  const Lattice& lattice = stock.lattice();
+  for (double z = first; z < end; z += step) {
+    LinePlace p{0, 2, 0, {}, {1.125, 1.375, z}};
+    int brick[3], lane[3];
+    for (int d = 0; d < 3; ++d) {
+      const double from_origin = along(p.at, d) - along(lattice.origin(), d);
+      brick[d] = int(from_origin / lattice.edge()), lane[d] = int((from_origin - brick[d] * lattice.edge()) / cell);
+    }
+    p.brick = lattice.at({brick[0], brick[1], brick[2]}), p.line = lane[1] * brick_edge + lane[0];
+    p.corner = lattice.corner(p.brick);
+    EXPECT_GT(from_leaning(tool, sweep, p.at), 0) << z;
+    EXPECT_TRUE(is_material(stock, p)) << z;
+  }
+}
+
 }  // namespace
 }  // namespace kadr

@@ -2,6 +2,7 @@
 
 #include "stock/cut/lean_cut.h"
 
+#include "stock/cut/lean_ball_cutter.h"
 #include "stock/cut/lean_cutter.h"
 #include "stock/cut/lean_later.h"
 

@@ -56,6 +56,8 @@ class LeanCutter : public Cutter {
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
+  template <class V>
+  void leave_for_later(const MarksOf<V>& later, int family, int row, int lane);
   template <class V, LeanBody::Kind kind, int family>
   MarksOf<V> for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept, const Swept<V>& material);
   template <class V, LeanBody::Kind kind, int family>
@@ -334,24 +336,6 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
     if (any(other)) between.to = choose(other, by_end<V, cylinder, family>(all, line, between, ~open_from, other, material).to, between.to);
   }
   swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
-  return true;
-}
-
-template <class V, int family>
-KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material,
-                                           Swept<V>& swept) {
-  swept = in_ball_tube(tube, lanes_at<V>(scale_.place + lane) - half_, scale_.place[row] - half_);
-  swept = {swept.from + half_, swept.to + half_};
-  const bool meets = any(meet(swept, material));
-  if (below_shaft_) return meets;
-  const Swept<V> left = left_by(swept, material);
-  if (!any(left.from < left.to)) return meets;
-  Swept<V> shaft;
-  if (!sweeps<V, LeanBody::Kind::cylinder, family>(all, row, lane, left, shaft)) return meets;
-  swept = either(swept, where(meet(shaft, left), shaft.from, shaft.to));
-  if (!over_.family[family].any()) return true;
-  const MarksOf<V> now = ~for_later<V, LeanBody::Kind::cylinder, family>(all, row, lane, shaft, left);
-  swept = where(now, swept.from, swept.to);
   return true;
 }
 

@@ -88,6 +88,19 @@ KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all,
   return farther;
 }
 
+/// Notes lines that halves of the way are to cut.
+template <class V>
+KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int family, int row, int lane) {
+  alignas(32) std::int32_t each[lane_count];
+  store(each, later);
+  const int at = (row * brick_edge + lane) / LineSet::at_once;
+  const unsigned asked_for = only_ == nullptr ? 255 : only_->bits[family][at];
+  unsigned bits = 0;
+  for (int i = 0; i < lane_count; ++i) bits |= each[i] != 0 ? 1u << i : 0;
+  later_.bits[family][at] = std::uint8_t(later_.bits[family][at] | (bits & asked_for));
+  later_.any = later_.any || later_.bits[family][at] != 0;
+}
+
 /// Those of eight lines that halves of the way are to cut; they are noted.
 template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept,
@@ -108,15 +121,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int row
   const MarksOf<V> later = are_turned_over<V, kind>(over_, family, body_leaning_, {line.first, all.first}, {line.last, all.last},
                                                     where(~nothing, asked.from - half_, asked.to - half_)) |
                            may_reach_farther<V, kind, family>(all, line, swept, material);
-  if (!any(later)) return later;
-  alignas(32) std::int32_t each[lane_count];
-  store(each, later);
-  const int at = (row * brick_edge + lane) / LineSet::at_once;
-  const unsigned asked_for = only_ == nullptr ? 255 : only_->bits[family][at];
-  unsigned bits = 0;
-  for (int i = 0; i < lane_count; ++i) bits |= each[i] != 0 ? 1u << i : 0;
-  later_.bits[family][at] = std::uint8_t(bits & asked_for);
-  later_.any = later_.any || later_.bits[family][at] != 0;
+  if (any(later)) leave_for_later<V>(later, family, row, lane);
   return later;
 }
 
