@@ -146,6 +146,33 @@ TEST(Playback, AFeedHoldStopsAndAResumeGoesOn) {
   EXPECT_NEAR(static_cast<double>(run.points.size()), 1150 + 1500 + 110, 110);
 }
 
+/// A star, whose speed never stays: all along the plan uses all of the jerk of one axis or another.
+std::vector<Piece> star() {
+  std::vector<Piece> pieces;
+  Point at{};
+  constexpr int corners = 24;
+  constexpr double turn = 2.4;  // radians, more than a right angle
+  for (int i = 0; i < corners; ++i) {
+    at[0] += 2 * std::cos(turn * i), at[1] += 2 * std::sin(turn * i);
+    pieces.push_back({at, 100, 0.02});
+  }
+  return pieces;
+}
+
+// One ramp for the whole change would have to be so slow that it takes up to 1.5 s.
+TEST(Playback, AFeedHoldStandsSoonWhereThePlanUsesAllOfTheJerk) {
+  constexpr std::size_t soon = 700;  // instants
+  const TimedCells plan = planned(star());
+  const std::size_t instants = played(plan, {}).points.size();
+  for (std::size_t at = 40; at + soon < instants; at += 29) {
+    const std::size_t resume = at + soon;
+    const Played run = played(plan, {{at, 0}, {resume, 1}});
+    EXPECT_EQ(run.points[resume - 1], run.points[resume - 2]) << at;
+    EXPECT_LE(run.acceleration, acceleration * 1.001) << at;
+    EXPECT_LE(run.jerk, jerk * 1.01) << at;
+  }
+}
+
 TEST(Playback, AnOverrideDoesNotLengthenAPauseAFeedHoldDoes) {
   const TimedCells pause{axes, {TimeLaw{0.5, 0, true, 0, 0, 0}}, {{7, 0, Bend::none}}, std::vector<double>(axes * TimedCells::terms, 0.0)};
   EXPECT_EQ(played(pause, {{0, 0.25}}).points.size(), 501U);

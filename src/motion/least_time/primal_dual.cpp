@@ -200,6 +200,7 @@ bool PrimalDual::settle(double mu) {
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr int most_looks = 12;
+  constexpr int most_tighter = 16;  // times what was exceeded: twice as much with each look, as the places between are tightened by others
   constexpr double most_of_limit = 1.01;
   path_ = &path;
   ends_ = &ends;
@@ -218,10 +219,10 @@ bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken st
     if (stop.asked() || !step(all, mu, progress)) return false;
   }
   bool settled = settle(mu);
-  double share = greatest_share(all, true);
+  double share = greatest_share(all, 1);
   for (int look = 1; look < most_looks && settled && share > allowed && !stop.asked(); ++look) {
     settled = settle(mu);
-    share = greatest_share(all, look + 1 < most_looks);
+    share = greatest_share(all, look + 1 < most_looks ? std::min(1 << look, most_tighter) : 0);
   }
   if (!settled || !(share <= most_of_limit)) return false;
   hand_over();

@@ -47,7 +47,7 @@ class PrimalDual {
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
-  static constexpr LimitMargins margins{};
+  static constexpr LimitMargins margins{0.996, 0.995};
   static constexpr double at_rest = 0.005;                  // of a middle: a step
   static constexpr double most_beyond = 0.005;              // of a limit with its margin, in the places
   static constexpr double most_gap = 3;                     // slack · dual of the limits of a cell, as a share of their μ
@@ -107,7 +107,7 @@ class PrimalDual {
   void derive(const Range& range, double mu);
   bool newton(const Range& range);
   Progress go(const Range& range, double mu);
-  double greatest_share(const Range& range, bool tighten);
+  double greatest_share(const Range& range, int tighter);
   template <class Lanes>
   KADR_LANES void fill_shapes();
   template <class Lanes>
@@ -121,7 +121,7 @@ class PrimalDual {
   template <class Lanes>
   KADR_LANES void move(const Range& range);
   template <class Lanes>
-  KADR_LANES double look(const Range& range, bool tighten);
+  KADR_LANES double look(const Range& range, int tighter);
   void factor(std::size_t first, std::size_t end);
   std::size_t merge_turns(std::size_t first, std::size_t end);
   void spread_turns(std::size_t first, std::size_t end, std::size_t variables);

@@ -277,10 +277,10 @@ KADR_LANES void PrimalDual::move(const Range& range) {
   }
 }
 
-/// Looks at every cell in more places. `tighten`: where a limit is exceeded the cell's limits become tighter.
+/// Looks at every cell in more places. `tighter`: where a limit is exceeded the cell's limits become tighter by so many times that.
 ///   returns  the greatest share of a limit
 template <class Lanes>
-KADR_LANES double PrimalDual::look(const Range& range, bool tighten) {
+KADR_LANES double PrimalDual::look(const Range& range, int tighter) {
   constexpr std::array<double, 16> between = {0, 0.04, 0.1, 0.16, 0.22, 0.28, 0.34, 0.4, 0.6, 0.66, 0.72, 0.78, 0.84, 0.9, 0.96, 1};
   constexpr double a_little_more = 1.005;
   Lanes greatest = {};
@@ -305,8 +305,10 @@ KADR_LANES double PrimalDual::look(const Range& range, bool tighten) {
     greatest = greater(greatest, worst);
     const bool is_beyond = greatest_of(worst) > allowed;
     restless_[block] = is_beyond ? 1 : 0;
-    if (!is_beyond || !tighten) continue;
-    const Lanes more = where_positive(worst - Lanes::all(allowed), (a_little_more / allowed) * worst, Lanes::all(1));
+    if (!is_beyond || tighter == 0) continue;
+    const Lanes more =
+        where_positive(worst - Lanes::all(allowed),
+                       Lanes::all(1) + static_cast<double>(tighter) * ((a_little_more / allowed) * worst - Lanes::all(1)), Lanes::all(1));
     for (std::size_t a = 0; a < moving_.size(); ++a)
       for (std::size_t shape = 0; shape < 3 * places; ++shape) {
         float* const x = of_axis(block, a) + shape * lanes;
@@ -344,9 +346,9 @@ PrimalDual::Progress PrimalDual::go(const Range& range, double mu) {
   return progress;
 }
 
-double PrimalDual::greatest_share(const Range& range, bool tighten) {
+double PrimalDual::greatest_share(const Range& range, int tighter) {
   double share = 0;
-  side_by_side([&](auto like) __attribute__((always_inline)) { share = look<decltype(like)>(range, tighten); });
+  side_by_side([&](auto like) __attribute__((always_inline)) { share = look<decltype(like)>(range, tighter); });
   return share;
 }
 

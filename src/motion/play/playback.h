@@ -6,15 +6,17 @@
 //
 // An override o lets time on the plan run at o times its rate: the path stays, speed falls with o, acceleration with o², jerk with o³.
 // Between two overrides the rate follows an OverrideRamp. Before one is taken it is tried out in all instants of the servo clock that it
-// will last, and at the ends of the cells between: where an axis would exceed its acceleration or jerk, a longer one is tried. A share of
-// the trying is done at each instant, so that none takes long. A pause of the program is not lengthened by an override, but by a feed hold.
-// Where the switches do not act (threads, G63: CellSource::switches) the share is 1 again as soon as a ramp allows; a thread, before which
-// the axes stand, begins at 1. The spindle goes on turning by the clock whatever the axes do; before a thread they wait for its angle.
+// will last, and at the ends of the cells between: where an axis would exceed its acceleration or jerk, a longer one is tried, or one to a
+// share on the way, from which on more jerk is left for the change. A share of the trying is done at each instant, so that none takes long.
+// A pause of the program is not lengthened by an override, but by a feed hold. Where the switches do not act (threads, G63:
+// CellSource::switches) the share is 1 again as soon as a ramp allows; a thread, before which the axes stand, begins at 1. The spindle goes
+// on turning by the clock whatever the axes do; before a thread they wait for its angle.
 //
 // If cells come too late it brakes by itself and goes on when there are enough.
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "motion/least_time/cell_ring.h"
 #include "motion/least_time/planner.h"
@@ -122,6 +124,7 @@ class Playback {
   void step();
   void steer();
   void try_ramp(double target, double seconds);
+  std::optional<double> share_on_the_way() const;
   void exceed_a_little();
   void go_on_trying();
   double shortest(double target) const;

@@ -118,6 +118,8 @@ class SmoothPath {
     double felt, step;  // how far from its ends, how dense, mm
   };
   Looks looks(std::size_t piece, double tolerance) const;
+  template <class Look>
+  void beside_edges(std::size_t piece, const Look& look) const;
   double farthest(std::size_t piece);
   bool narrow(double known, bool first_round);
   void narrow_at(std::size_t piece, double over);

@@ -176,6 +176,25 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   return looks;
 }
 
+/// The places of a piece just beyond where a corner ceases to be felt: from there on its tolerance does not count.
+template <class Look>
+void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
+  constexpr double just = 1e-6;  // mm
+  constexpr int rounds = 4;      // no steeper than 0.15 is the chain's width
+  const double from = at_[piece], length = length_[piece];
+  corners_near(from, piece, widest + length, [&](std::size_t i) {
+    for (const double side : {-1.0, 1.0}) {
+      double felt = is_chained_[i] != 0 ? slow_.at(squeezed_[i]).w : width_[i];
+      for (int round = 0; is_chained_[i] != 0 && round < rounds; ++round) {
+        const double s = std::clamp(at_[i] + side * felt, from, from + length);
+        felt = width_at(s, piece).w;
+      }
+      const double along = at_[i] + side * (felt + just) - from;
+      if (along > 0 && along < length) look(along);
+    }
+  });
+}
+
 /// How far a piece is moved at most, as a share of the tolerance.
 double SmoothPath::farthest(std::size_t piece) {
   const double tolerance = std::max(tolerance_[piece], tolerance_[piece + 1]), length = length_[piece];
@@ -192,6 +211,7 @@ double SmoothPath::farthest(std::size_t piece) {
   } else {  // of a long one its ends
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
+  if (!has_one_tolerance_) beside_edges(piece, look);
   return std::sqrt(most);
 }
 
