@@ -148,7 +148,7 @@ double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits)
     path.most.push_back(most);
     path.turns.push_back(0);
   }
-  LeastTime least;
+  PathTimer least;
   if (!least.solve(path, {})) throw std::runtime_error("no speed was found for the whole");
   double sum = 0;
   for (std::size_t k = 0; k < path.cells(); ++k) {
