@@ -39,7 +39,8 @@ TEST(PanelChannels, StandSideBySideBeforeTheyBegin) {
 TEST(PanelChannels, WaitForEachOther) {
   const APanel panel = two_channels(first, second);
   ASSERT_TRUE(panel->run());
-  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.channels[0].waits.has_value(); }));
+  // It is told to wait when its program does, a moment before its axes stand.
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.channels[0].waits && std::fabs(axis(s, 0, 0) - 10) < 1e-9; }));
   const PanelState waits = panel->state();
   EXPECT_EQ(waits.mode, PanelMode::running);
   EXPECT_EQ(waits.line.number, 3u);
