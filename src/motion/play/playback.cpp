@@ -12,7 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;     // instants of the next ramp looked at in one of the clock: some µs
+constexpr int tries_an_instant = 25;     // places of the next ramp looked at in one instant of the clock: some µs
+constexpr double least_places = 25;      // … of a ramp; of a long one each instant
 constexpr double longer = 1.15;          // the next ramp to be tried
 constexpr double longest = 20;           // s, of a ramp: longer ones are no answer; then from the shortest again
 constexpr double a_little_more = 0.005;  // of the jerk: a ramp may take that much more; where none does with it, as much again,
@@ -30,14 +31,14 @@ constexpr double least_ramp = 4;        // periods
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// One instant further; `crossed(end, time on the ramp)` is told of each cell that ends on the way. It may return seconds that the next
-/// one, in which the axes stand, is to be put off; the share is 1 from there on.
+/// `seconds` of the clock further; `crossed(end, time on the ramp)` is told of each cell that ends on the way. It may return seconds that
+/// the next one, in which the axes stand, is to be put off; the share is 1 from there on.
 ///   returns  false: there are not so many cells; the cursor is then at the end of the last
 template <class Crossed>
-bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Crossed&& crossed) const {
-  double left = period_;  // s of the clock
-  double way = ramp.passed(on_ramp + period_) - ramp.passed(on_ramp);
-  bool held = ramp.at(on_ramp + period_).share <= 0;
+bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
+  double left = seconds;
+  double way = ramp.passed(on_ramp + seconds) - ramp.passed(on_ramp);
+  bool held = ramp.at(on_ramp + seconds).share <= 0;
   while (!is_over(at)) {
     const TimeLaw& law = ring_.law(at.cell);
     const double rest = law.seconds - at.t;
@@ -46,7 +47,7 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Cro
     if (step < rest) return at.t += step, true;
     const double part = step > 0 ? rest / step : 0;
     left -= part * left, way -= part * way;
-    const std::optional<double> wait = crossed(Cursor{at.cell, law.seconds}, on_ramp + period_ - left);
+    const std::optional<double> wait = crossed(Cursor{at.cell, law.seconds}, on_ramp + seconds - left);
     ++at.cell, at.t = 0;
     if (wait) at.t = -*wait, way = left, held = false;
   }
@@ -54,7 +55,7 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Cro
 }
 
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const {
-  return advance(at, ramp, on_ramp, [](const Cursor&, double) { return std::nullopt; });
+  return advance(at, ramp, on_ramp, period_, [](const Cursor&, double) { return std::nullopt; });
 }
 
 void Playback::show(const Cursor& at, double* x) {
@@ -111,7 +112,8 @@ double Playback::shortest(double target) const {
 
 /// Begins to try a ramp to a share, of so many seconds, from the instant at which it will have been tried.
 void Playback::try_ramp(double target, double seconds) {
-  const auto lead = static_cast<std::uint64_t>(std::ceil(seconds / period_ / tries_an_instant)) + 2;
+  const double places = std::max(seconds / period_, least_places);
+  const auto lead = static_cast<std::uint64_t>(std::ceil(places / tries_an_instant)) + 2;
   now_.probe = now_.at;
   double on_ramp = now_.on_ramp;
   for (std::uint64_t i = 0; i < lead; ++i, on_ramp += period_) advance(now_.probe, now_.ramp, on_ramp);
@@ -137,8 +139,10 @@ void Playback::exceed_a_little() {
   try_ramp(now_.next.end(), shortest(now_.next.end()));
 }
 
-/// The limits are looked at at the instants and, as jerk jumps there, at both sides of each cell's end.
+/// The limits are looked at at the instants or, in a ramp of few, between them too, and, as jerk jumps there, at both sides of each cell's
+/// end.
 void Playback::go_on_trying() {
+  const double step = std::min(period_, now_.next.seconds() / least_places);
   bool allowed = true;
   const auto look = [&](const Cursor& end, double on_ramp) -> std::optional<double> {
     const OverrideShare pace = now_.next.at(on_ramp);
@@ -150,8 +154,8 @@ void Playback::go_on_trying() {
       now_.tried = true;
       return;
     }
-    const bool known = advance(now_.probe, now_.next, now_.on_next, look) || ring_.finished();
-    now_.on_next += period_;
+    const bool known = advance(now_.probe, now_.next, now_.on_next, step, look) || ring_.finished();
+    now_.on_next += step;
     if (!known) {  // somewhat more jerk, or a smaller change that fits into what is known; from there on another
       const bool fits = shortest(0) * share() < 2 * ahead();
       if (now_.next.end() <= 0 && now_.over < most_over && fits) return exceed_a_little();
@@ -215,7 +219,7 @@ bool Playback::go_on() {
   const auto turns_on = [&](const Cursor& to, double clock) {  // it turns by the clock, not by the plan
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };
-  const bool known = advance(now_.at, now_.ramp, begins, [&](const Cursor& end, double clock) -> std::optional<double> {
+  const bool known = advance(now_.at, now_.ramp, begins, period_, [&](const Cursor& end, double clock) -> std::optional<double> {
     turns_on(end, clock);
     on_plan = 0, on_clock = clock;
     if (end.cell + 1 >= ring_.end()) return std::nullopt;

@@ -114,7 +114,7 @@ class Playback {
  private:
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
   template <class Crossed>
-  bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Crossed&& crossed) const;
+  bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const;
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
   bool is_allowed(const Cursor& at, const OverrideShare& pace) const;
