@@ -170,12 +170,14 @@ std::string convert_examples() {
       "  kadr convert flange.nc --from s2c42 --to mach3 --setup flange.json --out flange.tap --setup-out mach3.json\n"
       "  kadr convert part.nc --to fanuc > part-fanuc.nc\n"
       "Both programs are run by their controls; one that is not proven to do the same is not written.\n"
-      "Exit status: 0 written and proven, 1 refused (each way of writing it with the place that it fails at), 2 wrong usage or unreadable file.",
+      "Exit status: 0 written and proven, 1 refused (each way of writing it with the place that it fails at), 2 wrong usage or unreadable "
+      "file.",
       "Примеры:\n"
       "  kadr convert flange.nc --from s2c42 --to mach3 --setup flange.json --out flange.tap --setup-out mach3.json\n"
       "  kadr convert part.nc --to fanuc > part-fanuc.nc\n"
       "Обе УП отрабатываются своими системами; недоказанная не записывается.\n"
-      "Код возврата: 0 — записано и доказано, 1 — отказ (для каждого способа записи названо место), 2 — неверная команда или файл не читается.");
+      "Код возврата: 0 — записано и доказано, 1 — отказ (для каждого способа записи названо место), 2 — неверная команда или файл не "
+      "читается.");
 }
 
 std::string serve_examples() {

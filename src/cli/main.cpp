@@ -68,7 +68,8 @@ int main(int argc, char** argv) {
   survive_closed_pipes();
   catch_interrupts();
   Commands commands;
-  commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop = commands.report.cut.run.limits.stop = stop_token();
+  commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop =
+      commands.report.cut.run.limits.stop = stop_token();
   commands.options.lang = language_on(argc, argv);
   const kadr::Lang lang = language(commands.options);
   kadr::tell_in(lang);

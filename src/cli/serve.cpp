@@ -38,15 +38,18 @@ void open_browser(const std::string& address) {
 }  // namespace
 
 void add_serve(CLI::App& app, Commands& c) {
-  CLI::App* const serve = app.add_subcommand(
-      "serve", told("serve the page: the programs of a folder, their paths and states", "открыть страницу: УП папки, их траектории и состояния"));
+  CLI::App* const serve = app.add_subcommand("serve", told("serve the page: the programs of a folder, their paths and states",
+                                                           "открыть страницу: УП папки, их траектории и состояния"));
   ServeOptions& o = c.serve;
-  takes(serve->add_option(told("FOLDER", "ПАПКА"), o.folder, told("whose programs are shown (default: this one)", "чьи УП показать (по умолчанию эта)")),
+  takes(serve->add_option(told("FOLDER", "ПАПКА"), o.folder,
+                          told("whose programs are shown (default: this one)", "чьи УП показать (по умолчанию эта)")),
         "FOLDER", "ПАПКА");
-  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, most_port)->capture_default_str();
-  takes(serve->add_option("--host", o.host,
-                          told("address to listen on; any but this machine's own needs the printed token",
-                               "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
+  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, most_port)
+      ->capture_default_str();
+  takes(serve
+            ->add_option("--host", o.host,
+                         told("address to listen on; any but this machine's own needs the printed token",
+                              "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
             ->capture_default_str(),
         "ADDRESS", "АДРЕС");
   takes(serve->add_option("--state", o.state,
@@ -70,14 +73,16 @@ int serve(const ServeOptions& options) {
     journal = std::move(*kept);
   }
   PanelHub hub;
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub, journal.get()};
+  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
+                        &last,   &hub,        journal.get()};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) return complain(server.error()), wrong_usage;
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
   fmt::print("kadr serve: {}\n", address);
   if (std::fflush(stdout) != 0) return wrong_usage;
   if (page_files().empty())
-    complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)", "собран без страницы: есть только протокол (docs/panel-protocol.md)"));
+    complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)",
+                  "собран без страницы: есть только протокол (docs/panel-protocol.md)"));
   else if (!options.no_browser) open_browser(address);
   (*server)->run();
   return ok;

@@ -31,7 +31,8 @@ class CourseSpace {
 class Lane {
  public:
   /// `more`: adds the next items of a course in their order, one or more, up to its end; `start`: where it begins.
-  Lane(std::function<void(ItemRing&)> more, const Axes& start, const CourseSpace& space) : more_(std::move(more)), space_(space), at_(start) {}
+  Lane(std::function<void(ItemRing&)> more, const Axes& start, const CourseSpace& space)
+      : more_(std::move(more)), space_(space), at_(start) {}
 
   /// Of those that have not been passed; the end again and again behind it.
   const CourseItem& item(std::size_t i) {

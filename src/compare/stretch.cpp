@@ -71,9 +71,9 @@ class FreeSpace {
   //   - vE is farther than the tolerance from all of v0 v1, and
   //   - v2 … vE-1 are within it of v1.
   // For a way through the free space on which one (a, say) is ahead has b come to v1 while a has not passed vE, as it could not pass vE
-  // while b was between v0 and v1. So a is between v1 and vE then, and all that lies there within the tolerance of v1 hangs together: a gets
-  // there while b stands in v1. Where b has lagged behind v0 the same is true if vE is farther than the tolerance from all of that, too.
-  // Near a place where both differ there is no such vE within the pieces that are the same: there the free space decides as ever.
+  // while b was between v0 and v1. So a is between v1 and vE then, and all that lies there within the tolerance of v1 hangs together: a
+  // gets there while b stands in v1. Where b has lagged behind v0 the same is true if vE is farther than the tolerance from all of that,
+  // too. Near a place where both differ there is no such vE within the pieces that are the same: there the free space decides as ever.
 
   /// Passes such pieces. False: there are none, and nothing has changed.
   bool pass_alike() {
@@ -110,7 +110,9 @@ class FreeSpace {
   bool are_alike(std::size_t lag) {
     for (std::size_t i = 0; i < most_alike; ++i) {
       const CourseItem &a = a_.item(i), &b = b_.item(lag + i);
-      if (a.kind != CourseItem::Kind::move || b.kind != CourseItem::Kind::move || a.to != b.to || a.state != state_a_ || b.state != state_b_) return false;
+      if (a.kind != CourseItem::Kind::move || b.kind != CourseItem::Kind::move || a.to != b.to || a.state != state_a_ ||
+          b.state != state_b_)
+        return false;
       if (i == 0) continue;
       const bool is_off = space_.is_off(a.to, a_.at(), a_.item(0).to, tolerance_);
       if (!is_off && space_.distance(a.to, a_.item(0).to) > tolerance_) return false;

@@ -11,8 +11,6 @@
 namespace kadr {
 namespace {
 
-Status cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
-
 std::uint8_t group_of_motions(const ControlDef& def) {
   for (const CodeRow& row : def.codes)
     if (row.function == Function::linear) return row.group;
@@ -31,7 +29,6 @@ std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(wo
 
 constexpr int more_decimals = 3;  // than thousandths, as the program has them: inches, finer CAM programs
 
-
 /// H, where it is no number of repetitions (spec/s2c42 4).
 char letter_of_lengths(const ControlDef& def) {
   return def.grammar.word('H').known && def.address('H').function != Function::repeat_word ? 'H' : 'D';
@@ -47,27 +44,35 @@ struct BlockRewriter::Kinds {
   const CodeRow* motion = nullptr;  // code of the group of motions
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
-  const CodeRow* macro = nullptr;  // G65
+  const CodeRow* macro = nullptr;       // G65
   const CodeRow* exact_stop = nullptr;  // at the end of this block
-  std::uint64_t left_out = 0;          // words of a mode of corners that the other control's has not
-  bool returns = false;            // M99
+  std::uint64_t left_out = 0;           // words of a mode of corners that the other control's has not
+  bool returns = false;                 // M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code that its axis words belong to, other than a motion
   bool drills = false;      // a canned cycle is in force or named
   bool is_arc = false;
 };
 
-BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), match_(from, to), codes_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
-  const bool has_mode = row_that_does(to, {{Function::exact_stop_mode, any_argument}}) != nullptr, has_block = row_that_does(to, {{Function::exact_stop_block, any_argument}}) != nullptr;
+BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to)
+    : from_(from), to_(to), match_(from, to), codes_(from, to), flow_(from, to), o_lines_(flow_), motion_group_(group_of_motions(from)) {
+  const bool has_mode = row_that_does(to, {{Function::exact_stop_mode, any_argument}}) != nullptr,
+             has_block = row_that_does(to, {{Function::exact_stop_block, any_argument}}) != nullptr;
   is_metric_ = row_that_does(to, {{Function::millimetre, any_argument}, {Function::inch, any_argument}}) == nullptr;
   stops_.by_block = has_block && !has_mode, stops_.by_mode = has_mode && !has_block;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    if (letter == 'F' || letter == 'H' || letter == 'K' || letter == 'L' || letter == 'P' || letter == 'Q' || letter == 'S' || letter == 'T') continue;
-    if (from.grammar.word(letter).code || !is_axis(from.address(letter)) || !is_axis(to.address(letter)) || !to.grammar.word(letter).known) continue;
-    plain_[static_cast<std::size_t>(letter - 'A')].emplace(PlainWord{Words(to, letter, is_length(to.address(letter)) ? more_decimals : 0), from.address(letter).scale});
+    if (letter == 'F' || letter == 'H' || letter == 'K' || letter == 'L' || letter == 'P' || letter == 'Q' || letter == 'S' ||
+        letter == 'T')
+      continue;
+    if (from.grammar.word(letter).code || !is_axis(from.address(letter)) || !is_axis(to.address(letter)) || !to.grammar.word(letter).known)
+      continue;
+    plain_[static_cast<std::size_t>(letter - 'A')].emplace(
+        PlainWord{Words(to, letter, is_length(to.address(letter)) ? more_decimals : 0), from.address(letter).scale});
     plain_letters_ |= std::uint64_t{1} << (letter - 'A');
   }
 }
+
+Status BlockRewriter::cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
 /// Most blocks of a long program: nothing but axis words. word() would say the same.
 Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
@@ -93,13 +98,16 @@ void BlockRewriter::look(const Block& block, Kinds& kinds) const {
     if (const CodeRow* const row = row_of(word)) {
       if (is_canned_cycle(*row)) kinds.motion = row, kinds.drills = true, kinds.is_arc = false;
       else if (ends_cycles(*row)) kinds.drills = false;
-      else if (row->group == motion_group_ && row->group != 0) kinds.motion = row, kinds.drills = false, kinds.is_arc = row->function == Function::arc_cw || row->function == Function::arc_ccw;
+      else if (row->group == motion_group_ && row->group != 0)
+        kinds.motion = row, kinds.drills = false, kinds.is_arc = row->function == Function::arc_cw || row->function == Function::arc_ccw;
       else if (traits_of(row->function).takes_axes()) kinds.takes_axes = true;
       if (row->function == Function::dwell || row->function == Function::dwell_or_turns) kinds.dwell = row;
-      if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered) kinds.call = row;
+      if (row->function == Function::call_subprogram || row->function == Function::call_program || row->function == Function::call_numbered)
+        kinds.call = row;
       if (row->function == Function::macro_call) kinds.macro = row;
       if (row->function == Function::exact_stop_block) kinds.exact_stop = row;
-      if (traits_of(row->function).phase == Phase::path_mode) kinds.left_out |= row->takes & ~(match_.of(*row) != nullptr ? match_.of(*row)->takes : std::uint64_t{0});
+      if (traits_of(row->function).phase == Phase::path_mode)
+        kinds.left_out |= row->takes & ~(match_.of(*row) != nullptr ? match_.of(*row)->takes : std::uint64_t{0});
       kinds.returns = kinds.returns || row->function == Function::return_program;
       continue;
     }
@@ -129,40 +137,6 @@ void BlockRewriter::pass(const Block& block) {
 
 double BlockRewriter::value_of(const Word& word) const { return word.value * from_.address(word.address).scale; }
 
-/// RS274/NGC wants a value with operators in brackets; macros need none.
-std::string BlockRewriter::assignment(std::string_view text) const {
-  const std::size_t equals = text.find('=');
-  if (!from_.grammar.macro || to_.grammar.macro || equals == std::string_view::npos) return std::string(text);
-  std::string_view value = text.substr(equals + 1);
-  while (!value.empty() && value.front() == ' ') value.remove_prefix(1);
-  const bool has_operators = value.find_first_of("+-*/ABCDEFGHIJKLMNOPQRSTUVWXYZ", 1) != std::string_view::npos;
-  return has_operators ? fmt::format("{}[{}]", text.substr(0, equals + 1), value) : std::string(text);
-}
-
-/// An expression and what is given its value: variables with names become numbers where the other control has none.
-Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
-  const auto made = flow_.expression(text);
-  if (!made) return fail(made.error());
-  out.text(*made);
-  return {};
-}
-
-/// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
-Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
-  if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words && (to_.grammar.macro || to_.grammar.label_address != 0 || flow_.has_sections())) return flow_.write(block, out);
-  const bool is_assignment = block.statement.kind == StatementKind::assign && !block.statement.with_if;
-  const bool both = from_.grammar.macro && to_.grammar.macro && block.statement.kind != StatementKind::o_word && block.statement.kind != StatementKind::system;
-  if (!both && !(is_assignment && to_.grammar.expressions)) return cannot(block.text_of(block.statement.where));
-  std::size_t begin = block.has_number ? block.number_where.end : block.where.begin;
-  std::string_view text = block.text.substr(begin, block.where.end - begin);
-  if (block.skip != 0 && !block.has_number) text.remove_prefix(std::min(text.size(), text.find_first_not_of("/0123456789 ")));
-  if (block.statement.kind != StatementKind::message)
-    if (const std::size_t comment = text.find_first_of("(;"); comment != std::string_view::npos) text = text.substr(0, comment);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  return slice(is_assignment ? assignment(text) : std::string(text), out);
-}
-
 Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   if (is_to_o_lines() && o_lines_.begins(label)) return o_lines_.begin(label, out);
   if (flow_.has_sections()) return flow_.begin_section(std::to_string(label), out);
@@ -176,8 +150,10 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   constexpr std::uint32_t hundred = 100;
   const auto value = static_cast<std::uint32_t>(word.value);
   const std::uint32_t label = value >= hundred ? value / hundred : value, times = value >= hundred ? value % hundred : 1;
-  const auto call = code_of(to_, {{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}, {Function::call_numbered, any_argument}});
-  const bool is_own_cycle = std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
+  const auto call = code_of(
+      to_, {{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}, {Function::call_numbered, any_argument}});
+  const bool is_own_cycle =
+      std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
   if (!call || word.expression || is_own_cycle) return cannot("L" + std::to_string(value));
   KADR_TRY(out.end());  // the block's other words act before
   out.text(*call + fmt::format(" P{}", label));
@@ -228,7 +204,8 @@ Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) con
 
 /// The letter of the other control for a word of this one; nothing: what it means there is another thing.
 std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kinds) const {
-  constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word, Function::formal_parameter};
+  constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word,
+                              Function::formal_parameter};
   const auto is_own = [&](Function function) { return std::find(std::begin(own), std::end(own), function) != std::end(own); };
   char letter = word.address;
   const Function here = from_.address(letter).function;
@@ -251,7 +228,8 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   if (!wanted) return cannot(block.text_of(word.where));
   const char letter = *wanted;
   if (word.expression) {
-    if (!to_.grammar.expressions || to_.address(letter).scale != row.scale || !out.has_word(letter)) return cannot(block.text_of(word.where));
+    if (!to_.grammar.expressions || to_.address(letter).scale != row.scale || !out.has_word(letter))
+      return cannot(block.text_of(word.where));
     if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
     std::string text(block.text_of(word.where));
     text.front() = letter;
@@ -273,7 +251,8 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
 Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
   if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
   if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
-  const bool is_side = row.function == Function::radius_comp_left || row.function == Function::radius_comp_right || row.function == Function::tool_side;
+  const bool is_side =
+      row.function == Function::radius_comp_left || row.function == Function::radius_comp_right || row.function == Function::tool_side;
   return is_side && !block.has('D') ? out.word('D', tool_) : Status();
 }
 
@@ -292,7 +271,8 @@ Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
 Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   if (block.broken || block.codes_vary || block.file_name.end != 0) return cannot(block.text_of(block.where));
   if (block.marker == Marker::program_start || block.marker == Marker::section) return {};
-  if (block.marker != Marker::none) return block.marker == Marker::label ? write_label(block.label, out) : cannot(block.text_of(block.where));
+  if (block.marker != Marker::none)
+    return block.marker == Marker::label ? write_label(block.label, out) : cannot(block.text_of(block.where));
   out.set_skip(block.skip);
   if (is_to_o_lines() && block.has_number) KADR_TRY(o_lines_.number(block.number, out));
   if (block.has_number) out.set_number(block.number);
@@ -331,35 +311,42 @@ Status BlockRewriter::end(BlockMaker& out) {
 
 /// What stands behind a condition is a block of its own there.
 Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
-  return o_lines_.write(block, [&]() -> Status {
-    if (block.statement.kind == StatementKind::assign) {
-      const std::string_view text = block.text_of(block.where);
-      const std::size_t then = text.find("THEN");
-      if (then == std::string_view::npos) return cannot("THEN");
-      constexpr std::size_t behind = 4;
-      return slice(assignment(text.substr(then + behind, text.find('(') - then - behind)), out);
-    }
-    Kinds kinds;
-    look(block, kinds);
-    pass(block);
-    return words_of(block, kinds, out);
-  }, out);
+  return o_lines_.write(
+      block,
+      [&]() -> Status {
+        if (block.statement.kind == StatementKind::assign) {
+          const std::string_view text = block.text_of(block.where);
+          const std::size_t then = text.find("THEN");
+          if (then == std::string_view::npos) return cannot("THEN");
+          constexpr std::size_t behind = 4;
+          return slice(assignment(text.substr(then + behind, text.find('(') - then - behind)), out);
+        }
+        Kinds kinds;
+        look(block, kinds);
+        pass(block);
+        return words_of(block, kinds, out);
+      },
+      out);
 }
 
 Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
-  return o_lines_.call(block, [&](const Word& word, std::string& value) -> Status {
-    if (!word.expression) return value = fmt::format("{}", value_of(word)), Status();
-    auto text = flow_.expression(block.text_of(word.where).substr(1));
-    if (!text) return fail(text.error());
-    return value = std::move(*text), Status();
-  }, out);
+  return o_lines_.call(
+      block,
+      [&](const Word& word, std::string& value) -> Status {
+        if (!word.expression) return value = fmt::format("{}", value_of(word)), Status();
+        auto text = flow_.expression(block.text_of(word.where).substr(1));
+        if (!text) return fail(text.error());
+        return value = std::move(*text), Status();
+      },
+      out);
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
   std::size_t next = 0;  // assignment
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
-      if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address) return cannot(block.text_of(block.assignments[next].where));
+      if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)
+        return cannot(block.text_of(block.assignments[next].where));
       KADR_TRY(slice(assignment(block.text_of(block.assignments[next].where)), out));
     }
     return {};

@@ -48,6 +48,8 @@ class BlockRewriter {
   bool is_plain(const Block& block) const {
     return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block);
   }
+  /// The alarm of a word that the other control does not have.
+  static Status cannot(std::string_view what);
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
   void look(const Block& block, Kinds& kinds) const;

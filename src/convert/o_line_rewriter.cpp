@@ -122,7 +122,8 @@ Status OLineRewriter::begin(std::uint32_t label, BlockMaker& out) {
 
 Status OLineRewriter::end(std::uint32_t at, BlockMaker& out) {
   const std::uint32_t label = macro_;
-  if (const auto found = shape_.macros.find(label); found != shape_.macros.end() && found->second != at) return line(fmt::format("o{} return", label), out);
+  if (const auto found = shape_.macros.find(label); found != shape_.macros.end() && found->second != at)
+    return line(fmt::format("o{} return", label), out);
   macro_ = 0;
   return line(fmt::format("o{} endsub", label), out);
 }

@@ -18,9 +18,9 @@ namespace kadr {
 
 /// What is known of the program's jumps and macros before it is rewritten.
 struct MacroShape {
-  std::set<std::uint32_t> jumped_back;             // N that a GOTO behind it goes to
-  std::set<std::uint32_t> leaves;                  // lines with a GOTO to what stands behind the loop around it
-  std::map<std::uint32_t, std::uint32_t> macros;   // label of a subprogram called with arguments → its last line
+  std::set<std::uint32_t> jumped_back;            // N that a GOTO behind it goes to
+  std::set<std::uint32_t> leaves;                 // lines with a GOTO to what stands behind the loop around it
+  std::map<std::uint32_t, std::uint32_t> macros;  // label of a subprogram called with arguments → its last line
 };
 
 class OLineRewriter {

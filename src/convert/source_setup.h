@@ -6,9 +6,9 @@
 
 #include "config/control_def.h"
 #include "config/setup.h"
-#include "session/session.h"
 #include "convert/flat_program.h"
 #include "convert/program_shape.h"
+#include "session/session.h"
 
 namespace kadr {
 

@@ -11,6 +11,7 @@ namespace kadr {
 ///   setup    of the other control
 ///   shape    of the program; rules: of the proof
 ///   returns  an error sentence: a session could not be opened
-tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules);
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape,
+                                                      const CompareRules& rules);
 
 }  // namespace kadr

@@ -19,10 +19,10 @@ class PanelHub {
   /// One that is on. It stays as long as somebody has it, switched off or not.
   struct Place {
     std::string name;
-    std::shared_ptr<void> content;           // what the machine's program is made of: outlives it
+    std::shared_ptr<void> content;  // what the machine's program is made of: outlives it
     std::unique_ptr<PanelMachine> machine;
-    std::atomic<std::uint64_t> holder{0};    // page; 0: nobody
-    std::string stood;                       // where it stood in mid program when the server ended, as that was kept; empty: nowhere
+    std::atomic<std::uint64_t> holder{0};  // page; 0: nobody
+    std::string stood;                     // where it stood in mid program when the server ended, as that was kept; empty: nowhere
   };
 
   /// A number of its own for each page that looks.

@@ -53,7 +53,8 @@ std::vector<std::string> PanelJournal::machines() const {
   const std::lock_guard hold(lock_);
   const std::string prefix = "machine:";
   std::vector<std::string> names;
-  for (auto at = all_.lower_bound(prefix); at != all_.end() && at->first.starts_with(prefix); ++at) names.push_back(at->first.substr(prefix.size()));
+  for (auto at = all_.lower_bound(prefix); at != all_.end() && at->first.starts_with(prefix); ++at)
+    names.push_back(at->first.substr(prefix.size()));
   return names;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// PanelJournal: what is kept of the machines at their panels beyond the end of the server (--state FILE), and the log of the shift. One state
-// file (config/state_file) of the control "panel"; a key a thing, whoever keeps it says in what form.
+// PanelJournal: what is kept of the machines at their panels beyond the end of the server (--state FILE), and the log of the shift. One
+// state file (config/state_file) of the control "panel"; a key a thing, whoever keeps it says in what form.
 //
 //   "machine:part.nc" how it was switched on · "tables:part.nc" what was edited · "spot:part.nc" where it stands · "log:part.nc:17"
 

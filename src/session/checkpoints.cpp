@@ -7,7 +7,8 @@
 
 namespace kadr {
 
-Checkpoints::Checkpoints(Session& session, std::uint64_t each, std::size_t most) : session_(session), each_(each), most_(std::max<std::size_t>(most, 2)) {}
+Checkpoints::Checkpoints(Session& session, std::uint64_t each, std::size_t most)
+    : session_(session), each_(each), most_(std::max<std::size_t>(most, 2)) {}
 
 Checkpoints::~Checkpoints() { session_.control().note_lines(nullptr, 0); }
 

@@ -19,11 +19,11 @@ namespace kadr {
 
 /// Where a program is to be held: before a block for which all that is given holds.
 struct StopPoint {
-  std::uint32_t line = 0;   // 0: any
-  std::string file{};       // path or its last part; empty: the main program
-  std::uint32_t pass = 0;   // that the line comes for so many times since stepping began; 0: each time
-  std::string call{};       // the first block of a call: "O100", "L02" as Control::calls() names it
-  std::string condition{};  // "#100 > 5", or a value that is not 0
+  std::uint32_t line = 0;    // 0: any
+  std::string file{};        // path or its last part; empty: the main program
+  std::uint32_t pass = 0;    // that the line comes for so many times since stepping began; 0: each time
+  std::string call{};        // the first block of a call: "O100", "L02" as Control::calls() names it
+  std::string condition{};   // "#100 > 5", or a value that is not 0
   std::uint32_t number = 0;  // of the block in the run (Origin::number); 0: any
   std::uint32_t tool = 0;    // comes into the spindle; 0: any
   friend bool operator==(const StopPoint&, const StopPoint&) = default;
@@ -125,7 +125,7 @@ class Stepping {
   std::optional<Origin> stood_;  // before a line was entered
   std::size_t hit_ = 0;
   std::optional<Origin> next_;
-  Origin last_;  // asked for
+  Origin last_;                               // asked for
   std::uint32_t tool_ = 0, tool_before_ = 0;  // in the spindle then, and the block before; where a stop point asks for one
   std::map<std::size_t, StopPoint> points_;
   std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen_;  // by file and line: how often it came, of lines asked for

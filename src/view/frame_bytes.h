@@ -12,7 +12,9 @@ class FrameBytes {
  public:
   static_assert(std::endian::native == std::endian::little, "frames are written as they lie in memory");
 
-  FrameBytes(std::uint32_t kind, std::uint32_t which, std::uint32_t count, std::uint32_t more) { put(kind), put(which), put(count), put(more); }
+  FrameBytes(std::uint32_t kind, std::uint32_t which, std::uint32_t count, std::uint32_t more) {
+    put(kind), put(which), put(count), put(more);
+  }
 
   template <class T>
   void put(T value) {

@@ -12,8 +12,8 @@ namespace kadr {
 /// What a person sees of the control at an instant.
 struct InstantState {
   double at = 0;
-  PathVertex vertex;  // under way to it
-  Vec3 place;         // of the tip, in the picture
+  PathVertex vertex;   // under way to it
+  Vec3 place;          // of the tip, in the picture
   bool moves = false;  // false: the path is over, or has none
   AlarmReport::Line line;
   Origin origin;

@@ -8,8 +8,8 @@
 #include "out/text/alarm_print.h"
 #include "out/text/quick_fix.h"
 #include "view/instant.h"
-#include "view/served_folder.h"
 #include "view/machine_bounds.h"
+#include "view/served_folder.h"
 
 namespace kadr {
 

@@ -29,7 +29,8 @@ tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const
 tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
-    if (found->empty()) return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
+    if (found->empty())
+      return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
     PageJson list = *found;
     for (PageJson& tool : list)
       if (tool.is_object()) tool.erase("from"), tool.erase("known");  // of a proposal
@@ -53,7 +54,8 @@ tl::expected<PartWish, Refusal> part_wish(const ServedFolder& folder, const Page
   if (!stock) return tl::unexpected(stock.error());
   wish.stock = *stock;
   if (wish.stock.empty())
-    return refused(told("the blank is not given: a box, a cylinder, a file .stl or .3mf", "не указана заготовка: box, cylinder или файл .stl, .3mf"));
+    return refused(
+        told("the blank is not given: a box, a cylinder, a file .stl or .3mf", "не указана заготовка: box, cylinder или файл .stl, .3mf"));
   const auto fixtures = question.find("fixtures");
   if (fixtures != question.end()) {
     if (!fixtures->is_array() || fixtures->size() > most_fixtures)

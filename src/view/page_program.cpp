@@ -32,7 +32,8 @@ tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& 
     if (!fault.empty()) return tl::unexpected(Refusal{fault});
   if (wish.path.empty()) return tl::unexpected(Refusal{told("open: no file is named", "open: файл не назван")});
   if (question.contains("text") && question["text"].is_string()) wish.text = question["text"].get<std::string>();
-  if (const auto tables = question.find("tables"); tables != question.end() && tables->is_object() && !tables->empty()) wish.tables = dumped(*tables);
+  if (const auto tables = question.find("tables"); tables != question.end() && tables->is_object() && !tables->empty())
+    wish.tables = dumped(*tables);
   return wish;
 }
 

@@ -47,9 +47,9 @@ struct PageServer {
   std::string token;    // that who may change something knows
   bool all_need_token;  // who does not know it may not even look: the server listens beyond this machine
   Lang lang = Lang::en;
-  std::string version;         // of Kadr
-  LastOpened* last = nullptr;  // nullptr: nobody asks
-  PanelHub* hub = nullptr;     // nullptr: there are no machines
+  std::string version;              // of Kadr
+  LastOpened* last = nullptr;       // nullptr: nobody asks
+  PanelHub* hub = nullptr;          // nullptr: there are no machines
   PanelJournal* journal = nullptr;  // of theirs; there where the hub is
 };
 

@@ -24,7 +24,8 @@ PageJson axes_json(const std::vector<std::string>& names, const Axes& values) {
 PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   PageJson list = PageJson::array();
   for (const auto& [number, p] : stops)
-    list.push_back({{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}, {"tool", p.tool}});
+    list.push_back(
+        {{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}, {"tool", p.tool}});
   return list;
 }
 
@@ -35,9 +36,16 @@ PageJson channels_json(const std::vector<PanelChannel>& channels) {
     const Axes work = one.block.work_of(one.sample.machine);
     PageJson waits;
     if (one.waits) waits = {{"code", one.waits->code}, {"channels", one.waits->channels}, {"here", one.waits->here}};
-    list.push_back({{"number", one.number}, {"axes", one.axes}, {"position", axes_json(one.axes, work)}, {"machine", axes_json(one.axes, one.sample.machine)},
-                    {"feed", finite(one.block.feed)}, {"speed", finite(one.sample.speed)}, {"moves", one.sample.plays && !one.sample.held},
-                    {"line", one.line.number}, {"text", one.line.text}, {"waits", std::move(waits)}});
+    list.push_back({{"number", one.number},
+                    {"axes", one.axes},
+                    {"position", axes_json(one.axes, work)},
+                    {"machine", axes_json(one.axes, one.sample.machine)},
+                    {"feed", finite(one.block.feed)},
+                    {"speed", finite(one.sample.speed)},
+                    {"moves", one.sample.plays && !one.sample.held},
+                    {"line", one.line.number},
+                    {"text", one.line.text},
+                    {"waits", std::move(waits)}});
   }
   return list;
 }
@@ -54,7 +62,8 @@ void put_modes(PageJson& json, const PanelModes& modes) {
   };
   json["rpm"] = value(InForce::Kind::speed);
   json["tool"] = value(InForce::Kind::tool);
-  json["offsets"] = {{"T", value(InForce::Kind::selected)}, {"D", value(InForce::Kind::offset)}, {"H", value(InForce::Kind::length_offset)}};
+  json["offsets"] = {
+      {"T", value(InForce::Kind::selected)}, {"D", value(InForce::Kind::offset)}, {"H", value(InForce::Kind::length_offset)}};
   PageJson zero = PageJson::object();
   for (const InForce& one : modes.in_force)
     if (one.kind == InForce::Kind::origin) zero[one.name] = finite(one.value);

@@ -85,7 +85,8 @@ tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
   session_ = std::move(*session);
   session_->control().watch_calls();
   take_session(*session_, opened_.stated.contains("start"), job_);
-  auto watch = watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_, opened_.door);
+  auto watch =
+      watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_, opened_.door);
   if (!watch) return Failed(watch.error());
   watch_ = std::move(*watch);
   run_ = std::make_unique<CutRun>(*session_, job_, watch_.get());

@@ -13,12 +13,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t levels = 16;
-constexpr double finest = 0.001;        // mm: what level 0 may leave out is nothing, level 1 twice this
+constexpr double finest = 0.001;         // mm: what level 0 may leave out is nothing, level 1 twice this
 constexpr std::size_t run_length = 256;  // vertices that are looked at together: the work is some eight times their number
 
 Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
-
-
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;

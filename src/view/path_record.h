@@ -58,7 +58,7 @@ class PathRecord {
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
   ToolWay way_;
-  std::vector<PartJoint> joints_;  // from the first motion on
+  std::vector<PartJoint> joints_;          // from the first motion on
   std::vector<float> stand_, last_stand_;  // where they are at the vertex that is added, at the one before
   std::uint32_t tool_;
   std::vector<WayPiece> ways_;

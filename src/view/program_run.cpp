@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t most_marks = 10'000;
 constexpr std::size_t most_checkpoints = 48;  // each some 600 KB: what the control has made ahead is in it
-constexpr std::int64_t told_every = 100;       // ms
-constexpr double short_dwell = 0.05;           // s: no mark
+constexpr std::int64_t told_every = 100;      // ms
+constexpr double short_dwell = 0.05;          // s: no mark
 
 std::int64_t now_ms() {
   using namespace std::chrono;

@@ -20,7 +20,7 @@ struct TimeMark {
   double at = 0;
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
-  std::string text;  // of the program: to be escaped where it is shown
+  std::string text;        // of the program: to be escaped where it is shown
   std::uint16_t file = 0;  // Origin::file of the line
 };
 

@@ -76,7 +76,7 @@ TEST(virtual_machine, probe_switch_stops_the_motion) {
 }
 
 TEST(virtual_machine, an_arc_in_a_turned_frame_counts_in_machine_axes) {  // nct 10.2.3
-  FrameTurn quarter;                                                  // about Y: X becomes -Z, Z becomes X
+  FrameTurn quarter;                                                      // about Y: X becomes -Z, Z becomes X
   quarter.rows = {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}};
   VirtualMachine m = machine({}, {{0, 0, 95}, {95, 0, 0}, std::make_shared<FrameTurn>(quarter)});
   Motion up = arc(arc_ccw, {0, 0, 95}, {0, 0, 89}, 1, Plane::zx);

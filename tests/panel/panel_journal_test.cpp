@@ -14,7 +14,9 @@ namespace fs = std::filesystem;
 
 class PanelJournalTest : public testing::Test {
  protected:
-  PanelJournalTest() : folder_(fs::temp_directory_path() / ("kadr_journal_" + std::to_string(::getpid()))) { fs::create_directories(folder_); }
+  PanelJournalTest() : folder_(fs::temp_directory_path() / ("kadr_journal_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
   ~PanelJournalTest() override { fs::remove_all(folder_); }
   std::string path() const { return folder_ / "shop.state"; }
 

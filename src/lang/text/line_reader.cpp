@@ -154,7 +154,9 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* d
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
-std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text) { return std::make_unique<TextSource>(std::move(text)); }
+std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text) {
+  return std::make_unique<TextSource>(std::move(text));
+}
 
 std::unique_ptr<ByteSource> text_source(std::string text) {
   return std::make_unique<TextSource>(std::make_shared<const std::string>(std::move(text)));

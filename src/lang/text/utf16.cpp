@@ -178,6 +178,8 @@ OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said)
   return {std::make_unique<Utf16Source>(std::move(source), *order), Encoding::utf8};
 }
 
-OpenedText open_text(const std::string& path, const SaidEncoding& said, const FileDoor* door) { return as_text(open_file(path, door), said); }
+OpenedText open_text(const std::string& path, const SaidEncoding& said, const FileDoor* door) {
+  return as_text(open_file(path, door), said);
+}
 
 }  // namespace kadr

@@ -52,7 +52,8 @@ class Words {
     if (format_.point && !format_.implied) {
       append_with_point(text, digits, fraction);
     } else {
-      if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction) text.append(format_.whole_digits + fraction - digits.size(), '0');
+      if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction)
+        text.append(format_.whole_digits + fraction - digits.size(), '0');
       text += digits;
     }
     return true;

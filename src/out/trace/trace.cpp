@@ -194,7 +194,8 @@ void TraceWriter::write_detail(const Step& step, const Motion& motion) {
 
 void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   char* at = out_.room(head_room);
-  const bool curved = is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
+  const bool curved =
+      is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
   if (time.exact) {  // else the set-up does not say how the axes accelerate: they would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);

@@ -86,8 +86,8 @@ class SmoothPath {
   /// The feed at s, mm/s, with such corners: its inverse, the time, is rounded as the axes' ways are.
   double feed_at(double s, std::size_t piece) const;
 
-  /// How far x, the position at s, is beyond the tolerance of the corners felt there, or a part of that, as a share of it: from the straight
-  /// pieces around. 0: not at all.
+  /// How far x, the position at s, is beyond the tolerance of the corners felt there, or a part of that, as a share of it: from the
+  /// straight pieces around. 0: not at all.
   double beyond(double s, std::size_t piece, const double* x, double part = 1) const;
 
   static constexpr double widest = SoftCorner::widest;

@@ -31,8 +31,7 @@ SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rul
   double allowed = rules.most_off;
   for (int round = 0; round < most_rounds && !exact.triangles.empty() && !rules.stop.asked(); ++round) {
     SimplifiedSurface simple{decimated(exact, allowed, rules.stop), 0};
-    simple.off =
-        std::max(farthest_off(exact, simple.mesh, at_points, rules), farthest_off(simple.mesh, exact, half_a_cell, rules));
+    simple.off = std::max(farthest_off(exact, simple.mesh, at_points, rules), farthest_off(simple.mesh, exact, half_a_cell, rules));
     if (simple.off <= rules.most_off) return simple;
     allowed *= of_found * rules.most_off / simple.off;
   }

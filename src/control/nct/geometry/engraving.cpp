@@ -1,5 +1,5 @@
-// Engraved text G47: P0 that of the comment, P1 the serial number of #599, P32 to P126 one character (spec/haas 7.2). INFERRED: the letters,
-// and the way between them: at rapid at R; each stroke is plunged into. Tested by tests/cases/haas/cycles.cases.
+// Engraved text G47: P0 that of the comment, P1 the serial number of #599, P32 to P126 one character (spec/haas 7.2). INFERRED: the
+// letters, and the way between them: at rapid at R; each stroke is plunged into. Tested by tests/cases/haas/cycles.cases.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 namespace kadr::functions {
 namespace {
 
-constexpr double usual_height = mm_per_inch;  // without J
+constexpr double usual_height = mm_per_inch;                                                      // without J
 constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // P
 constexpr int serial_variable = 599;
 constexpr std::size_t most_digits = 15;  // what a variable holds exactly
@@ -54,8 +54,8 @@ class EngravedText {
     return p_ == serial_number ? choose_serial() : Status();
   }
 
-  /// `(####)`: that many digits of #599, the last ones where it has more, zeros before it where it has fewer; then it counts on. `(1234)` sets
-  /// it and engraves nothing.
+  /// `(####)`: that many digits of #599, the last ones where it has more, zeros before it where it has fewer; then it counts on. `(1234)`
+  /// sets it and engraves nothing.
   ///   alarms  not_available: other signs
   Status choose_serial() {
     const auto consists_of = [&](std::string_view signs) {

@@ -123,7 +123,9 @@ Status set_tables(Interpreter& m, const Call& call) {
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
   if (*l != 2 && *l != 20 && *l != 21) return fail(alarm(AlarmId::table_kind_unknown, m.where('L'), double(*l)));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto p = *l == 2 ? m.whole('P', 0, basic_systems) : *l == 20 ? m.whole('P', 1, m.def.behaviour.further_systems) : m.whole('P', 1, dynamic_systems);
+  const auto p = *l == 2    ? m.whole('P', 0, basic_systems)
+                 : *l == 20 ? m.whole('P', 1, m.def.behaviour.further_systems)
+                            : m.whole('P', 1, dynamic_systems);
   if (!p) return fail(p.error());
   const auto before = static_cast<std::uint32_t>(*l == 2 ? 0 : *l == 20 ? basic_systems : all_systems - 1);
   const std::uint32_t index = before + *p;
