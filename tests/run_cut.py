@@ -59,7 +59,8 @@ def cut(kadr, folder, case, tools, threads, machines={}):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
-    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', case['stock'], '--tools', str(folder / 'tools.toml'),
+    stock = str(write(folder / 'blank.stl', case['stock'].lstrip('\n'))) if case.get('stock_file') else case['stock']
+    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', stock, '--tools', str(folder / 'tools.toml'),
              '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads),
              '--blocks', str(folder / 'blocks.csv')]
     for name, text in case.get('files', {}).items():

@@ -149,6 +149,13 @@ struct MotionDetail {
   SplinePart spline;  // of MotionKind::spline
 };
 
+/// What a drilling cycle does beside cutting while it carries a motion out.
+enum class HoleWork : std::uint8_t {
+  none,
+  taps,        // the spindle turns either way, as the thread wants it
+  stands_off,  // the spindle is oriented, its one edge away from the wall (fine boring, back boring)
+};
+
 /// What of a motion its block's modes and words say, but for where it goes.
 struct MotionModes {
   MotionKind kind = MotionKind::rapid;
@@ -171,6 +178,7 @@ struct MotionModes {
   CornerJoin join_corner = CornerJoin::extended;  // with the next motion
   CornerSpeed corner_speed = CornerSpeed::limited;
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
+  HoleWork in_hole = HoleWork::none;             //
   std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
   std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches
@@ -299,6 +307,7 @@ struct ContourBreak {
 struct FrameChange {
   Placement placement;
   Axes work;
+  std::shared_ptr<const Axes> shifted{};  // by G52, G92 …: part of the placement's origin; nullptr: not at all, or in its shift alone
 };
 
 struct Action {

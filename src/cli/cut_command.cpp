@@ -88,7 +88,12 @@ void add_cut(CLI::App& app, Commands& c) {
   takes(cut->add_option("--until", o.until,
                         told("end after this line, or after so many seconds of the program: 120, 35.5s",
                              "закончить после этой строки или через столько секунд УП: 120, 35.5s")),
-        "LINE|SECONDSs", "СТРОКА|СЕКУНДЫs");
+        "LINE|SECONDSs", "СТРОКА|СЕКУНДЫs")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.empty() ? told("is empty: want a line, or seconds as in 35.5s", "пусто: нужна строка или секунды, как 35.5s") : "";
+          },
+          ""));
   cut->add_flag("--coolant", o.coolant, told("warn of cutting without coolant", "предупреждать о резании без охлаждения"));
   takes_file(cut->add_option("--plot", o.run.plot, told("draw the part: a file .svg or .png", "вид детали: файл .svg или .png")));
   one_of(cut->add_option("--colour,--color", o.run.colour,

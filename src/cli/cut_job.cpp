@@ -81,6 +81,10 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
   if (!job.blank) return false;
+  if (job.blank->overlaps())
+    say(fmt::format("--stock {}: {}\n", options.stock,
+                    told("its bodies lie partly within each other: the blank is what lies in any of them",
+                         "тела частично лежат друг в друге: заготовка — всё, что лежит хотя бы в одном из них")));
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
   if (!find_lattices(options, part, most, job)) return false;

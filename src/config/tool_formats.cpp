@@ -52,6 +52,8 @@ double from_feed(double direction, int tip_x, int tip_z) {
   return angle < 0 ? angle + 360 : angle;
 }
 
+double edge_of(const ToolGeometry& insert) { return std::max(assumed_edge, 3 * insert.corner / std::sin(insert.angle * rad_per_deg)); }
+
 /// A tool with an orientation Q and both edges I, J is an insert; Q9 a round one. Q, I, J of another form: none.
 std::optional<ToolGeometry> insert_of_table(std::string_view line) {
   const auto q = number_behind(line, 'Q'), front = number_behind(line, 'I'), back = number_behind(line, 'J');
@@ -65,7 +67,7 @@ std::optional<ToolGeometry> insert_of_table(std::string_view line) {
     tool.insert.lead = std::min(a, b);
     tool.angle = std::fabs(a - b);
     if (tool.angle > 180) tool.insert.lead = std::max(a, b), tool.angle = 360 - tool.angle;
-    tool.flutes = std::max(assumed_edge, 3 * tool.corner / std::sin(tool.angle * rad_per_deg));
+    tool.flutes = edge_of(tool);
   }
   complete(tool);
   return told_fault(tool).empty() ? std::optional(tool) : std::nullopt;
@@ -84,9 +86,21 @@ ToolFormat tool_format_of(std::string_view text, const std::string& path) {
   return holds("\"data\"") && holds("\"geometry\"") ? ToolFormat::fusion : ToolFormat::camotics;
 }
 
-/// T, P, D and what stands behind ; (LinuxCNC, tool table). Lengths in mm: the table of a metric machine.
+void take_unit(double mm, ToolLibrary& library) {
+  if (!library.in_machine_units) return;
+  library.in_machine_units = false;
+  if (mm == 1) return;
+  for (ToolGeometry& tool : library.tools) {
+    tool.diameter *= mm, tool.corner *= mm;
+    if (tool.kind != ToolKind::turning || tool.insert.lead == std::nullopt) continue;
+    tool.flutes = edge_of(tool), tool.length = std::max(tool.length, tool.flutes);
+  }
+}
+
+/// T, P, D and what stands behind ; (LinuxCNC, tool table). Lengths in the machine's units.
 tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, const std::string& file) {
   ToolLibrary library;
+  library.in_machine_units = true;
   std::size_t line_number = 0, without = 0;
   while (!text.empty() && library.tools.size() < limits::tools) {
     const std::size_t end = text.find('\n');
@@ -125,10 +139,10 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
     return tl::unexpected(file + ": " + told("no tool with a diameter (T… P… D…)", "ни одного инструмента с диаметром (T… P… D…)"));
   library.notes.push_back(
       file + ": " +
-      told("a tool table has diameters only, taken for mm: tools are flat unless their comment says ball or drill (118°), "
-           "and cut over 100 mm",
-           "в таблице инструментов только диаметры, приняты за мм: фрезы считаются концевыми, если в комментарии нет "
-           "ball или drill (118°), и режут на длине 100 мм"));
+      told("a tool table has diameters only, in the machine's units (mm, unless its ini file says inch): tools are flat unless their "
+           "comment says ball or drill (118°), and cut over 100 mm",
+           "в таблице инструментов только диаметры, в единицах станка (мм, если его ini-файл не говорит inch): фрезы считаются "
+           "концевыми, если в комментарии нет ball или drill (118°), и режут на длине 100 мм"));
   if (std::any_of(library.tools.begin(), library.tools.end(), [](const ToolGeometry& t) { return t.kind == ToolKind::turning; }))
     library.notes.push_back(file + ": " +
                             told("tools with Q1 to Q9, I and J are taken for turning tools with edges of 10 mm, without a holder",

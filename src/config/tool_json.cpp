@@ -145,6 +145,11 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
+  } else if (says_any(type, {"tapered mill"})) {  // DC is at its tip, which Kadr knows without a corner only
+    if (length("RE") > 0) return false;
+    tool.kind = ToolKind::taper;
+    tool.angle = amount(part(sizes, "TA"), 1);
+    tool.diameter += 2 * tool.flutes * std::tan(tool.angle * rad_per_deg);
   } else if (says_any(type, {"flat end", "face mill", "reamer", "counter bore"})) tool.kind = ToolKind::flat;
   else if (says_any(type, {"slot mill"})) tool.kind = ToolKind::tslot;
   else return false;

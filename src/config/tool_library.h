@@ -19,6 +19,7 @@ inline constexpr int teeth = 1'000;                   // of a tool
 
 struct ToolLibrary {
   std::vector<ToolGeometry> tools;
+  bool in_machine_units = false;   // lengths of a machine's own table: mm only where its units are
   std::vector<std::string> notes;  // what of a library of others was left out, or had to be assumed: a sentence each
 
   /// nullptr: there is none of this number. A library whose only tool has none (0) has it for all.
@@ -30,6 +31,9 @@ std::string told_fault(const ToolGeometry& tool);
 
 /// What was not given is what follows from the rest: flutes as long as the tool, a tool as long as its flutes.
 void complete(ToolGeometry& tool);
+
+/// The machine's unit, mm, of a library that is in its units: from then on it is in mm.
+void take_unit(double mm, ToolLibrary& library);
 
 /// Our own form.
 ///   file     named in messages

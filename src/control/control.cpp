@@ -76,6 +76,7 @@ Result<double> Control::evaluate(std::string_view expression) const { return int
 std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
 const Origin& Control::origin() const { return interpreter_->origin; }
 std::vector<InForce> Control::in_force() const { return interpreter_->in_force(); }
+double Control::machine_unit() const { return interpreter_->dialect ? interpreter_->dialect->machine_unit() : 1; }
 std::size_t Control::plane_normal() const { return interpreter_->modal.axes.normal; }
 BlockState Control::state_now() const { return interpreter_->state_now(); }
 const std::optional<Control::Meeting>& Control::meeting() const { return interpreter_->waiting.meeting; }

@@ -75,6 +75,8 @@ class Control {
   std::vector<AlarmReport::Call> calls() const;
   /// Of the block that is under way, or was carried out last.
   const Origin& origin() const;
+  /// mm: of lengths in the machine's own tables.
+  double machine_unit() const;
   /// Axis of the normal of the plane in force.
   std::size_t plane_normal() const;
   /// What is in force, all blocks so far carried out.

@@ -65,6 +65,7 @@ const WrittenFiles& Dialect::files_written() const {
 }
 SurfaceSpeed Dialect::surface_speed(const Interpreter& m) const { return m.speed_by_x(); }
 void Dialect::refresh_frames(Interpreter& m) { m.frames_by_tables(); }
+Axes Dialect::shift_of_origin(const Interpreter& m) const { return m.shift_by_tables(); }
 void Dialect::roll(const Interpreter&, Axes&) const {}
 Status Dialect::take_answer(Interpreter& m, const ProbeAnswer& answer) { return m.note_answer(answer); }
 Status Dialect::machine_code(Interpreter& m, const Call& call) { return m.emit_machine_function(call); }

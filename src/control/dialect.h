@@ -204,8 +204,12 @@ class Dialect {
   virtual SurfaceSpeed surface_speed(const Interpreter& m) const;
   /// Origin, length, shifts by the tables and the modal state.
   virtual void refresh_frames(Interpreter& m);
+  /// What of the origin in force is a shift of the work system, and no zero of its table (G52, G92), mm.
+  virtual Axes shift_of_origin(const Interpreter& m) const;
   /// The zero may move under a contour that is being compensated.
   virtual bool zero_may_move() const { return false; }
+  /// mm: of lengths in the machine's own tables.
+  virtual double machine_unit() const { return 1; }
   /// G20 and G21 may come while a contour is being compensated.
   virtual bool units_may_change() const { return false; }
   /// Positions as they are shown: axes that roll over within their turn.

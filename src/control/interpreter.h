@@ -219,6 +219,8 @@ class Interpreter : public ControlState, public RunMemory {
   Status take_words();
   Status axis_words(Axes& to, AxisMask& named) const;
   void frames_by_tables();
+  /// What of their origin is a shift of the work system: G92 and what acts like it.
+  Axes shift_by_tables() const;
   SurfaceSpeed speed_by_x() const;
   Status note_answer(const ProbeAnswer& answer);
   Status emit_machine_function(const Call& call);

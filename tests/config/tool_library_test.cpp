@@ -2,6 +2,7 @@
 
 #include "config/tool_library.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -142,6 +143,42 @@ TEST(ToolFormats, LinuxcncTableOfALathe) {
   EXPECT_EQ(library->tools[2].angle, 0);
   EXPECT_EQ(library->tools[3].corner, 0);
   EXPECT_THAT(library->notes, SizeIs(2));
+}
+
+// The program in the same units measures its tools by it.
+TEST(ToolFormats, LinuxcncTableOfAMachineInInches) {
+  auto library = tools_of_linuxcnc("T1 P1 D+0.5\nT2 P2 D0.8 I+85 J+25 Q2\nT3 P3 D0.25 I0 J0 Q9\n", "tool.tbl");
+  ASSERT_TRUE(library);
+  take_unit(25.4, *library);
+  EXPECT_DOUBLE_EQ(library->tools[0].diameter, 12.7);
+  EXPECT_EQ(library->tools[0].length, 100);  // assumed, mm
+  EXPECT_DOUBLE_EQ(library->tools[1].corner, 10.16);
+  EXPECT_GE(library->tools[1].flutes, 3 * 10.16);
+  EXPECT_DOUBLE_EQ(library->tools[2].corner, 3.175);
+  take_unit(25.4, *library);  // it is in mm now
+  EXPECT_DOUBLE_EQ(library->tools[0].diameter, 12.7);
+}
+
+TEST(ToolFormats, OwnToolsAreInMillimetres) {
+  auto library = tools_of_toml("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 10\nflutes = 20\n", "a.toml");
+  ASSERT_TRUE(library);
+  take_unit(25.4, *library);
+  EXPECT_EQ(library->tools[0].diameter, 10);
+}
+
+TEST(ToolFormats, ATaperedMillOfFusionHasItsDiameterAtTheTip) {
+  const auto fusion = [](const char* corner) {
+    return fmt::format(
+        R"({{"data":[{{"type":"tapered mill","unit":"millimeters","geometry":{{"DC":4,"RE":{},"TA":10,"LCF":15,"LB":50}},)"
+        R"("post-process":{{"number":5}}}},{{"type":"flat end mill","unit":"millimeters","geometry":{{"DC":6,"LCF":9}}}}]}})",
+        corner);
+  };
+  const auto library = tools_of_fusion(fusion("0"), "tools.json");
+  ASSERT_TRUE(library);
+  ASSERT_THAT(library->tools, SizeIs(2));
+  EXPECT_EQ(library->tools[0].kind, ToolKind::taper);
+  EXPECT_NEAR(library->tools[0].diameter - 2 * 15 * 0.17632698, 4, 1e-6);
+  EXPECT_THAT(tools_of_fusion(fusion("1"), "tools.json")->tools, SizeIs(1));  // left out, and said
 }
 
 TEST(ToolFormats, AreToldByNameAndText) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/cycles/hole_work.h"
 #include "control/interpreter.h"
 
 namespace kadr {
@@ -17,6 +18,8 @@ void CycleRun::start(const Interpreter& m, const Job& job) {
   spindle_ = m.modal.spindle;
   hole_ = 0;
   in_hole_ = false;
+  const auto& steps = cycle_->steps;
+  taps_ = std::find(steps.begin(), steps.end(), CycleStep::spindle_reverse) != steps.end();
   plain_ = !m.dialect && m.transform.identity && !m.frames.turn && !m.modal.inch && m.modal.contour == ContourPhase::off &&
            m.modal.feeds_of_axes == 0;
 }
@@ -40,6 +43,7 @@ Status CycleRun::go_on(Interpreter& m) {
   }
   if (step_ == cycle_->steps.size()) {
     in_hole_ = false;
+    work_ = HoleWork::none;
     ++hole_;
     job_.hole[job_.first] += job_.step_first;
     job_.hole[job_.second] += job_.step_second;
@@ -53,6 +57,7 @@ Status CycleRun::begin_hole(Interpreter& m) {
   in_hole_ = true;
   step_ = 0;
   part_ = 0;
+  work_ = taps_ ? HoleWork::taps : HoleWork::none;
   depth_ = job_.level;
   if (!job_.preliminary) return {};
   const double here = m.position.programmed[job_.drill];
@@ -80,8 +85,14 @@ Status CycleRun::step(Interpreter& m) {
       return {};
     case CycleStep::spindle_stop: m.emit(Spindle{SpindleDir::stop, 0}); return {};
     case CycleStep::spindle_reverse: m.emit(Spindle{spindle_ == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw, m.modal.rpm}); return {};
-    case CycleStep::spindle_restore: m.emit(Spindle{spindle_, m.modal.rpm}); return {};
-    case CycleStep::orient: m.emit(Spindle{SpindleDir::orient, 0}); return {};
+    case CycleStep::spindle_restore:
+      m.emit(Spindle{spindle_, m.modal.rpm});
+      if (!taps_) work_ = HoleWork::none;
+      return {};
+    case CycleStep::orient:
+      m.emit(Spindle{SpindleDir::orient, 0});
+      work_ = HoleWork::stands_off;
+      return {};
     case CycleStep::stop: m.emit(Stop{false}); return {};
     default: return {};
   }
@@ -133,7 +144,7 @@ Status CycleRun::drill_to(Interpreter& m, MotionKind kind, double level) {
   }
   Axes to = m.position.programmed;
   to[job_.drill] = level;
-  return m.straight(kind, to, 1u << job_.drill);
+  return emit_in_hole(*m.batch, work_, [&] { return m.straight(kind, to, 1u << job_.drill); });
 }
 
 Status CycleRun::plane_to(Interpreter& m, double first, double second) {
@@ -148,13 +159,14 @@ Status CycleRun::plane_to(Interpreter& m, double first, double second) {
   Axes to = at;
   to[job_.first] = first;
   to[job_.second] = second;
-  return m.straight(MotionKind::rapid, to, named);
+  return emit_in_hole(*m.batch, work_, [&] { return m.straight(MotionKind::rapid, to, named); });
 }
 
 /// To the programmed position, as Interpreter::straight would.
 Status CycleRun::line(Interpreter& m, MotionKind kind, AxisMask named) {
   m.place_plainly(named);
   Motion& motion = m.add_motion(kind, named);
+  motion.in_hole = work_;
   if (kind == MotionKind::feed) m.set_feed(motion);
   return {};
 }

@@ -58,6 +58,8 @@ class CycleRun {
   std::uint32_t part_ = 0;  // within pecks
   double depth_ = 0;        // reached by pecks
   bool in_hole_ = false;
+  bool taps_ = false;
+  HoleWork work_ = HoleWork::none;
   bool plain_ = false;  // a motion of one axis changes nothing else
 };
 

@@ -67,6 +67,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.nose = 0;
   motion.join_corner = CornerJoin::extended;
   motion.entry = ContourEntry::by_corner;
+  motion.in_hole = HoleWork::none;
   motion.corner_speed = CornerSpeed::limited;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
@@ -225,11 +226,22 @@ SurfaceSpeed Interpreter::speed_by_x() const {
   return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
 }
 
-FrameChange Interpreter::frame_change() const { return {frames, position.work}; }
+FrameChange Interpreter::frame_change() const {
+  FrameChange change{frames, position.work};
+  const Axes shift = dialect ? dialect->shift_of_origin(*this) : shift_by_tables();
+  if (shift != Axes{}) change.shifted = std::make_shared<const Axes>(shift);
+  return change;
+}
 
 void Interpreter::refresh_frames() {
   if (dialect) dialect->refresh_frames(*this);
   else frames_by_tables();
+}
+
+Axes Interpreter::shift_by_tables() const {
+  Axes shift = zero_shift;
+  for (std::size_t a = 0; a < axis_count; ++a) shift[a] += set_position[a];
+  return shift;
 }
 
 void Interpreter::frames_by_tables() {

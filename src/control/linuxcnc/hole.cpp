@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "control/cycles/hole_work.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -108,11 +109,11 @@ class Drilling final : public RunningValue<Drilling> {
   /// Fault of the control: in G18, G19 both strokes go to turned axes; so does Kadr, and a warning has told.
   Status tap(Interpreter& m) {
     const SpindleDir in = h_.code == 840 ? SpindleDir::cw : SpindleDir::ccw;
-    KADR_TRY(stroke(m, h_.bottom));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, in == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw);
     dwell(m);
-    KADR_TRY(stroke(m, h_.clear));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.clear); }));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, in);
     if (h_.plane != Plane::xy) stand(m);
@@ -141,18 +142,27 @@ class Drilling final : public RunningValue<Drilling> {
     KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.level));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, SpindleDir::orient);
-    KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
-    KADR_TRY(place(m, h_.at_first, h_.at_second, h_.bottom));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::stands_off, [&] { return enter(m); }));
     turn_spindle(m, h_.spindle);
     KADR_TRY(drill(m, MotionKind::feed, h_.back));
     KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, SpindleDir::orient);
-    KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.bottom));
-    KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
-    KADR_TRY(place(m, h_.at_first, h_.at_second, h_.clear));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::stands_off, [&] { return leave(m); }));
     turn_spindle(m, h_.spindle);
     return {};
+  }
+
+  /// The oriented tool goes down beside the middle of the hole, and on to it.
+  Status enter(Interpreter& m) {
+    KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
+    return place(m, h_.at_first, h_.at_second, h_.bottom);
+  }
+
+  Status leave(Interpreter& m) {
+    KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.bottom));
+    KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
+    return place(m, h_.at_first, h_.at_second, h_.clear);
   }
 
   Status drill(Interpreter& m, MotionKind kind, double level) {

@@ -128,6 +128,8 @@ class LinuxCnc final : public Dialect {
   SurfaceSpeed surface_speed(const Interpreter& m) const override;
   const WrittenFiles& files_written() const override { return outputs.written(); }
   void refresh_frames(Interpreter& m) override;
+  double machine_unit() const override { return machine.unit; }
+  Axes shift_of_origin(const Interpreter&) const override { return state.rotation == 0 ? state.shift : Axes{}; }
   Status machine_code(Interpreter& m, const Call& call) override;
   Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
   Result<bool> end_of_file(Interpreter& m) override;

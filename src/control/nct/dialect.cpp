@@ -174,6 +174,7 @@ void Nct::note_motion(Interpreter& m, Motion& motion) { nct::note_motion(m, moti
 double Nct::inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const { return nct::inch_feed(m, motion, from); }
 
 void Nct::refresh_frames(Interpreter& m) { nct::refresh_frames(m); }
+Axes Nct::shift_of_origin(const Interpreter& m) const { return nct::shift_of_origin(m); }
 
 void Nct::roll(const Interpreter& m, Axes& positions) const { roll_positions(m, positions); }
 

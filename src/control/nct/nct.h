@@ -129,6 +129,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   void note_feed(Interpreter&) override { state.thread_lead = 0; }
   bool keeps_both_feeds() const override { return true; }  // 6.2.1
   void refresh_frames(Interpreter& m) override;
+  Axes shift_of_origin(const Interpreter& m) const override;
   bool zero_may_move() const override { return true; }
   void roll(const Interpreter& m, Axes& positions) const override;
   Status take_answer(Interpreter& m, const ProbeAnswer& at) override;

@@ -11,6 +11,7 @@ namespace kadr {
 void take_session(const Session& session, bool starts_known, CutJob& cut) {
   const Setup& setup = session.setup();
   const std::vector<std::string>& axes = session.control().axes();
+  take_unit(session.control().machine_unit(), cut.tools);
   cut.tool = std::uint32_t(std::max(setup.tool, 0));
   cut.rpm = setup.spindle().rpm;
   const std::string& dir = setup.spindle().dir;

@@ -94,6 +94,11 @@ void Cutting::note(const Action& action) {
   if (const auto* const turned = std::get_if<Spindle>(&action.what); turned != nullptr && turned->number >= 1 && turned->number <= 32) {
     const std::uint32_t bit = std::uint32_t{1} << (turned->number - 1);
     spinning_ = turned->dir == SpindleDir::cw || turned->dir == SpindleDir::ccw ? spinning_ | bit : spinning_ & ~bit;
+    if (turned->rpm > 0) speedless_ &= ~bit;
+  }
+  if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number >= 1 && speed->number <= 32) {
+    const std::uint32_t bit = std::uint32_t{1} << (speed->number - 1);
+    speedless_ = speed->value > 0 ? speedless_ & ~bit : speedless_ | bit;
   }
   if (const auto* const change = std::get_if<ToolChange>(&action.what)) tool_ = change->tool;
   else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == 1)
@@ -130,10 +135,11 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
 /// What is wrong if the cutting part takes anything away on this motion.
 AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
-  if (motion.kind == MotionKind::thread) return AlarmId::count;  // the spindle is led by the control
-  if (tool.kind == ToolKind::turning) return spinning_ == 0 ? AlarmId::spindle_stopped : AlarmId::count;  // of the part
-  if (spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) return AlarmId::spindle_stopped;
-  if (spindle_ == SpindleDir::ccw) return AlarmId::spindle_wrong_way;
+  if (motion.kind == MotionKind::thread) return AlarmId::count;                                         // the spindle is led by the control
+  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return AlarmId::count;  // so it is there
+  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : AlarmId::count;  // of the part
+  if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
+  if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
   double flat = 0, climb = 0;
   for (const WayPiece& p : pieces) flat += flat_length(p), climb += climb_of(p);
   if (tool.kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
@@ -179,6 +185,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   way_.take(step, pieces_);
   if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // named, and it stood there already
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
+  if (motion->in_hole == HoleWork::stands_off) return {};  // it has one edge, and that is turned away from the wall
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
     if (unknown_now() != 0) return {};

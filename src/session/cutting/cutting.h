@@ -148,6 +148,7 @@ class Cutting {
   std::uint32_t spinning_ = 0;  // spindles that turn, a bit each: any may turn the part
   bool in_thread_ = false;      // the last motion of a turning tool was a pass of a thread
   double rpm_;
+  std::uint32_t speedless_ = 0;  // spindles whose speed the program has made 0, a bit each
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;

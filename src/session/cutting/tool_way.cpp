@@ -53,6 +53,14 @@ bool ToolWay::turns(const Step& step) const {
   return tree_ != nullptr || (space != nullptr && space->has_rotary());
 }
 
+/// The work system by its table: a shift (G52, G92) lies in the origin or, where that is turned, beside it.
+Placement ToolWay::without_shift() const {
+  Placement plain = placement_;
+  plain.shift = {};
+  for (std::size_t a = 0; shifted_ && a < plain.origin.size(); ++a) plain.origin[a] -= (*shifted_)[a];
+  return plain;
+}
+
 /// A tool that is led by its tip has its length in the work space alone.
 double ToolWay::length_on(const Step& step) const {
   const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
@@ -127,11 +135,12 @@ bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
 
 void ToolWay::take(const Step& step, std::vector<WayPiece>& pieces) {
   pieces.clear();
-  if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
+  if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement, shifted_ = frame->shifted;
   const Motion* const motion = step.motion();
   if (motion == nullptr) return;
   length_ = length_on(step);
-  if (!zero_ && (system_ ? motion->system == *system_ : is_cutting(motion->kind))) zero_ = present_zero();
+  if (!zero_ && system_ && motion->system == *system_) zero_ = zero_of(chain_, without_shift());
+  if (!zero_ && !system_ && is_cutting(motion->kind)) zero_ = present_zero();
   if (bent(step, pieces)) return;
   const Curve& curve = step.curve();
   const double turn = turns(step) ? rotary_way(step) : 0;

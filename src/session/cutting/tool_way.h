@@ -22,9 +22,9 @@ struct WayPiece {
 
 class ToolWay {
  public:
-  /// `chord`: mm by which a piece may miss an arc. `system`: row of the table of zeros whose work system is meant; nothing: that of the
-  /// first motion at feed. `tree`: the machine, if its file says how its axes carry each other. `apart`: rapid rates of the machine's axes
-  /// where each goes at its own (DogLeg); nothing: rapid motions are lines.
+  /// `chord`: mm by which a piece may miss an arc. `system`: row of the table of zeros whose work system is meant, without what G52 or G92
+  /// shift it by; nothing: that of the first motion at feed. `tree`: the machine, if its file says how its axes carry each other. `apart`:
+  /// rapid rates of the machine's axes where each goes at its own (DogLeg); nothing: rapid motions are lines.
   ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint16_t> system, std::shared_ptr<const MachineTree> tree = nullptr,
           const std::optional<Axes>& apart = {});
 
@@ -45,6 +45,7 @@ class ToolWay {
 
  private:
   bool turns(const Step& step) const;
+  Placement without_shift() const;
   double length_on(const Step& step) const;
   Pose pose_of(const Step& step, const Axes& work, double part) const;
   static Axes work_at(const Step& step, double part);
@@ -58,6 +59,7 @@ class ToolWay {
   std::optional<std::uint16_t> system_;
   std::optional<Axes> apart_;
   Placement placement_;
+  std::shared_ptr<const Axes> shifted_;  // FrameChange::shifted
   double length_ = 0;
   std::optional<Vec3> zero_;
 };

@@ -28,6 +28,8 @@ class Blank {
   virtual double volume() const = 0;
   /// mm³ of it in a box. By lines where a body has no better way: to some hundred thousandths.
   virtual double volume_within(const Box3& box) const;
+  /// Bodies of which it is made lie partly within each other: it is their union.
+  virtual bool overlaps() const { return false; }
   /// Of memory, where it takes much.
   virtual std::size_t bytes() const { return 0; }
   /// Of each brick: may the surface go through it? Empty: through any. Of the others one line tells whether they are full.

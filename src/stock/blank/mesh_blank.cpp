@@ -14,6 +14,7 @@ namespace kadr {
 namespace {
 
 constexpr double same_hit = 1e-3;  // mm: places come back in single precision
+constexpr int lines_to_overlap = 128;
 
 class MeshBlank : public Blank {
  public:
@@ -22,9 +23,14 @@ class MeshBlank : public Blank {
   MeshBlank& operator=(const MeshBlank&) = delete;
 
   Box3 box() const override { return box_; }
-  double volume() const override { return volume_; }
+  /// That of the mesh counts twice what lies in two shells.
+  double volume() const override { return overlaps() ? Blank::volume_within(box_) : volume_; }
   const Mesh* mesh() const override { return &mesh_; }
-  double volume_within(const Box3& box) const override { return mesh_within(mesh_, box).volume; }
+  double volume_within(const Box3& box) const override { return overlaps() ? Blank::volume_within(box) : mesh_within(mesh_, box).volume; }
+  bool overlaps() const override {
+    std::call_once(asked_, [&] { overlaps_ = find_overlap(); });
+    return overlaps_;
+  }
   std::size_t bytes() const override { return mesh_blank_bytes(mesh_.triangle_count()); }
   void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override;
   Vec3 normal(Vec3 at, int family, bool out) const override;
@@ -33,6 +39,7 @@ class MeshBlank : public Blank {
  private:
   Vec3 normal_of(std::size_t triangle, const Vec3& otherwise) const;
   const MeshIndex& index(int family) const;
+  bool find_overlap() const;
 
   Mesh mesh_;
   Box3 box_;
@@ -40,6 +47,8 @@ class MeshBlank : public Blank {
   // Made when they are first asked for: who only asks for box and bricks does without.
   mutable std::once_flag made_[3];
   mutable std::unique_ptr<const MeshIndex> along_[3];
+  mutable std::once_flag asked_;
+  mutable bool overlaps_ = false;
 };
 
 const MeshIndex& MeshBlank::index(int family) const {
@@ -51,6 +60,31 @@ const MeshIndex& MeshBlank::index(int family) const {
 bool before(const MeshHit& a, const MeshHit& b) {
   if (a.place != b.place) return a.place < b.place;
   return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
+}
+
+/// A line is wound about twice over some of its length.
+bool winds_twice(std::vector<MeshHit>& hits) {
+  std::sort(hits.begin(), hits.end(), before);
+  int depth = 0;
+  double since = 0;
+  for (const MeshHit& hit : hits) {
+    if (depth > 1 && hit.place - since > same_hit) return true;
+    depth += hit.turn, since = hit.place;
+  }
+  return false;
+}
+
+/// What a hundredth of its width overlaps is found; less counts for nothing in the volume.
+bool MeshBlank::find_overlap() const {
+  const double step_x = (box_.most.x - box_.least.x) / lines_to_overlap, step_y = (box_.most.y - box_.least.y) / lines_to_overlap;
+  std::vector<MeshHit> hits;
+  for (int i = 0; i < lines_to_overlap; ++i)
+    for (int j = 0; j < lines_to_overlap; ++j) {
+      hits.clear();
+      index(2).hits(box_.least.x + (i + 0.5) * step_x, box_.least.y + (j + 0.5) * step_y, hits);
+      if (winds_twice(hits)) return true;
+    }
+  return false;
 }
 
 void MeshBlank::cross(int family, double u, double v, std::vector<LineRange>& ranges) const {

@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t points_at_once = 1024;
 constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
 constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
+constexpr double between_lines = 2;   // times as deep as on the lines around: a groove between them may be
 
 constexpr double bytes_of_triangle = 130;  // tree, and the triangle itself, twice
 
@@ -41,9 +42,10 @@ struct Offences {
   void take(const Offences& other) { left_on.take(other.left_on), gouged.take(other.gouged); }
 };
 
-/// mm³ in one brick.
-struct BrickVolumes {
+/// What the lines of one brick show: mm³, and how deep, mm.
+struct BrickFound {
   float left_on = 0, gouged = 0;
+  float left_depth = 0, gouge_depth = 0;
 };
 
 /// The stock's lattice, and as many bricks around it as the part needs.
@@ -77,7 +79,7 @@ class PartHeld {
         wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box())),
         lines_(part, wider_.lattice, faces == nullptr ? std::nullopt : std::optional(body_->box()), stock.threads()),
         part_at_(body_->bricks_at_surface(wider_.lattice)),
-        volumes_(wider_.lattice.size()),
+        found_(wider_.lattice.size()),
         inside_(points_inside(part, surface.points, stock.threads())) {}
 
   PartComparison held();
@@ -89,10 +91,11 @@ class PartHeld {
     std::uint32_t hint = 0;
   };
   bool is_inside(std::size_t point, const Vec3& at) const;
+  double depth_around(const Vec3& at, bool inside) const;
   void hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const;
   void hold_brick(std::size_t brick, Work& work);
   void hold_evenly(std::size_t brick, bool material, Work& work);
-  float hold_stretches(std::size_t brick, bool gouged, Work& work);
+  float hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work);
   bool walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const;
   std::optional<std::size_t> of_stock(std::size_t brick) const;
 
@@ -104,7 +107,7 @@ class PartHeld {
   WiderLattice wider_;
   PartLines lines_;
   std::vector<bool> part_at_;
-  std::vector<BrickVolumes> volumes_;
+  std::vector<BrickFound> found_;
   std::vector<std::uint8_t> inside_;  // of each point
 };
 
@@ -117,13 +120,34 @@ bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
   return true;
 }
 
+/// Points of the surface are guesses from the places on lattice lines around them, which are exact: where edges meet some are off by a part
+/// of the cell. What such a place does not show at all no point can know.
+///   returns  mm, the deepest on lines of the bricks that the point's cell touches
+double PartHeld::depth_around(const Vec3& at, bool inside) const {
+  const Lattice& lattice = wider_.lattice;
+  int low[3], high[3];
+  for (int d = 0; d < 3; ++d) {
+    const double from_origin = along(at, d) - along(lattice.origin(), d);
+    const auto brick = [&](double place) { return std::clamp(int(std::floor(place / lattice.edge())), 0, lattice.bricks(d) - 1); };
+    low[d] = brick(from_origin - lattice.cell()), high[d] = brick(from_origin + lattice.cell());
+  }
+  float deepest = 0;
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x) {
+        const BrickFound& found = found_[lattice.at({x, y, z})];
+        deepest = std::max(deepest, inside ? found.gouge_depth : found.left_depth);
+      }
+  return double(deepest);
+}
+
 void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
   const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.point_count());
   for (std::size_t i = chunk * points_at_once; i < last; ++i) {
     const Vec3 at = surface_.point(i);
     if (faces_ != nullptr && faces_->hold(at)) continue;
-    const double depth = nearest_.distance(at, work.hint);
     const bool inside = is_inside(i, at);
+    const double depth = std::min(nearest_.distance(at, work.hint), between_lines * depth_around(at, inside) + same_place);
     deviation[i] = float(inside ? -depth : depth);
     (inside ? work.found.gouged : work.found.left_on).take({depth, at, surface_.made_by[i], i});
   }
@@ -142,7 +166,11 @@ void PartHeld::hold_brick(std::size_t brick, Work& work) {
   if (state != Stock::State::mixed && !part_at_[brick]) return hold_evenly(brick, state == Stock::State::full, work);
   take_difference(own ? stock_.brick(*own) : nullptr, state == Stock::State::full, lines_,
                   {wider_.lattice.place(brick), wider_.lattice.corner(brick), wider_.lattice.cell()}, work.difference);
-  volumes_[brick] = {hold_stretches(brick, false, work), hold_stretches(brick, true, work)};
+  Offences here;
+  BrickFound& found = found_[brick];
+  found.left_on = hold_stretches(brick, false, here.left_on, work), found.gouged = hold_stretches(brick, true, here.gouged, work);
+  found.left_depth = float(here.left_on.depth), found.gouge_depth = float(here.gouged.depth);
+  work.found.take(here);
 }
 
 /// All material or none, all part or none: one of its lines tells.
@@ -151,14 +179,18 @@ void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
   const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
   const bool part = std::any_of(stretches.begin(), stretches.end(), [&](const LineRange& r) { return r.from < middle && middle < r.to; });
   if (part == material) return;
-  (part ? volumes_[brick].gouged : volumes_[brick].left_on) = float(edge * edge * edge);
-  Deepest& deepest = part ? work.found.gouged : work.found.left_on;
-  for (std::int32_t line = 0; line < brick_lines; ++line) (void)walk({line, 0, edge, of_blank, of_blank}, 2, brick, deepest, work);
+  BrickFound& found = found_[brick];
+  (part ? found.gouged : found.left_on) = float(edge * edge * edge);
+  Deepest here;
+  for (std::int32_t line = 0; line < brick_lines; ++line) (void)walk({line, 0, edge, of_blank, of_blank}, 2, brick, here, work);
+  (part ? found.gouge_depth : found.left_depth) = float(here.depth);
+  (part ? work.found.gouged : work.found.left_on).take(here);
 }
 
-/// By the direction that meets most of the difference: lines across a thin layer tell its volume, lines along it hardly.
+/// The volume by the direction that meets most of the difference: lines across a thin layer tell it, lines along it hardly. The depth by
+/// all three, but for what is rounding along a wall.
 ///   returns  mm³
-float PartHeld::hold_stretches(std::size_t brick, bool gouged, Work& work) {
+float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
   const auto of = [&](int family) -> const std::vector<Stretch>& {
     const LineDifference& d = work.difference.family[std::size_t(family)];
     return gouged ? d.gouged : d.left_on;
@@ -168,7 +200,10 @@ float PartHeld::hold_stretches(std::size_t brick, bool gouged, Work& work) {
     if (of(family).size() > of(best).size()) best = family;
   double length = 0;
   for (const Stretch& stretch : of(best))
-    if (walk(stretch, best, brick, gouged ? work.found.gouged : work.found.left_on, work)) length += stretch.to - stretch.from;
+    if (walk(stretch, best, brick, deepest, work)) length += stretch.to - stretch.from;
+  for (const int family : {(best + 1) % 3, (best + 2) % 3})
+    for (const Stretch& stretch : of(family))
+      if (stretch.to - stretch.from > same_place) (void)walk(stretch, family, brick, deepest, work);
   return float(length * wider_.lattice.cell() * wider_.lattice.cell());
 }
 
@@ -205,15 +240,13 @@ PartComparison PartHeld::held() {
       for (std::size_t i; (i = next++) < count;) hold(i, works[std::size_t(thread)]);
     });
   };
+  share(wider_.lattice.size(), [&](std::size_t i, Work& work) { hold_brick(i, work); });
   share(chunks, [&](std::size_t i, Work& work) { hold_points(i, result.deviation, work); });
   Offences all;
   for (const Work& w : works) all.take(w.found);
-  for (Work& w : works) w.found = all;
-  share(wider_.lattice.size(), [&](std::size_t i, Work& work) { hold_brick(i, work); });
-  for (const Work& w : works) all.take(w.found);
   const auto offence = [](const Deepest& d) { return PartOffence{0, d.depth, d.at, d.sweep}; };
   result.left_on = offence(all.left_on), result.gouged = offence(all.gouged);
-  for (const BrickVolumes& v : volumes_) result.left_on.volume += double(v.left_on), result.gouged.volume += double(v.gouged);
+  for (const BrickFound& v : found_) result.left_on.volume += double(v.left_on), result.gouged.volume += double(v.gouged);
   return result;
 }
 
@@ -227,7 +260,7 @@ double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, Hel
   const Lattice own(stock, cell);
   const Lattice lattice = held == HeldPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
   return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, lattice) +
-         double(lattice.size()) * double(sizeof(BrickVolumes) + 1);
+         double(lattice.size()) * double(sizeof(BrickFound) + 1);
 }
 
 }  // namespace kadr

@@ -8,6 +8,7 @@
 
 #include "base/tolerance.h"
 #include "config/drill_steps.h"
+#include "control/cycles/hole_work.h"
 #include "control/functions/functions.h"
 #include "control/nct/blocks.h"
 #include "control/nct/nct.h"
@@ -94,7 +95,10 @@ Result<bool> DrillingRun::next(Interpreter& m) {
     ++pass_;
     return true;
   }
-  KADR_TRY(step(m, now));
+  if (now == cw || now == ccw) stands_off_ = false;
+  const HoleWork work = stands_off_ ? HoleWork::stands_off : taps() ? HoleWork::taps : HoleWork::none;
+  KADR_TRY(emit_in_hole(*m.batch, work, [&] { return step(m, now); }));
+  if (now == orient) stands_off_ = true;
   if (part_ == 0) ++at_;
   return true;
 }
@@ -118,6 +122,7 @@ Status DrillingRun::begin_pass(Interpreter& m) {
   peck_ = job_.peck;
   cut_ = 0;
   part_ = 0;
+  stands_off_ = false;
   single_block(m);
   return {};
 }
@@ -252,7 +257,7 @@ Status DrillingRun::feed(Interpreter& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  if (job_.code == 740 || job_.code == 840) motion.own_override = motion.no_hold = true;  // 18.2
+  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2
   return {};
 }
 

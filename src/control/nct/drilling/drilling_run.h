@@ -62,7 +62,8 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   Status feed(Interpreter& m, double level, double percent);
   Status tap(Interpreter& m, double level, double percent);
   void single_block(Interpreter& m) const;
-  bool is_tap() const { return job_.code == 842 || job_.code == 843; }
+  bool is_tap() const { return job_.code == 842 || job_.code == 843; }  // the spindle is led with the axis
+  bool taps() const { return is_tap() || job_.code == 840 || job_.code == 740; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
   double scale(const Interpreter& m) const;
   double next_depth(const Interpreter& m) const;
@@ -77,6 +78,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   std::uint32_t part_ = 0;  // within pecks
   double depth_ = 0;        // reached by pecks, programmed
   double cut_ = 0;          // since the way to R, mm
+  bool stands_off_ = false;
 };
 
 }  // namespace kadr::nct

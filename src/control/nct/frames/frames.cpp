@@ -77,6 +77,13 @@ void refresh_frames(Interpreter& m) {
   if (before && m.frames.turn && *before == *m.frames.turn) m.frames.turn = before;
 }
 
+/// With a turn it is turned, too: the shift of the frames.
+Axes shift_of_origin(const Interpreter& m) {
+  Axes shift{};
+  for (std::size_t a = 0; a < m.axis_count && m.frames.turn == nullptr; ++a) shift[a] = m.modal.new_system[a] + m.modal.local[a];
+  return shift;
+}
+
 MotionDetail& detail_of(Interpreter& m, Motion& motion) {
   (void)m;
   auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();

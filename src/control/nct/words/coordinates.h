@@ -23,6 +23,7 @@ bool is_diameter(const Interpreter& m, std::size_t axis);
 bool is_increment(const Interpreter& m, const Word& w);
 /// Origin, length, shifts and basic rotation worked out anew (10, position chain).
 void refresh_frames(Interpreter& m);
+Axes shift_of_origin(const Interpreter& m);
 /// c in [0, period).
 double rolled_position(double c, double period);
 /// Signed way of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.

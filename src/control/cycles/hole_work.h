@@ -1,0 +1,21 @@
+#pragma once
+// What a drilling cycle says of its motions beside where they go: HoleWork of action/action.h.
+
+#include <variant>
+
+#include "action/action.h"
+#include "base/result.h"
+
+namespace kadr {
+
+/// Emits into `batch`, and says of the motions among it what they are for.
+template <class Emit>
+Status emit_in_hole(ActionBatch& batch, HoleWork work, Emit&& emit) {
+  const std::size_t before = batch.size();
+  KADR_TRY(emit());
+  for (std::size_t i = before; i < batch.size(); ++i)
+    if (auto* const motion = std::get_if<Motion>(&batch[i].what)) motion->in_hole = work;
+  return {};
+}
+
+}  // namespace kadr
