@@ -127,6 +127,92 @@ def endless(server):
     expect('error' in page.ask('machine', file='../outside.nc', **WITH), 'a program beyond the folder')
 
 
+AT_REST = 'G21 G90 G94 F3000\nT1 M6\nG43 H1\nS1200 M3\nM8\nM98 P7\nG0 X1\nM30\nO0007\nG55\nG1 X12\nM99\n%\n'
+AT_REST_SETUP = {'offsets': {'1': {'length': 50}}, 'work_offsets': {'G55': {'X': 7}}}
+
+
+def at_rest(server):
+    """What blocks and lines without a motion change is shown all the same; edits that are refused are not kept; stop points keep their numbers."""
+    page = looker(server)
+    page.ask('machine', file='rest.nct', control='nct', machine='fast.toml', setup='rest.json')
+
+    def codes(panel):
+        return {m['code'] for m in panel['modal']}
+
+    page.ask('enter', line='S700 M3')
+    until(page, lambda p: p['rpm'] == 700 and 'M3' in codes(p))
+    page.ask('enter', line='T4 M6')
+    until(page, lambda p: p['tool'] == 4)
+    page.ask('enter', line='G55')
+    until(page, lambda p: 'G55' in codes(p) and p['zero']['X'] == 7 and p['position']['X'] == -7)
+    page.ask('enter', line='G10 L2 P2 X8')
+    until(page, lambda p: p['zero']['X'] == 8 and p['position']['X'] == -8)
+    page.ask('undo')
+    until(page, lambda p: p['zero']['X'] == 7)
+    page.ask('enter', line='M99')  # it has no caller
+    alarm = until(page, lambda p: p['alarm'] is not None and p['mode'] == 'standing')
+    expect(alarm['machine']['X'] == 0 and alarm['mode'] == 'standing', f'a line does not end the program: {alarm}')
+
+    page.ask('press', key='reset')
+    stands(page)
+    page.ask('switches', single=True)
+    for done, is_so in (('G21', lambda p: 'G94' in codes(p)), ('T1', lambda p: p['tool'] == 1), ('G43', lambda p: p['offsets']['H'] == 1), ('S1200', lambda p: p['rpm'] == 1200 and 'M3' in codes(p)), ('M8', lambda p: 'M8' in codes(p)), ('M98', lambda p: [c['line'] for c in p['calls']] == [6])):
+        page.ask('press', key='run')
+        until(page, lambda p: p['mode'] == 'standing' and is_so(p), 10)
+        expect(True, done)
+    page.ask('switches', single=False)
+
+    expect('error' in page.ask('edit', tables={'variables': {'#5021': 1}}), 'a variable that cannot be given')
+    expect('error' in page.ask('edit', tables={'axes': {}}), 'a table that is none')
+    expect(page.ask('tables')['edited'].get('variables') is None, 'what is refused is not kept')
+    page.ask('press', key='reset')
+    stands(page)
+    expect('error' not in page.ask('edit', tables={'offsets': {'2': {'length': 5}}}), 'the next one is taken')
+
+    for line in (3, 5):
+        page.ask('stops', line=line)
+    page.ask('stops', remove=1)
+    page.ask('press', key='reset')
+    numbers = [stop['number'] for stop in stands(page)['stops']]
+    expect(numbers == [2] and 'error' not in page.ask('stops', remove=2), f'stop points keep their numbers: {numbers}')
+    expect(page.ask('panel')['stops'] == [], 'and are removed by them')
+    page.ask('press', key='off')
+
+
+def gone(server, folder):
+    """The file of the program is deleted while its machine is on."""
+    page = looker(server)
+    (folder / 'gone.nc').write_text(PROGRAM)
+    page.ask('machine', file='gone.nc', **WITH)
+    (folder / 'gone.nc').unlink()
+    page.ask('press', key='emergency')
+    stands(page, 'emergency')
+    expect('error' in page.ask('press', key='reset'), 'the program is not there any more')
+    stands(page, 'ended')
+    expect('error' not in page.ask('jog', axis='Z', way=7.0), 'but the tool can be lifted')
+    until(page, lambda p: p['machine']['Z'] == 7 and p['mode'] in ('ended', 'standing'))
+    page.ask('press', key='off')
+
+
+HOLES = {'a.nct': ('nct', 'G21 G90 G94 F3000\nG0 X10 Y10 Z20\nG81 X10 Y10 Z-5 R2\nX20\nG80\nM30\n', {1: 10}),
+         'b.ngc': ('linuxcnc', 'G21 G90 G94 F3000\nG0 X10 Y10 Z20\nG91 G81 X5 Y0 Z-15 R-5 L3\nG80 G90\nM2\n', {1: 15, 2: 20, 3: 25, 4: None}),
+         'c.nc': ('mach3', 'G21 G90 G94 F3000\nG0 X10 Y10 Z20\nG81 X10 Y10 Z-5 R2\nG80\nM30\n', {1: 10, 2: None}),
+         'd.nct': ('nct', 'G21 G90 G94 F3000\nG0 X0 Y10 Z20\nG91 G81 X5 Z-15 R-18 L3\nG80\nM30\n', {1: 5, 2: 10, 3: 15, 4: None})}
+
+
+def holes(server):
+    """Going on at a hole: over the first one the tool may stand already."""
+    page = looker(server)
+    for name, (control, _, places) in HOLES.items():
+        expect('error' not in page.ask('machine', file=name, control=control, machine='fast.toml'), f'{name} is on')
+        for hole, x in places.items():
+            while not (sheet := page.ask('restart', line=3, hole=hole)).get('ready') and 'error' not in sheet:
+                time.sleep(0.01)
+            there = next((row['wanted'] for row in sheet.get('rows', []) if row['key'] == 'machine:X'), None)
+            expect((there is None) == (x is None) and (x is None or float(there) == x) or (x == 0 and 'error' not in sheet), f'{name}, hole {hole}: {there}, not {x}: {sheet.get("error")}')
+        page.ask('press', key='off')
+
+
 TWO = {'parameters': {'N2201': 501, 'N2202': 510}, 'channels': {'2': {'axes': ['X', 'Z'], 'program': 'G90 G94\nG1 Z50 F3000\nM501 P12\nG0 X5\nM30'}}}
 
 
@@ -168,12 +254,19 @@ def main():
         (folder / 'fast.toml').write_text(FAST)
         (folder / 'two.nct').write_text('G90 G94\nG0 X10\nM501 P12\nG0 X20\nM30\n')
         (folder / 'two.json').write_text(json.dumps(TWO))
+        (folder / 'rest.nct').write_text(AT_REST)
+        (folder / 'rest.json').write_text(json.dumps(AT_REST_SETUP))
+        for name, (_, text, _) in HOLES.items():
+            (folder / name).write_text(text)
         (folder / 'endless.nc').write_text('G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n')
         (Path(above) / 'outside.nc').write_text(PROGRAM)
         server = Server(kadr, folder)
         many(server, operator(server))
         endless(server)
         channels(server)
+        at_rest(server)
+        holes(server)
+        gone(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands, and ends with machines that are on')
     said = {name for name in seen if '.' in name}
     named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'stops') and '.' in n}

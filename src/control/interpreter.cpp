@@ -158,20 +158,9 @@ bool Interpreter::carry_out_call(std::uint8_t word) {
   return true;
 }
 
-/// What the block changed of the things that survive power-off.
-void Interpreter::report_changes() {
-  if (!dialect || on_changes == nullptr || !*on_changes) return;
-  const StateChanges changes = dialect->take_changes(*this);
-  if (!changes.rows.empty()) (*on_changes)(changes);
-}
-
-void Interpreter::take_common(const Interpreter& from) {
-  if (!dialect || !from.dialect) return;
-  dialect->take_common(*this, *from.dialect);
-  report_changes();
-}
-
 void Interpreter::take_block() {
+  if (returns_from_entered()) [[unlikely]]
+    return fail_with(alarm(AlarmId::return_without_call, block->where));
   if (is_watched()) [[unlikely]]
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());

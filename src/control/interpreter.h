@@ -274,6 +274,7 @@ class Interpreter : public ControlState, public RunMemory {
   Status modes_served(const PlanItem& item) const;
   Status execute();
   void take_block();
+  bool returns_from_entered() const;
   void watch_block();
   bool is_watched() const;
   void end_block();

@@ -188,4 +188,17 @@ void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
       warn(warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
 }
 
+/// What the block changed of the things that survive power-off.
+void Interpreter::report_changes() {
+  if (!dialect || on_changes == nullptr || !*on_changes) return;
+  const StateChanges changes = dialect->take_changes(*this);
+  if (!changes.rows.empty()) (*on_changes)(changes);
+}
+
+void Interpreter::take_common(const Interpreter& from) {
+  if (!dialect || !from.dialect) return;
+  dialect->take_common(*this, *from.dialect);
+  report_changes();
+}
+
 }  // namespace kadr

@@ -109,7 +109,7 @@ void PanelMachine::look_after_stretch() {
   const bool stand = std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->stands(); });
   if (resets_ && stand) {
     drop_stretch();
-    if (const Answer opened = open(lane_->clock.sample().machine); !opened) kept_.told = opened.error();
+    if (const Answer opened = start_over(); !opened) kept_.told = opened.error();
     return;
   }
   const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
@@ -240,7 +240,7 @@ PanelMachine::Answer PanelMachine::reset() {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
     tell("reset");
-    if (!stretch_) return open(lane_->clock.sample().machine);
+    if (!stretch_) return start_over();
     resets_ = true;
     set_share();
     return {};

@@ -262,6 +262,7 @@ class PanelMachine {
   Answer begin_session(const std::optional<Axes>& start);
   void obey_switches();
   Answer open(const std::optional<Axes>& start);
+  Answer start_over();
   void begin_search();
   void stand_here();
   // panel_keeping.cpp
@@ -285,6 +286,7 @@ class PanelMachine {
   void go_on();
   bool is_over() const;
   void end_stretch();
+  void show_what_is_in_force();
   void drop_stretch();
   ToolPosition standing_plainly(std::size_t channel) const;
   void begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions);

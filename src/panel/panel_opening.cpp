@@ -50,7 +50,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
   control.hand_over_each_block();  // a stop holds before the very next one
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
-  for (const auto& [number, point] : kept_.stops) stepping_->add(point);
+  stepping_->keep(kept_.stops);
   stepping_->on_asked = [this](const Origin& origin) {
     note_variables(last_line_);
     last_line_ = origin.line;
@@ -97,6 +97,13 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   kept_.mode = goes_on_ ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
   show();
   return {};
+}
+
+/// A program that cannot be read any more is over: alarm and emergency stop end all the same, so that the axes can be moved by hand.
+PanelMachine::Answer PanelMachine::start_over() {
+  Answer opened = open(lane_->clock.sample().machine);
+  if (!opened) kept_.mode = PanelMode::ended, kept_.alarm.reset();
+  return opened;
 }
 
 /// The run that places are asked of is this one.

@@ -247,6 +247,7 @@ void PanelMachine::end_stretch() {
     if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
     if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // what the planner's sums have left
   }
+  if (of != Stretch::Of::hand) show_what_is_in_force();
   if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
   if (going_ && came_to != Session::State::stopped) {
     if (const Answer there = go_on_there(); !there) kept_.told = there.error(), kept_.mode = PanelMode::standing;
@@ -259,6 +260,19 @@ void PanelMachine::end_stretch() {
   if (of != Stretch::Of::program) return;
   if (kept_.mode == PanelMode::ended) tell("ended");
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
+}
+
+/// Blocks behind the last motion have changed it, with no motion to show it by: the zero too, unless a contour holds a motion back.
+void PanelMachine::show_what_is_in_force() {
+  const bool in_contour = is_in_contour();
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const Control& control = *session_->channels()[i].control;
+    PanelBlock& on = lanes_[i]->on;
+    on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls()});
+    if (in_contour) continue;
+    on.placement = lanes_[i]->placement = control.placement();
+    on.work = session_->stand(i).work, on.machine = session_->stand(i).machine;
+  }
 }
 
 /// The axes stay where they are.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/tolerance.h"
 
@@ -16,7 +17,7 @@ bool same_value(const InForce& a, const InForce& b) {
   return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
 }
 
-/// Holes are places over which the tool comes down.
+/// Holes are places over which the tool comes down. Where it stands over the first one already, that one begins at R.
 bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
@@ -37,14 +38,17 @@ bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Rest
   std::optional<Axes> over;
   std::uint32_t holes = 0;
   bool went_down = false;
+  double level = 0;  // that it has come down to first
   Axes last = control.tool_position().work;
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
     const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
-    if (!over && !moved_down) over = now, holes = 1;
-    if (moved_down && over) went_down = true;
-    if (went_down && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
+    const bool rises = moved_down && now[normal] > last[normal];  // up to R first: the hole is somewhere else
+    if (!over && !rises) over = now, holes = 1;
+    else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
+    const bool is_out = now[normal] >= level - tol::same_point;  // and not shifted on its ground
+    if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {
       restart.in_force = control.in_force();
       restart.stand = session.stand();

@@ -93,6 +93,8 @@ class Stepping {
 
   /// Its number from 1 on.
   std::size_t add(StopPoint point);
+  /// Those of another run, by their numbers.
+  void keep(std::map<std::size_t, StopPoint> points) { points_ = std::move(points); }
   /// False: there is none of that number.
   bool remove(std::size_t number);
   const std::map<std::size_t, StopPoint>& points() const { return points_; }

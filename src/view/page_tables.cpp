@@ -1,6 +1,8 @@
 // Questions about the tables of a machine at its panel: tables, edit, keep_tables; and its log: shift. For view/page_session; tested by
 // tests/panel_tables.py.
 
+#include <algorithm>
+
 #include "config/state_json.h"
 #include "view/page_inside.h"
 #include "view/panel_content.h"
@@ -61,8 +63,13 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   if (patch == question.end() || !patch->is_object()) return refused(told("want tables", "нужны таблицы"));
   PanelProgram& program = content_of(*panel_place).program;
   const std::lock_guard one_at_a_time(content_of(*panel_place).edits);
+  const auto sections = program.sections();
+  for (const auto& [name, rows] : patch->items())
+    if (std::find(sections.begin(), sections.end(), name) == sections.end())
+      return refused(name + told(": there is no such table here", ": здесь нет такой таблицы"));
   auto changed = program.changed(*patch);
   if (!changed) return refused(changed.error());
+  if (const std::string fault = program.refusal(*changed); !fault.empty()) return refused(fault);
   if (const auto may = (*machine)->may_take_tables(); !may) return refused(may.error());
   if (const std::string fault = keep("tables", dumped(changed->edited)); !fault.empty()) return refused(fault);
   if (!program.take(std::move(*changed))) {

@@ -119,6 +119,15 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
   return tables;
 }
 
+std::string PanelProgram::refusal(const Tables& tables) const {
+  auto text = opened_.program();
+  if (!text) return text.error();
+  SessionSpec spec = opened_.spec(std::move(*text), {});
+  spec.setup = tables.setup;
+  const auto session = Session::open(std::move(spec));
+  return session ? std::string() : told(session.error().fault.en, session.error().fault.ru);
+}
+
 bool PanelProgram::take(Tables tables) {
   const std::lock_guard hold(lock_);
   if (tables.after != changes_) return false;

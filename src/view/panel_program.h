@@ -32,6 +32,9 @@ class PanelProgram {
   /// What would come of a change (JSON merge patch, RFC 7386: null takes an edit back), checked as set-ups are.
   ///   returns  an error sentence
   tl::expected<Tables, std::string> changed(const PageJson& patch) const;
+  /// Opens the program with them, for nothing but this.
+  ///   returns  why the control refuses them; empty: it does not
+  std::string refusal(const Tables& tables) const;
   /// False: they have been changed meanwhile.
   bool take(Tables tables);
   /// A line of the operator has changed tables of the control.
