@@ -1,5 +1,7 @@
 """A session: motions, steps, snapshots, picture, axes in time. examples/library/part.nc: tests/library.py says what it is."""
+import tempfile
 from math import pi, hypot
+from pathlib import Path
 
 import numpy
 from cases import PART, raises, run_all
@@ -86,8 +88,10 @@ def test_a_picture():
     assert isinstance(picture, str) and picture.lstrip().startswith(('<?xml', '<svg')) and '</svg>' in picture
     assert picture._repr_svg_() == session._repr_svg_() == str(picture)
     assert session.png().startswith(b'\x89PNG') and session.state == 'running'
-    picture.save('picture.svg')
-    assert open('picture.svg', encoding='utf-8').read() == picture
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / 'picture.svg'
+        picture.save(str(path))
+        assert path.read_text(encoding='utf-8') == picture
 
 
 def test_axes_in_time():
