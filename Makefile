@@ -24,13 +24,13 @@ check:
 
 install:
 	@dev/setup build
-	@dev/build program kadr kadr_files kadr_library
-	cmake --install build/release --prefix "$(PREFIX)"
+	@dev/build fast kadr kadr_files kadr_library
+	cmake --install build/fast --prefix "$(PREFIX)"
 
 deb:
 	@dev/setup deb
-	@dev/build program kadr kadr_files
-	cpack --config build/release/CPackConfig.cmake -B build/deb
+	@dev/build fast kadr kadr_files
+	cpack --config build/fast/CPackConfig.cmake -B build/deb
 	lintian --fail-on error,warning --info build/deb/*.deb
 
 clean:

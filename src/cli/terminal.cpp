@@ -16,14 +16,14 @@
 namespace kadr::cli {
 namespace {
 
-std::mutex writing;     // the thread that waits for Ctrl-C erases, too
-std::size_t shown = 0;  // characters of the bar
+std::mutex writing;                // the thread that waits for Ctrl-C erases, too
+std::size_t characters_shown = 0;  // characters of the bar
 
 void erase_shown() {
-  if (shown == 0) return;
-  fmt::print(stderr, "\r{}\r", std::string(shown, ' '));  // not by an escape sequence: every terminal knows a blank
+  if (characters_shown == 0) return;
+  fmt::print(stderr, "\r{}\r", std::string(characters_shown, ' '));  // not by an escape sequence: every terminal knows a blank
   std::fflush(stderr);
-  shown = 0;
+  characters_shown = 0;
 }
 
 bool says(const char* variable) {
@@ -44,10 +44,10 @@ bool has_colours() {
 void show_bar(const std::string& bar) {
   const std::lock_guard lock(writing);
   const std::size_t characters = characters_before(bar, bar.size());
-  const std::size_t rest = shown > characters ? shown - characters : 0;
+  const std::size_t rest = characters_shown > characters ? characters_shown - characters : 0;
   fmt::print(stderr, "\r{}{}", bar, std::string(rest, ' '));
   std::fflush(stderr);
-  shown = characters + rest;
+  characters_shown = characters + rest;
 }
 
 void erase_bar() {

@@ -12,7 +12,7 @@ using Interval = CourseSpace::Interval;
 constexpr std::size_t most_open = 20'000;  // pieces of one that lie near a single place of the other
 
 constexpr std::size_t most_lag = 4, most_alike = 16;  // pieces
-constexpr double same_place = 1e-12;                  // mm
+constexpr double same_projection = 1e-12;             // mm
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 
@@ -97,7 +97,7 @@ class FreeSpace {
     if (lag > 0) {
       if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
       for (std::size_t j = 0; j < lag; ++j)
-        if (near_[j] > same_place) return false;
+        if (near_[j] > same_projection) return false;
     } else if (column_.empty() || column_.front().first > 0) {
       return false;
     }

@@ -18,7 +18,8 @@ using H = SetupNeeds;
 constexpr SetupRange any{};
 constexpr SetupRange position{ranges::position.least, ranges::position.most};
 constexpr SetupRange told_by_reader(const NumberRange& range) { return {range.least, range.most, true}; }
-constexpr SetupRange place = told_by_reader(ranges::position), rate = told_by_reader(ranges::rate), feed = told_by_reader(ranges::feed);
+constexpr SetupRange checked_position = told_by_reader(ranges::position), rate = told_by_reader(ranges::rate),
+                     feed = told_by_reader(ranges::feed);
 constexpr SetupRange acceleration = told_by_reader(ranges::acceleration), seconds = told_by_reader(ranges::seconds);
 constexpr SetupRange speed = told_by_reader(ranges::speed), percent = told_by_reader(ranges::percent),
                      singular = told_by_reader(ranges::singular);
@@ -113,8 +114,8 @@ constexpr SetupKey keys[] = {
   {"machine.*.rapid", F::number, N::fixed, rate, U::mm_min, null, H::nothing, "", "8000", "", "rapid rate", "скорость быстрого хода"},
   {"machine.*.acceleration", F::number, N::fixed, acceleration, U::mm_s2, null, H::nothing, "", "1000", "", "acceleration; null: without limit", "ускорение; null — без ограничения"},
   {"machine.*.jerk_time", F::number, N::fixed, seconds, U::seconds, null, H::nothing, "", "0.04", "", "time in which the acceleration rises; 0: at once", "время нарастания ускорения; 0 — сразу"},
-  {"machine.*.limits", F::span, N::fixed, place, U::axis, null, H::nothing, "", "[-400, 0]", "", "way of the axis, machine coordinates", "рабочий ход оси, в координатах станка"},
-  {"machine.*.zone3", F::span, N::fixed, place, U::axis, null, H::machine_axes, "", "[0, 100]", "", "forbidden zone 3 of it, machine coordinates", "запретная зона 3 по этой оси, в координатах станка"},
+  {"machine.*.limits", F::span, N::fixed, checked_position, U::axis, null, H::nothing, "", "[-400, 0]", "", "way of the axis, machine coordinates", "рабочий ход оси, в координатах станка"},
+  {"machine.*.zone3", F::span, N::fixed, checked_position, U::axis, null, H::machine_axes, "", "[0, 100]", "", "forbidden zone 3 of it, machine coordinates", "запретная зона 3 по этой оси, в координатах станка"},
   {"machine.*.position_error", F::number, N::fixed, distance, U::axis, null, H::machine_axes, "", "0.1", "", "the axis stays that far from the command", "ось не доходит до заданного положения на эту величину"},
   {"spindle", F::table, N::spindle, any, U::none, stated, H::nothing, "", R"({"1": {"rpm": 600, "dir": "cw"}})", "", "spindles before the start", "шпиндели перед пуском"},
   {"spindle.*", F::table, N::fixed, any, U::none, stated, H::nothing, "", R"({"rpm": 600})", "", "one spindle", "один шпиндель"},
@@ -135,10 +136,10 @@ constexpr SetupKey keys[] = {
   {"probe_workpiece.tip_radius", F::number, N::fixed, distance, U::mm, stated, H::probe, "", "2", "", "radius of the probe's ball", "радиус шарика щупа"},
   {"probe_workpiece.hole", F::table, N::fixed, any, U::none, stated, H::probe, "", R"({"center": {"X": 50, "Y": 24}, "diameter": 40, "top": 0, "depth": 30})", "", "the hole, in the work system", "отверстие, в системе детали"},
   {"probe_workpiece.hole.center", F::table, N::fixed, any, U::none, stated, H::probe, "", R"({"X": 50, "Y": 24})", "", "its centre", "центр"},
-  {"probe_workpiece.hole.center.X", F::number, N::fixed, place, U::mm, stated, H::probe, "", "50", "", "centre, X", "центр, X"},
-  {"probe_workpiece.hole.center.Y", F::number, N::fixed, place, U::mm, stated, H::probe, "", "24", "", "centre, Y", "центр, Y"},
+  {"probe_workpiece.hole.center.X", F::number, N::fixed, checked_position, U::mm, stated, H::probe, "", "50", "", "centre, X", "центр, X"},
+  {"probe_workpiece.hole.center.Y", F::number, N::fixed, checked_position, U::mm, stated, H::probe, "", "24", "", "centre, Y", "центр, Y"},
   {"probe_workpiece.hole.diameter", F::number, N::fixed, diameter, U::mm, stated, H::probe, "", "40", "", "diameter", "диаметр"},
-  {"probe_workpiece.hole.top", F::number, N::fixed, place, U::mm, stated, H::probe, "", "0", "", "Z of its upper edge", "Z верхней кромки"},
+  {"probe_workpiece.hole.top", F::number, N::fixed, checked_position, U::mm, stated, H::probe, "", "0", "", "Z of its upper edge", "Z верхней кромки"},
   {"probe_workpiece.hole.depth", F::number, N::fixed, distance, U::mm, stated, H::probe, "", "30", "", "depth", "глубина"},
 
   {"clock", F::text, N::fixed, any, U::none, null, H::clock, "", R"("2014-05-18T15:32:41")", "", "date and time that the program reads", "дата и время, которые читает программа"},
@@ -182,10 +183,10 @@ constexpr SetupKey keys[] = {
   {"kinematics.type", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "head-head table-table head-table", R"("table-table")", "", "what the rotary axes turn", "что поворачивают оси"},
   {"kinematics.axes", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "CA CB AB BA AC BC", R"("AC")", "", "first and second rotary axis; A turns about X, B about Y, C about Z", "первая и вторая поворотные оси; A — вокруг X, B — вокруг Y, C — вокруг Z"},
   {"kinematics.reversed", F::text, N::fixed, any, U::none, stated, H::machine_axes, "", R"("AC")", "", "axes whose positive motion is left-handed (RD1, RD2 of N3212)", "оси, у которых положительное вращение левое (RD1, RD2 параметра N3212)"},
-  {"kinematics.T1", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[300, -200, -450]", "", "point of the (first) table's axis, machine coordinates", "точка на оси (первого) стола, в координатах станка"},
-  {"kinematics.T2", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[0, 4, -60]", "", "from there to the second table's axis", "оттуда до оси второго стола"},
-  {"kinematics.E", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[5, -3, 200]", "", "from the gauge point to the axis nearest to the tool", "от базы инструмента до ближайшей к нему оси"},
-  {"kinematics.D", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[20, 8, 50]", "", "from the second axis of the head to the first", "от второй оси головки до первой"},
+  {"kinematics.T1", F::numbers, N::fixed, checked_position, U::mm, stated, H::machine_axes, "", "[300, -200, -450]", "", "point of the (first) table's axis, machine coordinates", "точка на оси (первого) стола, в координатах станка"},
+  {"kinematics.T2", F::numbers, N::fixed, checked_position, U::mm, stated, H::machine_axes, "", "[0, 4, -60]", "", "from there to the second table's axis", "оттуда до оси второго стола"},
+  {"kinematics.E", F::numbers, N::fixed, checked_position, U::mm, stated, H::machine_axes, "", "[5, -3, 200]", "", "from the gauge point to the axis nearest to the tool", "от базы инструмента до ближайшей к нему оси"},
+  {"kinematics.D", F::numbers, N::fixed, checked_position, U::mm, stated, H::machine_axes, "", "[20, 8, 50]", "", "from the second axis of the head to the first", "от второй оси головки до первой"},
   {"kinematics.singular", F::number, N::fixed, singular, U::degrees, stated, H::machine_axes, "", "0.05", "", "by how much a vector of G43.5, G43.9 may be missed so that an axis need not whirl near a singular direction; default 0.01, 0: not at all", "на сколько можно отойти от вектора G43.5, G43.9, чтобы ось не раскручивалась у особого направления; по умолчанию 0.01, 0 — нельзя"},
   {"frame", F::table, N::any, any, U::none, null, H::machine_axes, "", "{}", "", "of a printed state; must be empty", "из напечатанного состояния; должно быть пусто"},
 };

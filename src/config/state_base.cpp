@@ -53,14 +53,14 @@ void Base::merges(bool may) {
   sqlite3_db_config(connection_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, may ? 0 : 1, nullptr);
 }
 
-Statement Base::prepared(const char* statement) const {
+SqlStatement Base::prepared(const char* statement) const {
   sqlite3_stmt* made = nullptr;
   sqlite3_prepare_v3(connection_, statement, -1, SQLITE_PREPARE_PERSISTENT, &made, nullptr);
-  return Statement(made);
+  return SqlStatement(made);
 }
 
 std::optional<std::string> Base::answer(const char* question) const {
-  const Statement statement = prepared(question);
+  const SqlStatement statement = prepared(question);
   if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) return std::nullopt;
   return std::string(text_at(statement.get(), 0));
 }

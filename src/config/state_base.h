@@ -35,7 +35,7 @@ inline constexpr const char* state_table_1 =
 struct Finalize {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
-using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
+using SqlStatement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
 void bind_text(sqlite3_stmt* statement, int index, std::string_view text);  // the text must live until the statement is reset
 std::string_view text_at(sqlite3_stmt* statement, int column);
@@ -53,7 +53,7 @@ class Base {
   Done connect();
   void merges(bool may);  // whether closing may merge the log into the file
 
-  Statement prepared(const char* statement) const;
+  SqlStatement prepared(const char* statement) const;
   /// The first column of the first row as text; nothing if there is none, or it cannot be read.
   std::optional<std::string> answer(const char* question) const;
   int run(const char* statements) const { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }

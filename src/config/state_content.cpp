@@ -65,7 +65,7 @@ class Reader {
   void tables() {
     const bool marked = base_.answer("PRAGMA application_id") == std::to_string(application_id);
     int about = 0, state = 0, others = 0;  // version of the table
-    const Statement all = base_.prepared("SELECT sql FROM sqlite_master");
+    const SqlStatement all = base_.prepared("SELECT sql FROM sqlite_master");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
       const std::string_view sql = text_at(all.get(), 0);
       if (sql == about_table || sql == about_table_1) about = sql == about_table ? 2 : 1;
@@ -80,7 +80,7 @@ class Reader {
   }
 
   void about() {
-    const Statement all = base_.prepared("SELECT name, value FROM about");
+    const SqlStatement all = base_.prepared("SELECT name, value FROM about");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
       const std::string_view name = text_at(all.get(), 0), value = text_at(all.get(), 1);
       if (name == "control") content_.control = value;
@@ -98,7 +98,7 @@ class Reader {
 
   /// What SQLite itself finds.
   void order() {
-    const Statement check = base_.prepared("PRAGMA integrity_check(20)");
+    const SqlStatement check = base_.prepared("PRAGMA integrity_check(20)");
     if (!check) return fault("its order is broken", "внутренний порядок нарушен");
     int code = sqlite3_step(check.get());
     for (; code == SQLITE_ROW; code = sqlite3_step(check.get())) {
@@ -116,7 +116,7 @@ class Reader {
     const auto read = [&](const char* order) {
       const std::string what = std::string("SELECT kind, key, value") + (checked ? ", turn, rows, whole, sum" : "") +
                                " FROM state ORDER BY kind " + order + ", key " + order;
-      const Statement all = base_.prepared(what.c_str());
+      const SqlStatement all = base_.prepared(what.c_str());
       int code = all ? sqlite3_step(all.get()) : SQLITE_CORRUPT;
       for (; code == SQLITE_ROW; code = sqlite3_step(all.get()))
         if (!take(all.get())) return SQLITE_DONE;

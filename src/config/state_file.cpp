@@ -38,14 +38,14 @@ class StateFile::Database {
   int prepare_rows();
   int upgrade();
   int step(const StateRow& row);
-  static int step(const Statement& statement);
+  static int step(const SqlStatement& statement);
   int put_whole();
   void sum_is(const std::string& row, std::optional<std::uint64_t> sum);
   tl::unexpected<std::string> damaged(const std::vector<std::string>& faults) const;
 
   std::string path_;
   Base base_;
-  Statement begin_, commit_, put_, remove_, whole_row_;
+  SqlStatement begin_, commit_, put_, remove_, whole_row_;
   Sums sums_;  // of the rows in the file, by table and key
   Whole whole_;
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // of the rows of a save, until it is through
@@ -116,7 +116,7 @@ tl::expected<StoredState, std::string> StateFile::Database::load() {
   return StoredState{std::move(content.rows)};
 }
 
-int StateFile::Database::step(const Statement& statement) {
+int StateFile::Database::step(const SqlStatement& statement) {
   sqlite3_step(statement.get());
   return sqlite3_reset(statement.get());  // gives the error of the step
 }

@@ -13,19 +13,19 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr double most_exact = 9007199254740992;  // 2^53: below it a whole double is printed as a whole number
 
-OrderedJson number(double value) {
+OrderedJson json_number(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (std::abs(value) < most_exact && value == std::trunc(value)) return static_cast<std::int64_t>(value);
   return value;
 }
 
 void put_if(OrderedJson& to, const char* key, double value) {
-  if (value != 0) to[key] = number(value);
+  if (value != 0) to[key] = json_number(value);
 }
 
 OrderedJson axes(const AxisValues& values) {
   OrderedJson to = OrderedJson::object();
-  for (const auto& [axis, value] : values) to[axis] = number(value);
+  for (const auto& [axis, value] : values) to[axis] = json_number(value);
   return to;
 }
 
@@ -40,9 +40,9 @@ std::string own_name(const std::string& name) { return name; }
 std::string pocket_name(const std::pair<int, int>& place) { return std::to_string(place.first) + "/" + std::to_string(place.second); }
 
 OrderedJson offset(const ToolOffset& o) {
-  OrderedJson to = {{"length", number(o.length)},        {"length_wear", number(o.length_wear)},
-                    {"radius", number(o.radius)},        {"radius_wear", number(o.radius_wear)},
-                    {"corner_radius", number(o.corner)}, {"corner_radius_wear", number(o.corner_wear)}};
+  OrderedJson to = {{"length", json_number(o.length)},        {"length_wear", json_number(o.length_wear)},
+                    {"radius", json_number(o.radius)},        {"radius_wear", json_number(o.radius_wear)},
+                    {"corner_radius", json_number(o.corner)}, {"corner_radius_wear", json_number(o.corner_wear)}};
   put_if(to, "length_x", o.length_x);
   put_if(to, "length_x_wear", o.length_x_wear);
   put_if(to, "length_y", o.length_y);
@@ -59,37 +59,37 @@ OrderedJson tool_info(std::uint32_t info) {
 }
 
 OrderedJson tool_row(const ToolRow& row) {
-  OrderedJson to = {{"T", number(row.type)},
+  OrderedJson to = {{"T", json_number(row.type)},
                     {"info", tool_info(row.info)},
                     {"form", row.form},
                     {"status", row.status},
-                    {"counter", number(row.counter)},
-                    {"life", number(row.life)},
-                    {"warn", number(row.warn)},
-                    {"H", number(row.h)},
-                    {"D", number(row.d)},
-                    {"G", number(row.g)},
-                    {"W", number(row.w)},
-                    {"S", number(row.s)},
-                    {"F", number(row.f)}};
+                    {"counter", json_number(row.counter)},
+                    {"life", json_number(row.life)},
+                    {"warn", json_number(row.warn)},
+                    {"H", json_number(row.h)},
+                    {"D", json_number(row.d)},
+                    {"G", json_number(row.g)},
+                    {"W", json_number(row.w)},
+                    {"S", json_number(row.s)},
+                    {"F", json_number(row.f)}};
   put_if(to, "user_bits", row.user_bits);
   std::size_t used = row.user.size();
   while (used > 0 && row.user[used - 1] == 0) --used;
-  for (std::size_t i = 0; i < used; ++i) to["user"].push_back(number(row.user[i]));
+  for (std::size_t i = 0; i < used; ++i) to["user"].push_back(json_number(row.user[i]));
   return to;
 }
 
 OrderedJson tool_form(const ToolForm& form) {
-  return {{"left", number(form.left)},
-          {"right", number(form.right)},
-          {"up", number(form.up)},
-          {"down", number(form.down)},
-          {"geometry", number(form.geometry)}};
+  return {{"left", json_number(form.left)},
+          {"right", json_number(form.right)},
+          {"up", json_number(form.up)},
+          {"down", json_number(form.down)},
+          {"geometry", json_number(form.geometry)}};
 }
 
 OrderedJson parameter_value(const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return number(std::get<double>(value));
+  return json_number(std::get<double>(value));
 }
 
 /// What is fixed from the set-up, what turns from the run.
@@ -97,14 +97,14 @@ OrderedJson spindle(const SpindleSetup& fixed, const RunState::SpindleState& now
   OrderedJson to = OrderedJson::object();
   if (!fixed.name.empty()) to["name"] = fixed.name;
   if (fixed.channel != 1) to["channel"] = fixed.channel;
-  for (const auto& [least, most] : fixed.ranges) to["ranges"].push_back({number(least), number(most)});
-  to["rpm"] = number(now.rpm);
+  for (const auto& [least, most] : fixed.ranges) to["ranges"].push_back({json_number(least), json_number(most)});
+  to["rpm"] = json_number(now.rpm);
   to["dir"] = now.dir;
   to["loop"] = now.loop;
-  to["surface_speed"] = number(now.surface_speed);
+  to["surface_speed"] = json_number(now.surface_speed);
   to["css_axis"] = now.css_axis;
   to["master"] = now.master == 0 ? OrderedJson(nullptr) : OrderedJson(now.master);
-  if (now.angle) to["angle"] = number(*now.angle);
+  if (now.angle) to["angle"] = json_number(*now.angle);
   return to;
 }
 
@@ -134,13 +134,14 @@ std::string state_json(const RunState& state) {
     if (row != ToolOffset{}) to["offsets"][row_name(n)] = offset(row);
   put_table(to, "work_offsets", t.work_offsets, own_name, axes);
   put_table(to, "zeros", t.zeros, row_name, axes);
-  put_table(to, "correctors", t.correctors, row_name, number);
-  put_table(to, "parameters", t.parameters, text_of, parameter_value);
+  put_table(to, "correctors", t.correctors, row_name, json_number);
+  put_table(
+      to, "parameters", t.parameters, [](const ParameterKey& key) { return text_of(key); }, parameter_value);
   put_table(to, "shifts", state.shifts, own_name, axes);
   put_table(to, "frame", state.frame, own_name, axes);
   if (!t.plane.empty()) to["plane"] = t.plane;
   for (const auto& [axis, on] : t.diameter) to["diameter"][axis] = on;
-  if (t.feed) to["feed"] = number(*t.feed);
+  if (t.feed) to["feed"] = json_number(*t.feed);
   put_spindles(to, state);
   to["tool"] = t.tool;
   put_table(to, "tool_table", t.tool_table, row_name, tool_row);

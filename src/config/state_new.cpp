@@ -29,7 +29,7 @@ using Image = std::unique_ptr<unsigned char, FreeImage>;
 bool put_about(sqlite3* base, const char* name, const std::string& value) {
   sqlite3_stmt* made = nullptr;
   sqlite3_prepare_v2(base, "INSERT INTO about VALUES (?, ?)", -1, &made, nullptr);
-  const Statement put(made);
+  const SqlStatement put(made);
   bind_text(put.get(), 1, name);
   bind_text(put.get(), 2, value);
   return sqlite3_step(put.get()) == SQLITE_DONE;
@@ -46,7 +46,7 @@ Image image_of(const std::string& control, const std::vector<StateRow>& rows, sq
   if (sqlite3_exec(base.get(), make.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) return {};
   sqlite3_stmt* made = nullptr;
   sqlite3_prepare_v2(base.get(), put_row, -1, &made, nullptr);
-  const Statement put(made);
+  const SqlStatement put(made);
   Whole whole = Whole::of_control(control);
   for (const StateRow& row : rows) {
     const std::uint64_t sum = sum_of_row(state_table_names[static_cast<std::size_t>(row.table)], row.key, row.value);

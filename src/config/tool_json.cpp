@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/units.h"
 #include "base/vec.h"
 #include "config/json_scan.h"
 #include "config/nearest.h"
@@ -17,8 +18,6 @@ namespace {
 
 using nlohmann::json;
 using Failed = tl::unexpected<std::string>;
-
-constexpr double mm_per_inch = 25.4;
 
 tl::expected<json, std::string> parsed_json(std::string_view text, const std::string& file) {
   if (const std::string fault = told_json_fault(text, file); !fault.empty()) return Failed(fault);

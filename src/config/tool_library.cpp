@@ -29,16 +29,16 @@ constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
                                    {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flutes", "length",
-                                     "profile", "shank", "holder", "plunges",  "teeth",  "points", "lead", "width"};
+constexpr std::string_view tool_keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flutes", "length",
+                                          "profile", "shank", "holder", "plunges",  "teeth",  "points", "lead", "width"};
 
 constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
 constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
 
 Done known_tool_keys(const std::string& file, const toml::table& row) {
   for (const auto& [key, node] : row) {
-    if (std::find(std::begin(keys), std::end(keys), key.str()) != std::end(keys)) continue;
-    const std::string_view near = toml_tools::nearest(key.str(), {std::begin(keys), std::end(keys)});
+    if (std::find(std::begin(tool_keys), std::end(tool_keys), key.str()) != std::end(tool_keys)) continue;
+    const std::string_view near = toml_tools::nearest(key.str(), {std::begin(tool_keys), std::end(tool_keys)});
     const std::string hint_en = near.empty() ? "" : "; '" + std::string(near) + "'?",
                       hint_ru = near.empty() ? "" : "; «" + std::string(near) + "»?";
     return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "' of a tool" + hint_en,

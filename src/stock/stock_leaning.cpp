@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/matrix.h"
 #include "stock/cut/lean_cut.h"
 #include "stock/cut/lean_division.h"
 #include "stock/stock.h"
@@ -96,7 +97,7 @@ LeanWay lean_way_of(const KeptSweep& s, const LeanEnds& ends) {
   const auto vec = [](const float(&v)[3]) { return Vec3{double(v[0]), double(v[1]), double(v[2])}; };
   const auto direction = [&](const float(&v)[3]) {
     const Vec3 d = vec(v);
-    return (1 / std::sqrt(ToolEnds::dot(d, d))) * d;
+    return (1 / std::sqrt(dot(d, d))) * d;
   };
   return {vec(s.from), vec(s.to), direction(ends.from), direction(ends.to)};
 }
@@ -133,7 +134,7 @@ LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
   way.from = way.from - corner, way.to = way.to - corner;
   AroundTip around{0, 0, 0};
   const Vec3 forth = way.to - way.from;
-  const double far = std::sqrt(ToolEnds::dot(forth, forth));
+  const double far = std::sqrt(dot(forth, forth));
   if (far > clipped_above * edge) around = around_all(tools_[s.tool], way);
   if (far > clipped_above * (edge + 2 * around.beside)) {
     const WayPart part = part_that_reaches(way.from, forth, around, {edge, edge, edge});

@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_differences = 1000;
-constexpr double usual_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;  // mm
+constexpr double default_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;  // mm
 
 PageJson spot_json(const CourseSpot& from, const CourseSpot& to) {
   return {{"line", from.origin.line},
@@ -63,8 +63,8 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
   auto other = open_for_page(wish);
   if (!other) return tl::unexpected(Refusal{other.error()});
   CompareRules rules;
-  rules.tolerance = value_in<double>(question, "tolerance", usual_tolerance);
-  if (!(rules.tolerance >= least_tolerance && rules.tolerance <= greatest_tolerance)) rules.tolerance = usual_tolerance;
+  rules.tolerance = value_in<double>(question, "tolerance", default_tolerance);
+  if (!(rules.tolerance >= least_tolerance && rules.tolerance <= greatest_tolerance)) rules.tolerance = default_tolerance;
   rules.most_told = most_differences;
   rules.stop = token();
   std::unique_ptr<Session> sides[2];

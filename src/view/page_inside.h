@@ -26,6 +26,7 @@ struct Refusal {
   std::string text;
   bool changed = false;
 };
+inline tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
 /// A value of the question; `fallback` where it is missing or of another kind.
 template <class T>

@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_made = std::size_t{8} << 20;  // bytes of a program or of its picture
+constexpr std::size_t most_made_bytes = std::size_t{8} << 20;  // bytes of a program or of its picture
 
 /// What a question may say of the wish, by the names of the options of kadr mill.
 struct MillNumber {
@@ -125,11 +125,11 @@ PageSession::Inside::Answer PageSession::Inside::mill(const PageJson& question) 
     const Finding finding = finding_of(report_of(fault, drawing->bytes, file), *texts, lang);
     return PageJson{{"problem", problem_json(finding, 0, std::nullopt)}, {"word", word_of(fault.alarm)}, {"line_text", finding.line_text}};
   }
-  if (made->program.text.size() > most_made)
+  if (made->program.text.size() > most_made_bytes)
     return tl::unexpected(Refusal{told("the program is too long for the page: kadr mill makes it",
                                        "УП слишком длинна для страницы: составьте её командой kadr mill")});
   std::string picture = milling_svg(mill_picture(*made, *def, name_of_file(file), lang));
-  if (picture.size() > most_made) picture.clear();
+  if (picture.size() > most_made_bytes) picture.clear();
   return PageJson{{"text", made->program.text},
                   {"picture", std::move(picture)},
                   {"summary", summary_json(*made, lang)},

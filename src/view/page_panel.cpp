@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t most_expression = 200, most_watched = 50;
 
-tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
-
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
   if (!answer) return refused(answer.error());
   return PageJson::object();

@@ -15,8 +15,6 @@ constexpr std::size_t most_fixtures = 100;
 constexpr std::size_t most_tools_files = 32;                        // that are looked into for proposals …
 constexpr std::uint64_t most_tools_bytes = std::uint64_t{1} << 20;  // … each no longer than this
 
-tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
-
 /// A body's words, its file as a place in the file system.
 tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
   if (!names_mesh_file(text)) return text;

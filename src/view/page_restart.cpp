@@ -10,10 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_variables = 1000;  // rows of a sheet that are variables
-constexpr std::size_t most_way = 100;         // motions
-
-tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+constexpr std::size_t most_sheet_variables = 1000;  // rows of a sheet that are variables
+constexpr std::size_t most_way = 100;               // motions
 
 PageJson value_json(const std::optional<InForce>& one) {
   if (!one) return PageJson();
@@ -36,7 +34,7 @@ PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& 
   std::size_t variables = 0;
   for (const PanelSheet::Row& row : rows) {
     const InForce& one = row.wanted ? *row.wanted : *row.now;
-    if (one.kind == InForce::Kind::variable && ++variables > most_variables) continue;
+    if (one.kind == InForce::Kind::variable && ++variables > most_sheet_variables) continue;
     const std::string key = key_of(one);
     list.push_back({{"key", before + key},
                     {"kind", key.substr(0, key.find(':'))},

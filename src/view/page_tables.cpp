@@ -10,8 +10,6 @@
 namespace kadr {
 namespace {
 
-tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
-
 constexpr std::size_t most_variables = 5000;
 
 PageJson variables_json(const std::vector<PanelVariable>& variables) {

@@ -26,13 +26,7 @@ constexpr double bytes_per_mb = 1 << 20;
 constexpr double cells_seen = 200;                     // along the longest side: some hundred thousand triangles
 constexpr double share_for_past = 0.25;                // of the memory
 constexpr double least_cell = 1e-3, most_cell = 1000;  // mm
-constexpr std::int64_t told_every = 100;               // ms
 constexpr std::uint16_t of_no_tool = 65535;            // in a frame
-
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-}
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
@@ -110,9 +104,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 }
 
 void PartRun::tell_progress() {
-  const std::int64_t now = now_ms();
-  if (now - told_at_ < told_every) return;
-  told_at_ = now;
+  if (!progress_clock_.is_due()) return;
   too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps come on top of the material
   if (!on_progress) return;
   const Control& control = session_->settled_control();

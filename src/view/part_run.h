@@ -14,6 +14,7 @@
 
 #include "session/cutting/cut_run.h"
 #include "view/opening.h"
+#include "view/progress_clock.h"
 
 namespace kadr {
 
@@ -78,8 +79,8 @@ class PartRun {
   std::unique_ptr<MachineWatch> watch_;
   std::unique_ptr<CutRun> run_;
   CutResult result_;
-  std::int64_t told_at_ = 0;  // ms of the steady clock
-  bool too_much_ = false;     // memory
+  ProgressClock progress_clock_;
+  bool too_much_ = false;  // memory
 };
 
 }  // namespace kadr

@@ -13,10 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t levels = 16;
-constexpr double finest = 0.001;         // mm: what level 0 may leave out is nothing, level 1 twice this
 constexpr std::size_t run_length = 256;  // vertices that are looked at together: the work is some eight times their number
-
-Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
@@ -26,8 +23,8 @@ double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
 }
 
 std::uint8_t level_of(double off) {
-  if (!(off > finest)) return 0;
-  return std::uint8_t(std::min(double(levels - 1), std::floor(std::log2(off / finest))));
+  if (!(off > finest_level)) return 0;
+  return std::uint8_t(std::min(double(levels - 1), std::floor(std::log2(off / finest_level))));
 }
 
 /// What is drawn of it would change with the vertex.
@@ -38,11 +35,11 @@ bool is_boundary(const PathVertex& a, const PathVertex& b) {
 /// Douglas and Peucker's division, each vertex no more important than the one that divided its stretch: so levels are nested.
 void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, double most) {
   while (last - first > 1) {
-    const Vec3 from = place(v[first]), to = place(v[last]);
+    const Vec3 from = v[first].place(), to = v[last].place();
     double farthest = -1;
     std::size_t at = first + 1;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distance_to_chord(place(v[i]), from, to);
+      const double off = distance_to_chord(v[i].place(), from, to);
       if (off > farthest) farthest = off, at = i;
     }
     const double off = std::min(farthest, most);

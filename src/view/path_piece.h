@@ -10,6 +10,8 @@
 
 namespace kadr {
 
+inline constexpr double finest_level = 0.001;  // mm: what level 0 may leave out is nothing, level 1 twice this (docs/panel-protocol.md)
+
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 
 /// What it says holds for the way that ends there.
@@ -24,6 +26,8 @@ struct PathVertex {
   std::uint16_t file = 0;    // Origin::file
   PathKind kind = PathKind::jump;
   std::uint8_t level = 0;
+
+  Vec3 place() const { return {double(at[0]), double(at[1]), double(at[2])}; }
 };
 
 struct ViewPiece {

@@ -14,13 +14,7 @@ namespace {
 
 constexpr std::size_t most_marks = 10'000;
 constexpr std::size_t most_checkpoints = 48;  // each some 600 KB: what the control has made ahead is in it
-constexpr std::int64_t told_every = 100;      // ms
 constexpr double short_dwell = 0.05;          // s: no mark
-
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -163,9 +157,7 @@ void ProgramRun::keep_checkpoint() {
 }
 
 void ProgramRun::tell_progress() {
-  const std::int64_t now = now_ms();
-  if (!on_progress || now - told_at_ < told_every) return;
-  told_at_ = now;
+  if (!on_progress || !progress_clock_.is_due()) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
   on_progress(bytes > 0 ? std::min(double(control.bytes_read()) / bytes, 1.0) : 0, session_->blocks(), seconds_);

@@ -11,6 +11,7 @@
 #include "out/text/summary.h"
 #include "view/opening.h"
 #include "view/path_record.h"
+#include "view/progress_clock.h"
 
 namespace kadr {
 
@@ -92,7 +93,7 @@ class ProgramRun {
   std::uint64_t apart_ = 4096;  // blocks between two of them
   double later_ = 0;            // s by which the machine is behind the programmed time
   double seconds_ = 0;
-  std::int64_t told_at_ = 0;  // ms of the steady clock
+  ProgressClock progress_clock_;
   End end_ = End::ended;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double off_by_cell = 0.1;              // that the triangles may be off the surface, of its cell
 constexpr std::size_t most_triangles = 150'000;  // some 1 MB packed
-constexpr int most_tries = 3;
+constexpr int most_simplifications = 3;
 
 using Place = std::array<float, 3>;
 
@@ -45,7 +45,7 @@ void take_part(const PartRun& run, ReportPart& part, const StopToken& stop) {
   rules.most_off = off_by_cell * end.cell;
   rules.stop = stop;
   SimplifiedSurface simple = simplified_surface(end.surface, rules);
-  for (int tries = 1; simple.mesh.triangle_count() > most_triangles && tries < most_tries; ++tries) {
+  for (int tries = 1; simple.mesh.triangle_count() > most_triangles && tries < most_simplifications; ++tries) {
     rules.most_off *= 3;
     simple = simplified_surface(end.surface, rules);
   }

@@ -12,7 +12,6 @@
 namespace kadr {
 namespace {
 
-constexpr double finest = 0.001;            // mm: what level 0 may be off (docs/panel-protocol.md)
 constexpr std::uint32_t piece_of_path = 1;  // kind of what follows
 constexpr double first_guess = 12;          // bytes of a vertex, packed
 constexpr int most_tries = 4;               // at a guess that holds
@@ -94,7 +93,7 @@ std::string packed_path(const std::vector<DrawnPiece>& pieces, const Thinning& t
 
 double Thinning::off() const {
   const int level = std::max(inner, any);
-  return level == 0 ? 0 : finest * std::pow(2, level);
+  return level == 0 ? 0 : finest_level * std::pow(2, level);
 }
 
 bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning) {

@@ -16,7 +16,7 @@ constexpr double mostly = 0.1;                // of the way sideways may lie abo
 constexpr double above = 0.01;                // mm that lie in it
 constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // of the longest side; mm
 constexpr std::size_t most_places = 1000;                                 // that are looked at one by one
-constexpr double same_place = 0.5;                                        // mm
+constexpr double same_hole = 0.5;                                         // mm
 constexpr double turned_face = 1;                                         // mm that a face at Z0 is cleaned of
 constexpr double in_plane = 1e-3;                                         // mm
 
@@ -24,8 +24,6 @@ bool at_feed(PathKind kind) {
   return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||
          kind == PathKind::spline;
 }
-
-Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
 
 void widen(std::optional<Box3>& box, Vec3 place) {
   if (!box) box = Box3{place, place};
@@ -62,7 +60,7 @@ void StockGuess::take_way(Vec3 from, Vec3 to) {
 void StockGuess::take(const ViewPiece& piece) {
   for (std::size_t i = 1; i < piece.vertices.size(); ++i) {
     if (at_feed(piece.vertices[i].kind)) {
-      take_way(place(piece.vertices[i - 1]), place(piece.vertices[i]));
+      take_way(piece.vertices[i - 1].place(), piece.vertices[i].place());
       after_rapid_ = false;
       continue;
     }
@@ -83,7 +81,7 @@ Box3 StockGuess::cut_below(double top) const {
     else widen(box, start);
   }
   const auto counts = [&](Vec3 end) {
-    return std::none_of(beside.begin(), beside.end(), [&](Vec3 b) { return std::hypot(b.x - end.x, b.y - end.y) < same_place; });
+    return std::none_of(beside.begin(), beside.end(), [&](Vec3 b) { return std::hypot(b.x - end.x, b.y - end.y) < same_hole; });
   };
   for (const Vec3& end : ends_)
     if (counts(end)) widen(box, end);

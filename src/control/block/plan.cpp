@@ -12,9 +12,9 @@ namespace {
 constexpr std::uint8_t sequence_length = static_cast<std::uint8_t>(FunctionOrder::last) + 1;
 
 /// Collects the calls of one block.
-class Planner {
+class BlockPlanner {
  public:
-  Planner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan)
+  BlockPlanner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan)
       : def_(def), letters_(letters), block_(block), plan_(plan) {}
 
   Status run(std::int16_t motion_row) {
@@ -293,7 +293,7 @@ LetterSets::LetterSets(const ControlDef& def) {
 }
 
 Status plan_block(const ControlDef& def, const LetterSets& letters, const Block& block, std::int16_t motion_row, Plan& plan) {
-  return Planner(def, letters, block, plan).run(motion_row);
+  return BlockPlanner(def, letters, block, plan).run(motion_row);
 }
 
 }  // namespace kadr

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_pieces = 1e6;
+constexpr double most_chords = 1e6;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void EllipseRun::start(const Job& job) {
   // A chord over the angle a leaves a circle by r·(1 − cos a/2); scaled, the ellipse by no more.
   const double ratio = std::min(tol::ellipse_chord / std::max(radius, tol::ellipse_chord), 1.0);
   const double step_deg = 2 * std::acos(1 - ratio) / rad_per_deg;
-  pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, most_pieces));
+  pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, most_chords));
 }
 
 Status EllipseRun::next(Interpreter& m) {

@@ -16,8 +16,6 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr double whole_within = 1e-4;  // integers (2.3)
-
 bool is_one_of(std::int32_t code, std::initializer_list<std::int32_t> all) { return std::find(all.begin(), all.end(), code) != all.end(); }
 
 /// Number of the modal group that a row of [groups] stands for: "12" → 12, "M7" → 7.

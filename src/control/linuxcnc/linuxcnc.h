@@ -32,6 +32,7 @@ inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, syste
 
 inline constexpr std::size_t most_arguments = 30;  // #1 … #30
 inline constexpr std::size_t most_spindles = 8;
+inline constexpr double whole_within = 1e-4;                   // what an integer may differ from a whole number (2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
 inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A B C

@@ -15,7 +15,6 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr int last_parameter = 5601;
-constexpr double whole_within = 1e-4;
 
 double per_unit(const Interpreter& m) { return m.modal.inch ? mm_per_inch : 1; }
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/powers_of_ten.h"
 #include "lang/block/word_reader.h"
 
 namespace kadr {
 namespace {
 
-constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
 /// A name that goes on after a digit and needs no '=' cannot be told from two words here (nct 2.2).

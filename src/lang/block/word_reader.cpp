@@ -7,12 +7,12 @@
 #include <string>
 
 #include "base/ascii.h"
+#include "base/powers_of_ten.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // R01, R123 (spec/correctors 3)
-constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 }  // namespace
 

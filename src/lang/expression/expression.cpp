@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/ascii.h"
+#include "base/powers_of_ten.h"
 #include "base/vec.h"
 #include "lang/expression/macro_arithmetic.h"
 #include "lang/text/encoding.h"
@@ -13,8 +14,6 @@
 namespace kadr {
 namespace {
 
-constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr double nearly = 1e-4;             // LinuxCNC's EQ and NE
 constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
 constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::pair<std::string_view, Op> names[] = {
+constexpr std::pair<std::string_view, Op> operation_names[] = {
     {"abs", Op::abs},
     {"acos", Op::acos},
     {"asin", Op::asin},
@@ -67,13 +67,13 @@ constexpr std::pair<std::string_view, Op> names[] = {
 }  // namespace
 
 std::optional<Op> operation_named(std::string_view name, int operands) {
-  for (const auto& [text, op] : names)
+  for (const auto& [text, op] : operation_names)
     if (text == name && takes_two(op) == (operands == 2)) return op;
   return std::nullopt;
 }
 
 std::string_view operation_name(std::size_t place, int operands) {
-  for (const auto& [text, op] : names)
+  for (const auto& [text, op] : operation_names)
     if (takes_two(op) == (operands == 2) && place-- == 0) return text;
   return {};
 }

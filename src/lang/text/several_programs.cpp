@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_entries = 10'000;
-constexpr std::size_t window_bytes = 64 * 1024;
+constexpr std::size_t search_bytes = 64 * 1024;
 
 /// The file with ranges of it blank; ends of lines stay.
 class BlankedSource final : public ByteSource {
@@ -133,7 +133,7 @@ std::size_t count_program_signs(ByteSource& source, std::optional<Encoding> enco
   const char sign = encoding == Encoding::eia    ? static_cast<char>(*eia_row(U'%'))
                     : encoding == Encoding::iso7 ? static_cast<char>(with_even_parity('%'))
                                                  : '%';
-  std::string window(window_bytes, '\0');
+  std::string window(search_bytes, '\0');
   std::size_t count = 0;
   for (std::uint64_t at = 0;;) {
     const std::size_t got = source.read(at, window.data(), window.size());

@@ -10,8 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t piece_bytes = 32 * 1024;  // of UTF-16, at least: a mark a piece
-constexpr std::size_t looked_at = 1024;
+constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // of UTF-16, at least: a mark a piece
+constexpr std::size_t sample_bytes = 1024;
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
 bool is_first_half(char16_t unit) { return unit >= 0xD800 && unit <= 0xDBFF; }
@@ -46,7 +46,7 @@ bool is_control(char16_t unit) {
 
 /// Without a mark: at least two characters, half of them ASCII.
 bool is_plainly(std::string_view sample, ByteOrder order) {
-  const std::size_t size = std::min(sample.size(), looked_at);
+  const std::size_t size = std::min(sample.size(), sample_bytes);
   std::size_t ascii = 0, units = 0;
   for (std::size_t i = 0; i + 1 < size; i += 2, ++units) {
     const char16_t unit = unit_at(sample, i, order);
@@ -101,7 +101,7 @@ class Utf16Source final : public ByteSource {
 
   /// The text from a mark; returns the file's bytes that it takes.
   std::size_t piece(std::uint64_t there, std::string& text) const {
-    std::string bytes(piece_bytes, '\0');
+    std::string bytes(utf16_piece_bytes, '\0');
     bytes.resize(source_->read(there, bytes.data(), bytes.size()));
     return append_utf16(bytes, order_, there + bytes.size() >= source_->size(), text);
   }
@@ -171,7 +171,7 @@ bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::stri
 
 OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said) {
   if (!source || said.encoding) return {std::move(source), said.encoding};
-  std::string sample(looked_at, '\0');
+  std::string sample(sample_bytes, '\0');
   sample.resize(source->read(0, sample.data(), sample.size()));
   const auto order = said.utf16 ? order_of(sample, *said.utf16) : look_at_utf16(sample);
   if (!order) return {std::move(source), std::nullopt};

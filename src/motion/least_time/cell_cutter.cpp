@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/arithmetic.h"
 #include "motion/least_time/least_time.h"
 #include "motion/least_time/rest_to_rest.h"
 #include "path/smooth/soft_corner.h"
@@ -14,13 +15,11 @@
 namespace kadr {
 namespace {
 
-constexpr double growth = 0.2;  // of the cells, by their distance from what made them small
+constexpr double cell_growth = 0.2;  // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
 constexpr double gentle = 0.1;       // |Δu| of corners that are like those of a curve
 constexpr double longest_s = 0.014;  // of a cell, at the commanded speed
 constexpr double fastest = 1e12;     // mm²/s²: no limit of ṡ², in numbers that can be calculated with
-
-double square(double x) { return x * x; }
 
 /// The polynomial of the fifth degree with position and two derivatives given at 0 and h.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
@@ -90,19 +89,19 @@ double CellCutter::ramp_s(double speed) const {
 /// width, of those between the chords of a curve.
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
-  double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
+  double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
   const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
-  size = std::min(size, rest(0) + growth * s);
-  if (last) size = std::min(size, rest(path_->pieces()) + growth * (path_->ends() - s));
-  const double reach = SmoothPath::widest + size / growth;
+  size = std::min(size, rest(0) + cell_growth * s);
+  if (last) size = std::min(size, rest(path_->pieces()) + cell_growth * (path_->ends() - s));
+  const double reach = SmoothPath::widest + size / cell_growth;
   const auto take = [&](std::size_t i) {
     const double w = path_->width(i), away = std::fabs(s - path_->at(i));
-    if (path_->turns_back(i)) size = std::min(size, rest(i) + growth * away);
-    else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
+    if (path_->turns_back(i)) size = std::min(size, rest(i) + cell_growth * away);
+    else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + cell_growth * away);
     if (w > 0 && !path_->is_chained(i))
-      size =
-          std::min(size, w * (path_->on_curve(i) || path_->turn(i) < gentle ? curve_part : corner_part) + growth * std::max(0.0, away - w));
+      size = std::min(
+          size, w * (path_->on_curve(i) || path_->turn(i) < gentle ? curve_part : corner_part) + cell_growth * std::max(0.0, away - w));
   };
   const std::vector<std::size_t>& marks = path_->marks();
   auto mark = std::lower_bound(marks.begin(), marks.end(), s - reach, [&](std::size_t i, double from) { return path_->at(i) < from; });
@@ -125,7 +124,7 @@ double CellCutter::size_in_chain(double s, std::size_t piece, double reach) cons
   for (std::size_t i = piece + 1; i < path_->pieces() && path_->at(i) - s < away; ++i) take(i, path_->at(i) - s);
   if (away >= reach) return reach;
   const double w = path_->width_at(s, piece).w;
-  return (on_curve ? on_curves : between_lines) * w + growth * std::max(0.0, away - w);
+  return (on_curve ? on_curves : between_lines) * w + cell_growth * std::max(0.0, away - w);
 }
 
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
@@ -332,7 +331,7 @@ void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out)
   double fastest_feed = 0;
   for (std::size_t i = piece_; i < path.pieces(); ++i) fastest_feed = std::max(fastest_feed, path.feed(i));
   constexpr double farthest = 50;  // mm: sizes of cells longer than those beside a corner so far away
-  needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / growth);
+  needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / cell_growth);
 }
 
 }  // namespace kadr

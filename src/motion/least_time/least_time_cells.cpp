@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/arithmetic.h"
 #include "motion/least_time/least_time.h"
 
 namespace kadr {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double most_of_slack = 0.95;  // that a step may use up
 constexpr double bend_of_time = 0.1;    // 0.75 in truth: far from the limits the steps are longer so, near them these bend more
 constexpr std::size_t group_size = 16;  // cells

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/arithmetic.h"
 #include "motion/least_time/least_time.h"
 
 namespace kadr {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 /// A cell beside a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle is a third of b₁.
 void LeastTime::number_variables() {

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "action/action.h"
+#include "base/arithmetic.h"
 #include "motion/least_time/rest_to_rest.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t planned_at = 1024;  // pieces: so many come in before the next plan
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

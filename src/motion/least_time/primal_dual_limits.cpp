@@ -11,13 +11,13 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-constexpr double least_b = 1e-6;       // of the middle: beside a turn b is 0
-constexpr double least_slack = 1e-5;   // of a limit
-constexpr double greatest_dual = 1e3;  // s per limit
-constexpr double least_dual = 0.05;    // of μ
-constexpr double kept = 0.2;           // of a slack or dual that one step leaves at least
-constexpr double first_slack = 0.2;    // at least, to begin with
-constexpr double bend_of_time = 0.75;  // d²/dm² of m^(−1/2)
+constexpr double least_b = 1e-6;                    // of the middle: beside a turn b is 0
+constexpr double least_slack = 1e-5;                // of a limit
+constexpr double greatest_dual = 1e3;               // s per limit
+constexpr double least_dual = 0.05;                 // of μ
+constexpr double kept = 0.2;                        // of a slack or dual that one step leaves at least
+constexpr double first_slack = 0.2;                 // at least, to begin with
+constexpr double second_derivative_of_time = 0.75;  // d²/dm² of m^(−1/2)
 
 }  // namespace
 
@@ -198,7 +198,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
     const Lanes m = speed.o1, by_m = 1 / m, fall = (0.5 * Lanes(of_block + length * lanes)) * by_m * by_m * root_of(m);  // −dT/dm
     const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes),
         by_slack = 1 / slack;
-    sums.h11 += (2 * bend_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
+    sums.h11 += (2 * second_derivative_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
     sums.g1 += (mu - dual * (1 - m * by_cap - slack)) * by_slack * by_cap - fall;
     const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_behind * lanes),
         v(of_block + behind * lanes);

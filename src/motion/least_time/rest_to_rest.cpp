@@ -11,12 +11,12 @@ namespace kadr {
 namespace {
 
 /// Speeding up from rest: `rising` s of jerk, `steady` s of acceleration, `rising` s of jerk the other way.
-struct Ramp {
+struct JerkRamp {
   double rising = 0, steady = 0, acceleration = 0, speed = 0;
   double seconds() const { return 2 * rising + steady; }
 };
 
-Ramp ramp_to(double speed, const LineLimits& limits) {
+JerkRamp ramp_to(double speed, const LineLimits& limits) {
   const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));  // √(v j): the acceleration is not reached
   const double rising = reached / limits.jerk;
   return {rising, std::max(0.0, speed / reached - rising), reached, speed};
@@ -29,12 +29,12 @@ double peak(double length, const LineLimits& limits) {
   return a / 2 * (std::sqrt(rising * rising + 4 * length / a) - rising);
 }
 
-double even_s(double length, const Ramp& ramp) { return std::max(0.0, length / ramp.speed - ramp.seconds()); }
+double even_s(double length, const JerkRamp& ramp) { return std::max(0.0, length / ramp.speed - ramp.seconds()); }
 
 }  // namespace
 
 double rest_to_rest_s(double length, const LineLimits& limits) {
-  const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
+  const JerkRamp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
   return 2 * ramp.seconds() + even_s(length, ramp);
 }
 
@@ -51,7 +51,7 @@ LineLimits limits_along(const MotionLimits& limits, const double* way, double fe
 }
 
 void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to) {
-  const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
+  const JerkRamp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
   const double jerk = ramp.rising > 0 ? ramp.acceleration / ramp.rising : 0;
   const double even = even_s(length, ramp);
   double v = 0, a = 0;

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/arithmetic.h"
 #include "base/tolerance.h"
 #include "config/setup_parameters.h"
 
 namespace kadr {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double chord_of_curve = 0.04 * tol::exact_path;  // as the chords of an arc that is followed exactly (AxisMotion)
 
 double angle_between(const Axes& before, const Axes& behind) {

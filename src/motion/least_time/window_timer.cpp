@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/arithmetic.h"
 #include "motion/least_time/rest_to_rest.h"
 
 namespace kadr {
@@ -17,8 +18,6 @@ namespace {
 constexpr std::size_t least_window = 600;  // cells
 constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

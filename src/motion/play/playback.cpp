@@ -12,13 +12,13 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;     // places of the next ramp looked at in one instant of the clock: some µs
-constexpr double least_places = 25;      // … of a ramp; of a long one each instant
-constexpr double longer = 1.15;          // the next ramp to be tried
-constexpr double longest = 20;           // s, of a ramp: longer ones are no answer; then from the shortest again
-constexpr double a_little_more = 0.005;  // of the jerk: a ramp may take that much more; where none does with it, as much again,
-constexpr double most_over = 0.015;      //   at most
-constexpr double rounding = 1 + 1e-9;    // of limits
+constexpr int tries_an_instant = 25;             // places of the next ramp looked at in one instant of the clock: some µs
+constexpr double least_places = 25;              // … of a ramp; of a long one each instant
+constexpr double longer = 1.15;                  // the next ramp to be tried
+constexpr double longest = 20;                   // s, of a ramp: longer ones are no answer; then from the shortest again
+constexpr double a_little_more = 0.005;          // of the jerk: a ramp may take that much more; where none does with it, as much again,
+constexpr double most_over = 0.015;              //   at most
+constexpr double rounding_of_limits = 1 + 1e-9;  // of limits
 // Of a plan that uses all of its jerk these shares leave 2, 9, 27 and 66 % of it for the change: a ramp that takes much longer than one
 // by itself is cut in two at one of them, so that what is left at the beginning need not do for the whole change.
 constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
@@ -74,7 +74,7 @@ void Playback::show(const Cursor& at, double* x) {
 
 /// No axis exceeds at this pace what it may, or what the plan itself asks of it.
 bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
-  if (pace.share < 0 || pace.share > rounding) return false;
+  if (pace.share < 0 || pace.share > rounding_of_limits) return false;
   if (is_over(at)) return true;
   const TimeLaw& law = ring_.law(at.cell);
   const TimeLaw::State i = law.after(at.t);
@@ -87,8 +87,8 @@ bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
     const double jerk = x3 * i.speed * i.speed * i.speed + 3 * x2 * i.speed * i.acceleration + x1 * i.jerk;
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
     const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
-    if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
-    if (std::fabs(change) > (rounding + now_.over) * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
+    if (std::fabs(now) > rounding_of_limits * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
+    if (std::fabs(change) > (rounding_of_limits + now_.over) * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
   }
   return true;
 }

@@ -14,16 +14,17 @@
 namespace kadr {
 namespace {
 
-constexpr double page_width = 1000, margin = 30, title_height = 64, legend_height = 40, tallest = 1400, least_size = 1;
-constexpr double chord = 0.05;  // units of the page between an arc and its picture
+constexpr double mill_page_width = 1000, mill_page_margin = 30, mill_title_height = 64, mill_legend_height = 40, tallest = 1400,
+                 least_mill_size = 1;
+constexpr double mill_chord = 0.05;  // units of the page between an arc and its picture
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
                  plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
-struct Words {
+struct MillWords {
   const char *wall, *open, *feed, *plunge, *rapid;
 };
-constexpr Words english = {"wall", "open side", "feed", "plunge, ramp", "rapid"};
-constexpr Words russian = {"стенка", "открытая сторона", "рабочая подача", "врезание", "быстрый ход"};
+constexpr MillWords english_mill = {"wall", "open side", "feed", "plunge, ramp", "rapid"};
+constexpr MillWords russian_mill = {"стенка", "открытая сторона", "рабочая подача", "врезание", "быстрый ход"};
 
 class Drawing {
  public:
@@ -36,18 +37,18 @@ class Drawing {
     box_.take(box_.least - Vec2{picture.radius, picture.radius});
     box_.take(box_.most + Vec2{picture.radius, picture.radius});
     const Vec2 size = box_.most - box_.least;
-    scale_ = std::min((page_width - 2 * margin) / std::max(size.x, least_size),
-                      (tallest - title_height - legend_height - margin) / std::max(size.y, least_size));
-    height_ = title_height + legend_height + margin + scale_ * size.y;
+    scale_ = std::min((mill_page_width - 2 * mill_page_margin) / std::max(size.x, least_mill_size),
+                      (tallest - mill_title_height - mill_legend_height - mill_page_margin) / std::max(size.y, least_mill_size));
+    height_ = mill_title_height + mill_legend_height + mill_page_margin + scale_ * size.y;
   }
 
   double height() const { return height_; }
 
   void draw(Canvas& canvas) const {
-    canvas.fill({0, 0, page_width, height_}, colour(0xFFFFFF));
-    canvas.text({margin, 36}, picture_.title, {22, contour, Align::left, true});
-    canvas.text({margin, 56}, picture_.subtitle, {13, colour(0x5B6775), Align::left, false});
-    canvas.text({page_width - margin, 36}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+    canvas.fill({0, 0, mill_page_width, height_}, colour(0xFFFFFF));
+    canvas.text({mill_page_margin, 36}, picture_.title, {22, contour, Align::left, true});
+    canvas.text({mill_page_margin, 56}, picture_.subtitle, {13, colour(0x5B6775), Align::left, false});
+    canvas.text({mill_page_width - mill_page_margin, 36}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
     path(canvas, swept_ink, 2 * picture_.radius * scale_, [&](const area::Move& m, double) { return m.kind == area::MoveKind::feed; });
     for (const auto& zone : picture_.zones)
       for (const auto& loop : zone.loops)
@@ -63,15 +64,15 @@ class Drawing {
 
  private:
   Vec2 page(Vec2 p) const {
-    const double left = (page_width - scale_ * (box_.most.x - box_.least.x)) / 2;
-    return {left + scale_ * (p.x - box_.least.x), title_height + scale_ * (box_.most.y - p.y)};
+    const double left = (mill_page_width - scale_ * (box_.most.x - box_.least.x)) / 2;
+    return {left + scale_ * (p.x - box_.least.x), mill_title_height + scale_ * (box_.most.y - p.y)};
   }
 
   void edge(Canvas& canvas, const Edge& e, Colour ink, double width, bool dashed) const {
     if (dashed) canvas.dashes(8, 5);
     canvas.pen(ink, width);
     canvas.move_to(page(e.from));
-    for (const Vec2 p : area::flattened({e}, chord / scale_)) canvas.line_to(page(p));
+    for (const Vec2 p : area::flattened({e}, mill_chord / scale_)) canvas.line_to(page(p));
     canvas.line_to(page(e.to));
     canvas.stroke();
     canvas.solid();
@@ -94,7 +95,7 @@ class Drawing {
       const Edge e{{from.x, from.y}, {m.to.x, m.to.y}, m.bulge};
       if (!down) canvas.move_to(page(e.from));
       down = true;
-      for (const Vec2 p : area::flattened({e}, chord / scale_)) canvas.line_to(page(p));
+      for (const Vec2 p : area::flattened({e}, mill_chord / scale_)) canvas.line_to(page(p));
       canvas.line_to(page(e.to));
     }
     if (down) canvas.stroke();
@@ -127,9 +128,9 @@ class Drawing {
   }
 
   void legend(Canvas& canvas) const {
-    const Words& w = picture_.lang == Lang::ru ? russian : english;
+    const MillWords& w = picture_.lang == Lang::ru ? russian_mill : english_mill;
     const double y = height_ - 16;
-    double x = margin;
+    double x = mill_page_margin;
     const auto entry = [&](Colour ink, double width, bool dashed, const char* name) {
       if (dashed) canvas.dashes(6, 4);
       canvas.line({x, y - 4}, {x + 32, y - 4}, ink, width);
@@ -154,13 +155,13 @@ class Drawing {
 
 tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture) {
   const Drawing drawing(picture);
-  return write_page(file, page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
+  return write_page(file, mill_page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
                     [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 
 std::string milling_svg(const MillPicture& picture) {
   const Drawing drawing(picture);
-  return svg_page(page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
+  return svg_page(mill_page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
                   [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 

@@ -11,44 +11,44 @@
 namespace kadr {
 namespace {
 
-struct Words {
+struct LegendWords {
   const char *rapid, *feed, *arc, *plunge, *contour, *beside, *zero, *start, *end, *stop, *stop_line, *stop_file, *thinned, *cropped, *tool;
   const char *speed, *limits;
 };
-constexpr Words english = {"rapid",
-                           "feed",
-                           "arc",
-                           "plunge",
-                           "contour as programmed",
-                           "(the tool's path: with its radius compensated)",
-                           "work zero",
-                           "start",
-                           "end",
-                           "stopped",
-                           "stopped by an alarm: line {}",
-                           "stopped by an alarm: line {} of {}",
-                           "thinned: of {} points, those closer than {} {} are left out",
-                           "rapid motion goes on beyond the picture",
-                           "tool",
-                           "speed (least time), {}:",
-                           "limited (least time) by"};
-constexpr Words russian = {"быстрый ход",
-                           "рабочая подача",
-                           "дуга",
-                           "врезание",
-                           "контур по УП",
-                           "(траектория инструмента: с коррекцией на радиус)",
-                           "нуль детали",
-                           "начало",
-                           "конец",
-                           "останов",
-                           "останов по ошибке: строка {}",
-                           "останов по ошибке: строка {} файла {}",
-                           "прорежено: из {} точек не показаны те, что ближе {} {}",
-                           "быстрый ход продолжается за пределами рисунка",
-                           "инструмент",
-                           "скорость (мин. время), {}:",
-                           "ограничение (мин. время):"};
+constexpr LegendWords english_legend = {"rapid",
+                                        "feed",
+                                        "arc",
+                                        "plunge",
+                                        "contour as programmed",
+                                        "(the tool's path: with its radius compensated)",
+                                        "work zero",
+                                        "start",
+                                        "end",
+                                        "stopped",
+                                        "stopped by an alarm: line {}",
+                                        "stopped by an alarm: line {} of {}",
+                                        "thinned: of {} points, those closer than {} {} are left out",
+                                        "rapid motion goes on beyond the picture",
+                                        "tool",
+                                        "speed (least time), {}:",
+                                        "limited (least time) by"};
+constexpr LegendWords russian_legend = {"быстрый ход",
+                                        "рабочая подача",
+                                        "дуга",
+                                        "врезание",
+                                        "контур по УП",
+                                        "(траектория инструмента: с коррекцией на радиус)",
+                                        "нуль детали",
+                                        "начало",
+                                        "конец",
+                                        "останов",
+                                        "останов по ошибке: строка {}",
+                                        "останов по ошибке: строка {} файла {}",
+                                        "прорежено: из {} точек не показаны те, что ближе {} {}",
+                                        "быстрый ход продолжается за пределами рисунка",
+                                        "инструмент",
+                                        "скорость (мин. время), {}:",
+                                        "ограничение (мин. время):"};
 
 /// With the strokes of a path.
 class Row : public LegendRow {
@@ -76,7 +76,7 @@ class Row : public LegendRow {
   }
 };
 
-void draw_strokes_row(Row& row, const PlotScene& scene, const Words& w) {
+void draw_strokes_row(Row& row, const PlotScene& scene, const LegendWords& w) {
   const ShadeScale& shades = scene.shades;
   row.stroke(Stroke::rapid, w.rapid);
   if (shades.by() == PlotColour::stroke) {
@@ -97,7 +97,7 @@ void draw_strokes_row(Row& row, const PlotScene& scene, const Words& w) {
   if (shades.by() == PlotColour::stroke) row.words(w.beside);
 }
 
-std::string stop_text(const PlotScene& scene, const ProgramLine& line, const Words& w) {
+std::string stop_text(const PlotScene& scene, const ProgramLine& line, const LegendWords& w) {
   if (line.line == 0) return w.stop;
   if (line.file == 0) return fmt::format(fmt::runtime(w.stop_line), line.line);
   return fmt::format(fmt::runtime(w.stop_file), line.line, scene.title.file_of(line));
@@ -106,7 +106,7 @@ std::string stop_text(const PlotScene& scene, const ProgramLine& line, const Wor
 }  // namespace
 
 void draw_legend(Canvas& canvas, const PlotScene& scene, double left, double right, double y, bool cropped) {
-  const Words& w = scene.title.lang == Lang::ru ? russian : english;
+  const LegendWords& w = scene.title.lang == Lang::ru ? russian_legend : english_legend;
   canvas.begin("legend");
   Row strokes(canvas, left, y - legend_row_height);
   draw_strokes_row(strokes, scene, w);

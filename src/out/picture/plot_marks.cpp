@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "out/picture/palette.h"
+
 namespace kadr {
 namespace {
 
-constexpr Colour ink = colour(0x20262E), white = colour(0xFFFFFF), red = colour(0xC8102E);
+constexpr Colour red = colour(0xC8102E);
 
 void square(Canvas& canvas, Vec2 at, double half, Colour colour, double width) {
   canvas.frame({at.x - half, at.y - half, 2 * half, 2 * half}, colour, width);

@@ -23,20 +23,20 @@ constexpr double least_size = 1;     // mm
 // Rapid motion is shown whole where all is no larger than so many times the cutting: beyond that the part would be too small to be read.
 constexpr double most_isometric = 4, most_plane = 1.5;
 
-struct Words {
+struct PlotWords {
   const char *control, *nothing, *told, *untold;
 };
-constexpr Words english = {
+constexpr PlotWords english_plot = {
     "control", "no motion",
     "Strokes have the line of the program (data-line; data-file of a called one); the first one of line 12 has the id l12.",
     "There are too many strokes to tell the line of each."};
-constexpr Words russian = {"УЧПУ", "нет движений",
-                           "У линий есть номер строки программы (data-line; data-file вызванной); первая линия строки 12 имеет id l12.",
-                           "Линий слишком много, чтобы указать строку каждой."};
+constexpr PlotWords russian_plot = {
+    "УЧПУ", "нет движений", "У линий есть номер строки программы (data-line; data-file вызванной); первая линия строки 12 имеет id l12.",
+    "Линий слишком много, чтобы указать строку каждой."};
 
-const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
+const PlotWords& plot_words(Lang lang) { return lang == Lang::ru ? russian_plot : english_plot; }
 
-std::string control_line(const PlotTitle& title) { return fmt::format("{}: {}", words(title.lang).control, title.control); }
+std::string control_line(const PlotTitle& title) { return fmt::format("{}: {}", plot_words(title.lang).control, title.control); }
 
 void draw_title(Canvas& canvas, const PlotScene& scene) {
   const PlotTitle& title = scene.title;
@@ -60,7 +60,7 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
   const double top = title_height + 12, bottom = page_height - margin - legend_height + 8;
   const Area large{margin, top, page_width - 2 * margin - gap - planes_width, bottom - top};
   if (!moves) {
-    canvas.text({page_width / 2, page_height / 2}, words(scene.title.lang).nothing, {22, colour(0x5B6775), Align::centre, false});
+    canvas.text({page_width / 2, page_height / 2}, plot_words(scene.title.lang).nothing, {22, colour(0x5B6775), Align::centre, false});
     return;
   }
   draw_isometric(canvas, large, scene, whole);
@@ -112,7 +112,7 @@ Box shown_box(const PlotScene& scene, double most_times) {
 }
 
 tl::expected<void, std::string> draw_page(const ResultFile& file, const PlotScene& scene) {
-  const Words& w = words(scene.title.lang);
+  const PlotWords& w = plot_words(scene.title.lang);
   const PlotTitle& title = scene.title;
   const std::string extents = title.extents.empty() ? "" : title.extents + ". ";
   const PageText says{name_of_file(title.file),

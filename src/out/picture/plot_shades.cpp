@@ -13,8 +13,8 @@
 namespace kadr {
 namespace {
 
-constexpr double chord = 0.02;       // mm between an arc and its picture
-constexpr float same_shade = 0.02F;  // of a shade
+constexpr double shade_chord = 0.02;  // mm between an arc and its picture
+constexpr float same_shade = 0.02F;   // of a shade
 constexpr std::size_t speed_steps = 24;
 /// From standing to the fastest: what is slow stands out.
 constexpr std::array<unsigned, 6> speed_inks = {0xB2182B, 0xE08214, 0x9A9A1F, 0x1B9E77, 0x2166AC, 0x3B1F8F};
@@ -77,7 +77,7 @@ void ShadedMotions::draw_rest(float shade, PlotPath& path) {
 
 void ShadedMotions::draw_part(const Waiting& motion, double from, double to, float shade, PlotPath& path) {
   const Curve curve(roles_, motion.from.work, motion.motion);
-  const int pieces = curve.straight() ? 1 : std::max(1, static_cast<int>(std::ceil(curve.pieces(chord) * (to - from))));
+  const int pieces = curve.straight() ? 1 : std::max(1, static_cast<int>(std::ceil(curve.pieces(shade_chord) * (to - from))));
   for (int i = 1; i <= pieces; ++i) {
     const double part = i == pieces ? to : from + (to - from) * i / pieces;
     keep({chain_.tip(motion.from.space.get(), curve.at(part)) + motion.shift, motion.stroke, shade, motion.line}, curve.straight(), path);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "out/picture/palette.h"
 #include "out/picture/plot_differences.h"
 #include "out/picture/plot_marks.h"
 #include "out/picture/plot_strokes.h"
@@ -16,12 +17,7 @@
 namespace kadr {
 namespace {
 
-constexpr Colour paper = colour(0xFBFCFD);
-constexpr Colour grid = colour(0xE4E9EF);
 constexpr Colour grid_zero = colour(0xB4C0CC);
-constexpr Colour edge = colour(0xC3CCD6);
-constexpr Colour ink = colour(0x20262E);
-constexpr Colour faint_ink = colour(0x5B6775);
 constexpr double tick_spacing = 58;  // of the page, at least
 constexpr double iso_cos = 0.8660254037844386, iso_sin = 0.5;
 
@@ -30,10 +26,10 @@ struct PlaneNames {
   const char* across;
   const char* up;
 };
-constexpr std::array<PlaneNames, 4> names = {
+constexpr std::array<PlaneNames, 4> plane_names = {
     {{"view-isometric", "", ""}, {"view-xy", "X", "Y"}, {"view-xz", "X", "Z"}, {"view-yz", "Y", "Z"}}};
 
-const PlaneNames& names_of(View view) { return names[static_cast<std::size_t>(view)]; }
+const PlaneNames& names_of(View view) { return plane_names[static_cast<std::size_t>(view)]; }
 
 std::array<Vec3, 8> corners(const Box& box) {
   std::array<Vec3, 8> all;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "out/picture/palette.h"
 #include "out/picture/plot_page.h"
 #include "out/picture/plot_view.h"
 #include "out/picture/text_width.h"
@@ -21,46 +22,45 @@ namespace {
 using On = Spent::On;
 using Column = SpeedRecord::Column;
 
-constexpr double page_width = 1600, page_height = 984, margin = 28, left = 96, top = 112;
-constexpr double speed_height = 400, share_height = 130, gap = 42, ribbon_height = 12;
-constexpr Colour paper = colour(0xFBFCFD), grid = colour(0xE4E9EF), edge = colour(0xC3CCD6), ink = colour(0x20262E),
-                 faint_ink = colour(0x5B6775), feed_ink = colour(0xE69F00);
+constexpr double speed_page_width = 1600, speed_page_height = 984, speed_page_margin = 28, left = 96, top = 112;
+constexpr double speed_height = 400, share_height = 130, speed_gap = 42, ribbon_height = 12;
+constexpr Colour feed_ink = colour(0xE69F00);
 /// By Spent::On.
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
-struct Words {
+struct SpeedWords {
   const char *control, *time, *by, *nothing, *speed, *acceleration, *jerk, *feed, *line, *seconds, *minutes, *nearest, *beyond;
   std::array<const char*, 4> spent;  // by Spent::On
 };
-constexpr Words english = {"control",
-                           "least time",
-                           "by Kadr's planner, within speed, acceleration and jerk of the axes",
-                           "no motion",
-                           "speed along the path, {}",
-                           "acceleration, % of the limit of the axis nearest to it",
-                           "jerk, % of the limit of the axis nearest to it",
-                           "programmed feed",
-                           "line",
-                           "s",
-                           "min:s",
-                           "nearest axis:",
-                           "{}: beyond the picture, up to {} {}",
-                           {"cutting", "rapid", "dwell", "tool change"}};
-constexpr Words russian = {"УЧПУ",
-                           "мин. время",
-                           "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
-                           "нет движений",
-                           "скорость по контуру, {}",
-                           "ускорение, % предела той оси, что ближе всех к нему",
-                           "рывок, % предела той оси, что ближе всех к нему",
-                           "программная подача",
-                           "строка",
-                           "с",
-                           "мин:с",
-                           "ближайшая ось:",
-                           "{}: за пределами рисунка, до {} {}",
-                           {"резание", "быстрый ход", "выдержка", "смена инструмента"}};
+constexpr SpeedWords english_speeds = {"control",
+                                       "least time",
+                                       "by Kadr's planner, within speed, acceleration and jerk of the axes",
+                                       "no motion",
+                                       "speed along the path, {}",
+                                       "acceleration, % of the limit of the axis nearest to it",
+                                       "jerk, % of the limit of the axis nearest to it",
+                                       "programmed feed",
+                                       "line",
+                                       "s",
+                                       "min:s",
+                                       "nearest axis:",
+                                       "{}: beyond the picture, up to {} {}",
+                                       {"cutting", "rapid", "dwell", "tool change"}};
+constexpr SpeedWords russian_speeds = {"УЧПУ",
+                                       "мин. время",
+                                       "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
+                                       "нет движений",
+                                       "скорость по контуру, {}",
+                                       "ускорение, % предела той оси, что ближе всех к нему",
+                                       "рывок, % предела той оси, что ближе всех к нему",
+                                       "программная подача",
+                                       "строка",
+                                       "с",
+                                       "мин:с",
+                                       "ближайшая ось:",
+                                       "{}: за пределами рисунка, до {} {}",
+                                       {"резание", "быстрый ход", "выдержка", "смена инструмента"}};
 
 Colour ink_of(On on) { return colour(inks_of_time[static_cast<std::size_t>(on)]); }
 Colour ink_of_axis(std::size_t axis) { return colour(inks_of_axes[axis % inks_of_axes.size()]); }
@@ -73,28 +73,28 @@ class SpeedPage {
         axes_(axes),
         title_(title),
         per_minute_(60 / mm_of(title.unit)),
-        words_(title.lang == Lang::ru ? russian : english) {
+        words_(title.lang == Lang::ru ? russian_speeds : english_speeds) {
     find_top_speed();
   }
 
   PageText says() const { return {name_of_file(title_.file), speed_heading() + ". " + subtitle(), title_.lang}; }
 
   void draw(Canvas& canvas) const {
-    canvas.fill({0, 0, page_width, page_height}, colour(0xFFFFFF));
+    canvas.fill({0, 0, speed_page_width, speed_page_height}, colour(0xFFFFFF));
     draw_title(canvas);
     if (!(record_.seconds() > 0))
-      return canvas.text({page_width / 2, page_height / 2}, words_.nothing, {22, faint_ink, Align::centre, false});
+      return canvas.text({speed_page_width / 2, speed_page_height / 2}, words_.nothing, {22, faint_ink, Align::centre, false});
     draw_speed(canvas, {left, top, width, speed_height});
-    const double second = top + speed_height + gap, third = second + share_height + gap, ribbon = third + share_height + 10;
+    const double second = top + speed_height + speed_gap, third = second + share_height + speed_gap, ribbon = third + share_height + 10;
     draw_shares(canvas, {left, second, width, share_height}, words_.acceleration, &Column::acceleration);
     draw_shares(canvas, {left, third, width, share_height}, words_.jerk, &Column::jerk);
     draw_ribbon(canvas, {left, ribbon, width, ribbon_height});
     draw_time(canvas, ribbon + ribbon_height);
-    draw_legend(canvas, page_height - 20);
+    draw_legend(canvas, speed_page_height - 20);
   }
 
  private:
-  static constexpr double width = page_width - left - margin;
+  static constexpr double width = speed_page_width - left - speed_page_margin;
 
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
@@ -117,9 +117,9 @@ class SpeedPage {
   }
 
   void draw_title(Canvas& canvas) const {
-    canvas.text({margin, 42}, name_of_file(title_.file), {24, ink, Align::left, true});
-    canvas.text({margin, 64}, subtitle(), {14, faint_ink, Align::left, false});
-    canvas.text({page_width - margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+    canvas.text({speed_page_margin, 42}, name_of_file(title_.file), {24, ink, Align::left, true});
+    canvas.text({speed_page_margin, 64}, subtitle(), {14, faint_ink, Align::left, false});
+    canvas.text({speed_page_width - speed_page_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   }
 
   /// Frame, heading, horizontal lines with their numbers; `most`: the value at the upper edge.
@@ -285,7 +285,7 @@ class SpeedPage {
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
   const double per_minute_;  // mm/s → the page's unit of speed
-  const Words& words_;
+  const SpeedWords& words_;
   double feed_ = 0;       // the greatest commanded, mm/s
   double top_speed_ = 1;  // of the picture, mm/min or in/min
 };
@@ -295,7 +295,7 @@ class SpeedPage {
 tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title) {
   const SpeedPage page(record, axes, title);
-  return write_page(file, page_width, page_height, page.says(), [&](Canvas& canvas) { page.draw(canvas); });
+  return write_page(file, speed_page_width, speed_page_height, page.says(), [&](Canvas& canvas) { page.draw(canvas); });
 }
 
 }  // namespace kadr

@@ -31,7 +31,7 @@ char* put_coordinate(char* at, double value) {
   return at;
 }
 
-std::string number(double value) {
+std::string svg_number(double value) {
   char room[32];
   return {room, put_coordinate(room, value)};
 }
@@ -44,7 +44,7 @@ std::string hex(Colour ink) {
 /// ` fill="#0072b2" fill-opacity="0.14"`
 std::string ink_attributes(const char* what, Colour ink) {
   const std::string attribute = fmt::format(" {}=\"{}\"", what, hex(ink));
-  return ink.alpha < 1 ? attribute + fmt::format(" {}-opacity=\"{}\"", what, number(ink.alpha)) : attribute;
+  return ink.alpha < 1 ? attribute + fmt::format(" {}-opacity=\"{}\"", what, svg_number(ink.alpha)) : attribute;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ SvgCanvas::SvgCanvas(std::FILE* file, double width, double height, const PageTex
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" xml:lang=\"{2}\""
                   " font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                  number(width), number(height), says.lang == Lang::ru ? "ru" : "en"));
+                  svg_number(width), svg_number(height), says.lang == Lang::ru ? "ru" : "en"));
   put_element("title", says.title);
   put_element("desc", says.description);
 }
@@ -94,8 +94,8 @@ void SvgCanvas::take_group() {
   put("<g");
   if (!pen_.kind.empty()) put(fmt::format(" class=\"{}\"", pen_.kind));
   put(" fill=\"none\"" + ink_attributes("stroke", pen_.ink));
-  put(fmt::format(" stroke-width=\"{}\"", number(pen_.width)));
-  if (pen_.on > 0) put(fmt::format(" stroke-dasharray=\"{} {}\"", number(pen_.on), number(pen_.off)));
+  put(fmt::format(" stroke-width=\"{}\"", svg_number(pen_.width)));
+  if (pen_.on > 0) put(fmt::format(" stroke-dasharray=\"{} {}\"", svg_number(pen_.on), svg_number(pen_.off)));
   put(">\n");
 }
 
@@ -106,20 +106,20 @@ void SvgCanvas::leave_group() {
 
 void SvgCanvas::fill(const Area& area, Colour ink) {
   leave_group();
-  put(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>\n", number(area.x), number(area.y), number(area.width),
-                  number(area.height), ink_attributes("fill", ink)));
+  put(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>\n", svg_number(area.x), svg_number(area.y),
+                  svg_number(area.width), svg_number(area.height), ink_attributes("fill", ink)));
 }
 
 void SvgCanvas::ring(Vec2 centre, double radius, Colour ink, double width) {
   pen(ink, width);
   take_group();
-  put(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(centre.x), number(centre.y), number(radius)));
+  put(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", svg_number(centre.x), svg_number(centre.y), svg_number(radius)));
 }
 
 void SvgCanvas::pixels(const Area& area, const Pixels& picture) {
   leave_group();
-  put(fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,", number(area.x), number(area.y),
-                  number(area.width), number(area.height)));
+  put(fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,", svg_number(area.x),
+                  svg_number(area.y), svg_number(area.width), svg_number(area.height)));
   put(base64_of(png_of(picture)));
   put("\"/>\n");
 }
@@ -129,7 +129,7 @@ void SvgCanvas::clip(const Area& area) {
   put(
       fmt::format("<clipPath id=\"clip{0}\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/></clipPath>\n"
                   "<g clip-path=\"url(#clip{0})\">\n",
-                  ++clips_, number(area.x), number(area.y), number(area.width), number(area.height)));
+                  ++clips_, svg_number(area.x), svg_number(area.y), svg_number(area.width), svg_number(area.height)));
 }
 
 void SvgCanvas::unclip() {
@@ -199,8 +199,8 @@ void SvgCanvas::stroke() {
 void SvgCanvas::put_text(Vec2 at, const std::string& text, const TextStyle& style) {
   leave_group();
   const bool spaced = text.find("  ") != std::string::npos;
-  put(fmt::format("<text{} x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}{}>", spaced ? " xml:space=\"preserve\"" : "", number(at.x), number(at.y),
-                  number(style.size),
+  put(fmt::format("<text{} x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}{}>", spaced ? " xml:space=\"preserve\"" : "", svg_number(at.x),
+                  svg_number(at.y), svg_number(style.size),
                   style.align == Align::centre  ? " text-anchor=\"middle\""
                   : style.align == Align::right ? " text-anchor=\"end\""
                                                 : "",

@@ -20,15 +20,15 @@ namespace {
 using area::Move;
 using area::MoveKind;
 
-constexpr double chord = 0.005;      // mm between an arc and the lines written for it: half the controls' arc tolerance
-constexpr double shortest_arc = 10;  // increments: a shorter one is a line
+constexpr double written_chord = 0.005;  // mm between an arc and the lines written for it: half the controls' arc tolerance
+constexpr double shortest_arc = 10;      // increments: a shorter one is a line
 constexpr int block_steps[] = {10, 5, 1};
 
 constexpr int any = any_argument;
 
-class Writer {
+class ProgramWriter {
  public:
-  Writer(const ControlDef& def, const Technology& technology) : def_(def), technology_(technology) {}
+  ProgramWriter(const ControlDef& def, const Technology& technology) : def_(def), technology_(technology) {}
 
   Result<PartProgram> write(const std::vector<Move>& moves) {
     KADR_TRY(begin());
@@ -128,7 +128,7 @@ class Writer {
 
   Status chords(const Move& move, const Edge& arc) {
     const double radius = area::circle_of(arc).radius;
-    const double step = 2 * std::acos(std::max(0.5, 1 - chord / radius));
+    const double step = 2 * std::acos(std::max(0.5, 1 - written_chord / radius));
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(4 * std::atan(arc.bulge)) / step)));
     for (int i = 1; i <= pieces; ++i) {
       const Vec2 p = area::at(arc, double(i) / pieces);
@@ -236,7 +236,7 @@ class Writer {
 }  // namespace
 
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology) {
-  return Writer(def, technology).write(moves);
+  return ProgramWriter(def, technology).write(moves);
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {

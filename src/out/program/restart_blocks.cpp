@@ -40,9 +40,9 @@ bool wants_words(const CodeRow& row) {
 /// Of an offset's word; 0: it is none.
 char letter_of(Kind kind) { return kind == Kind::offset ? 'D' : kind == Kind::length_offset ? 'H' : '\0'; }
 
-class Writer {
+class RestartWriter {
  public:
-  Writer(const ControlDef& def, bool inch, bool has_way) : def_(def), inch_(inch), has_way_(has_way) {}
+  RestartWriter(const ControlDef& def, bool inch, bool has_way) : def_(def), inch_(inch), has_way_(has_way) {}
 
   void by_hand(const InForce& one) { made_.by_hand.push_back(one); }
   void add(const std::string& word) { line_ += (line_.empty() ? "" : " ") + word; }
@@ -149,7 +149,7 @@ bool is_in_spindle(const InForce& selected, const std::vector<InForce>& in_force
                      [&](const InForce& other) { return other.kind == Kind::tool && other.value == selected.value; });
 }
 
-Status write_technology(Writer& writer, const InForce& one, const std::vector<InForce>& in_force) {
+Status write_technology(RestartWriter& writer, const InForce& one, const std::vector<InForce>& in_force) {
   switch (one.kind) {
     case Kind::tool: return writer.tool(one);
     case Kind::code: return writer.code(one, in_force);
@@ -174,7 +174,7 @@ Status write_technology(Writer& writer, const InForce& one, const std::vector<In
 
 Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
                                      const std::vector<BlockWay>& way) {
-  Writer writer(def, is_set(in_force, def, Function::inch), !way.empty());
+  RestartWriter writer(def, is_set(in_force, def, Function::inch), !way.empty());
   for (const InForce& one : wanted)
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {

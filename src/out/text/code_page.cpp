@@ -9,14 +9,13 @@
 
 #include "out/text/asked_code.h"
 #include "out/text/cycle_text.h"
+#include "out/text/in_language.h"
 #include "out/text/parameter_text.h"
 #include "out/text/variable_text.h"
 #include "out/text/word_text.h"
 
 namespace kadr {
 namespace {
-
-const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 std::string letters_of(std::uint64_t bits, std::string text = {}) {
   for (int i = 0; i <= comma_vector - 'A'; ++i)
@@ -51,9 +50,9 @@ namespace {
 
 std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
-  std::string text = fmt::format("{} {}: {}\n", def.id, row.code, pick(row.text, lang));
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.code, in_language(row.text, lang));
   const GroupRow& group = def.groups[row.group];
-  if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, pick(group.text, lang));
+  if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, in_language(group.text, lang));
   text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
                       row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
@@ -70,7 +69,7 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
 
 std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
-  std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), pick(row.text, lang));
+  std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), in_language(row.text, lang));
   text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
     text += fmt::format("  {}\n",
@@ -80,7 +79,7 @@ std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang
 }
 
 std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
-  std::string text = fmt::format("{} {}: {}\n", def.id, row.name, pick(row.text, lang));
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.name, in_language(row.text, lang));
   std::string_view body = row.body.empty() ? row.printed : row.body;
   while (!body.empty()) {
     const std::size_t end = body.find('\n');
@@ -144,16 +143,16 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
 }
 
 std::string explain_control(const ControlDef& def, Lang lang) {
-  std::string text = fmt::format("{}: {}\n", def.id, pick(def.name, lang));
+  std::string text = fmt::format("{}: {}\n", def.id, in_language(def.name, lang));
   if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
   if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
   const char* const not_yet = lang == Lang::ru ? " (ещё нет)" : " (not yet)";
   const char* const in_part = lang == Lang::ru ? " (отчасти)" : " (in part)";
   for (const CodeRow& row : def.codes)
-    text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), pick(row.text, lang),
+    text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), in_language(row.text, lang),
                         row.works ? (row.in_part ? in_part : "") : not_yet);
   for (const CycleRow& row : def.cycles)
-    if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, pick(row.text, lang));
+    if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, in_language(row.text, lang));
   return text;
 }
 

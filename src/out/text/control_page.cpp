@@ -20,7 +20,7 @@ std::string escaped(const std::string& text) {
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
 
 /// Head and rule of a table: "| a | b |", "|---|---|".
-std::string head(const std::string& columns) {
+std::string table_head(const std::string& columns) {
   const auto bars = static_cast<std::size_t>(std::count(columns.begin(), columns.end(), '|'));
   std::string rule = "|";
   for (std::size_t i = 1; i < bars; ++i) rule += "---|";
@@ -28,7 +28,7 @@ std::string head(const std::string& columns) {
 }
 
 void address_rows(const ControlDef& def, std::string& page) {
-  page += "\n## Addresses\n\n" + head("| address | format | meaning | значение | source |");
+  page += "\n## Addresses\n\n" + table_head("| address | format | meaning | значение | source |");
   for (const AddressRow& row : def.addresses)
     if (row.function != Function::count)
       page +=
@@ -39,7 +39,7 @@ void code_rows(const ControlDef& def, char letter, std::string& page) {
   // Where everything works, a column that says so would only be in the way.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
-  page += head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));
+  page += table_head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));
   for (const CodeRow& row : def.codes) {
     if (row.letter != letter) continue;
     const char* const works = all_work ? "" : !row.works ? " not yet |" : row.in_part ? " in part |" : " yes |";
@@ -53,7 +53,7 @@ void cycle_rows(const ControlDef& def, std::string& page) {
   for (const CycleRow& row : def.cycles) {
     const std::string& printed = row.body.empty() ? row.printed : row.body;
     if (printed.empty()) continue;
-    if (!bodies) page += "\n## Cycles\n\n" + head("| cycle | meaning | значение | body |");
+    if (!bodies) page += "\n## Cycles\n\n" + table_head("| cycle | meaning | значение | body |");
     bodies = true;
     std::string body;
     for (const char c : printed) body += c == '\n' ? std::string("` · `") : std::string(1, c);
@@ -65,7 +65,7 @@ void variable_rows(const ControlDef& def, std::string& page) {
   if (def.variables.empty()) return;
   const bool symbols = std::any_of(def.variables.begin(), def.variables.end(), [](const VariableRow& row) { return !row.symbol.empty(); });
   page += "\n## System variables\n\n";
-  page += head(fmt::format("| numbers |{} meaning | значение | source |", symbols ? " symbol | access | works |" : ""));
+  page += table_head(fmt::format("| numbers |{} meaning | значение | source |", symbols ? " symbol | access | works |" : ""));
   for (const VariableRow& row : def.variables) {
     std::string more;
     if (symbols)
@@ -81,7 +81,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   page +=
       "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
       "that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n";
-  page += head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
+  page += table_head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
   for (const ParameterRow& row : def.parameters) {
     std::string bits;
     for (std::size_t i = 0; i < row.bits.size(); ++i)
@@ -102,7 +102,7 @@ void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& pag
   const auto rank = [&](AlarmId id) { return texts.number(id).empty() ? 1e9 : std::atof(texts.number(id).c_str()); };
   std::stable_sort(ids.begin(), ids.end(), [&](AlarmId a, AlarmId b) { return rank(a) < rank(b); });
   page += "\n## Alarms\n\nThose that have a number or words of the control's own; `{0}` stands for the figure of the case.\n\n";
-  page += head("| number | alarm | text | текст | hint | подсказка |");
+  page += table_head("| number | alarm | text | текст | hint | подсказка |");
   for (const AlarmId id : ids) {
     const Text text = {texts.pattern(id, Lang::en), texts.pattern(id, Lang::ru)};
     const Text hint = {texts.hint_pattern(id, Lang::en), texts.hint_pattern(id, Lang::ru)};

@@ -14,19 +14,16 @@
 
 #include "config/drill_steps.h"
 #include "out/text/asked_code.h"
+#include "out/text/in_language.h"
 
 namespace kadr {
 namespace {
 
-using Words = std::array<std::string_view, 2>;  // by Lang
-
-std::string said(const Words& words, Lang lang) { return std::string(words[lang == Lang::ru ? 1 : 0]); }
-
-constexpr Words over_hole = {"rapid over the hole", "быстро в точку над отверстием"};
-constexpr Words to_level = {"rapid to R", "быстро на уровень R"};
+constexpr BothLanguages over_hole = {"rapid over the hole", "быстро в точку над отверстием"};
+constexpr BothLanguages to_level = {"rapid to R", "быстро на уровень R"};
 
 // In the order of CycleStep.
-constexpr std::array<Words, static_cast<std::size_t>(CycleStep::count)> step_words = {
+constexpr std::array<BothLanguages, static_cast<std::size_t>(CycleStep::count)> step_words = {
     {{"feed to the bottom", "рабочая подача до дна"},
      {"rapid to the bottom", "быстро до дна"},
      {"rapid back: to the initial level (G98) or to R (G99)", "быстрый отвод: на исходный уровень (G98) или на R (G99)"},
@@ -48,7 +45,7 @@ constexpr std::array<Words, static_cast<std::size_t>(CycleStep::count)> step_wor
       "проходы по R3 от R2 до R1: на подаче R0 до уровня прохода, выдержка 0,3 с, быстро на R2"}}};
 
 // In the order of DrillStep; `stop` and `end` are no motions.
-constexpr std::array<Words, static_cast<std::size_t>(DrillStep::manual) + 1> drill_words = {
+constexpr std::array<BothLanguages, static_cast<std::size_t>(DrillStep::manual) + 1> drill_words = {
     {{"", ""},
      to_level,
      {"", ""},
@@ -84,13 +81,12 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
 
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, Lang lang) {
   std::vector<std::string> steps;
-  if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.push_back(said(over_hole, lang));
+  if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.emplace_back(in_language(over_hole, lang));
   for (const DrillStep step : cycle.steps)
-    if (const std::string text = said(drill_words[static_cast<std::size_t>(step)], lang); !text.empty()) steps.push_back(text);
+    if (const std::string_view text = in_language(drill_words[static_cast<std::size_t>(step)], lang); !text.empty())
+      steps.emplace_back(text);
   return steps;
 }
-
-const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 /// A body's blocks as motions: which motion code is in force goes on from block to block.
 class BodyTeller {
@@ -109,7 +105,7 @@ class BodyTeller {
       const std::string equals = fmt::format("{} = {}", word[0], value);
       if (row.function == Function::axis) axes += (axes.empty() ? "" : ", ") + equals;
       else if (row.function == Function::feed_word) feed = (lang_ == Lang::ru ? ", подача " : ", feed ") + value;
-      else if (row.function != Function::count) add(row.phase, fmt::format("{}: {}", equals, pick(row.text, lang_)));
+      else if (row.function != Function::count) add(row.phase, fmt::format("{}: {}", equals, in_language(row.text, lang_)));
     }
     if (!axes.empty()) add(Phase::motion, fmt::format("{} {}{}", motion_, axes, feed));
     std::stable_sort(pieces_.begin(), pieces_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -129,7 +125,7 @@ class BodyTeller {
     const bool ru = lang_ == Lang::ru;
     if (row->function == Function::rapid) motion_ = ru ? "быстро до" : "rapid to";
     else if (row->function == Function::linear) motion_ = ru ? "рабочий ход до" : "feed to";
-    else if (row->function != Function::dwell) add(row->phase, fmt::format("{} ({})", pick(row->text, lang_), plain));
+    else if (row->function != Function::dwell) add(row->phase, fmt::format("{} ({})", in_language(row->text, lang_), plain));
     return true;
   }
 
@@ -157,8 +153,8 @@ std::int32_t drill_code(const CodeRow& row) { return row.arg != 0 ? row.arg : ro
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   std::vector<std::string> steps;
   const bool by_code = row.call_number == 0 && !row.steps.empty();
-  if (by_code) steps = {said(over_hole, lang), said(to_level, lang)};
-  for (const CycleStep step : row.steps) steps.push_back(said(step_words[static_cast<std::size_t>(step)], lang));
+  if (by_code) steps = {std::string(in_language(over_hole, lang)), std::string(in_language(to_level, lang))};
+  for (const CycleStep step : row.steps) steps.emplace_back(in_language(step_words[static_cast<std::size_t>(step)], lang));
   BodyTeller teller(def, lang);
   std::istringstream body(row.body);
   for (std::string line; std::getline(body, line);)

@@ -13,26 +13,26 @@ namespace {
 
 using Kind = InForce::Kind;
 
-struct Row {
+struct InForceRow {
   const char *en, *ru;
   std::vector<Kind> kinds;
 };
 
-const std::vector<Row>& rows() {
-  static const std::vector<Row> all = {{"position", "положение", {Kind::position}},
-                                       {"machine", "в станке", {Kind::machine}},
-                                       {"codes", "коды", {Kind::code, Kind::feed, Kind::speed, Kind::spindle, Kind::coolant}},
-                                       {"tool", "инструмент", {Kind::tool, Kind::selected, Kind::offset, Kind::length_offset}},
-                                       {"length", "вылет", {Kind::length}},
-                                       {"zero", "нуль детали", {Kind::origin}},
-                                       {"rotation", "поворот", {Kind::rotation}},
-                                       {"scale", "масштаб", {Kind::scale}},
-                                       {"variables", "переменные", {Kind::variable}}};
+const std::vector<InForceRow>& rows() {
+  static const std::vector<InForceRow> all = {{"position", "положение", {Kind::position}},
+                                              {"machine", "в станке", {Kind::machine}},
+                                              {"codes", "коды", {Kind::code, Kind::feed, Kind::speed, Kind::spindle, Kind::coolant}},
+                                              {"tool", "инструмент", {Kind::tool, Kind::selected, Kind::offset, Kind::length_offset}},
+                                              {"length", "вылет", {Kind::length}},
+                                              {"zero", "нуль детали", {Kind::origin}},
+                                              {"rotation", "поворот", {Kind::rotation}},
+                                              {"scale", "масштаб", {Kind::scale}},
+                                              {"variables", "переменные", {Kind::variable}}};
   return all;
 }
 
 /// At most three places after the point, without zeros at the end.
-std::string number(double value) {
+std::string short_number(double value) {
   std::string text = fmt::format("{:.3f}", value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -50,11 +50,11 @@ std::string written(const InForce& one) {
     case Kind::machine:
     case Kind::origin:
     case Kind::length:
-    case Kind::scale: return fmt::format("{} {}", one.name, number(one.value));
+    case Kind::scale: return fmt::format("{} {}", one.name, short_number(one.value));
     case Kind::variable: return fmt::format("{}={:.9g}", one.name, one.value);
-    case Kind::offset: return "D" + number(one.value);
-    case Kind::length_offset: return "H" + number(one.value);
-    default: return one.name + number(one.value);
+    case Kind::offset: return "D" + short_number(one.value);
+    case Kind::length_offset: return "H" + short_number(one.value);
+    default: return one.name + short_number(one.value);
   }
 }
 
@@ -62,9 +62,9 @@ std::string written(const InForce& one) {
 
 std::string in_force_text(const std::vector<InForce>& all, Lang lang, const std::string& indent, std::size_t most) {
   std::size_t widest = 0;
-  for (const Row& row : rows()) widest = std::max(widest, width(lang == Lang::ru ? row.ru : row.en));
+  for (const InForceRow& row : rows()) widest = std::max(widest, width(lang == Lang::ru ? row.ru : row.en));
   std::string text;
-  for (const Row& row : rows()) {
+  for (const InForceRow& row : rows()) {
     const std::string name = lang == Lang::ru ? row.ru : row.en;
     std::string line;
     std::size_t count = 0;

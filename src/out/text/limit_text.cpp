@@ -7,27 +7,27 @@
 namespace kadr {
 namespace {
 
-struct Names {
+struct LimitNames {
   const char *en, *ru;
 };
 /// In the order of Limit.
-constexpr std::array<Names, limit_count> names = {{{"programmed feed", "программная подача"},
-                                                   {"corner", "угол"},
-                                                   {"curve", "кривизна"},
-                                                   {"axis speed", "скорость оси"},
-                                                   {"acceleration", "ускорение"},
-                                                   {"jerk", "рывок"},
-                                                   {"pause", "пауза"}}};
-constexpr Names rapid_rate = {"rapid rate", "быстрый ход"};
+constexpr std::array<LimitNames, limit_count> limit_names = {{{"programmed feed", "программная подача"},
+                                                              {"corner", "угол"},
+                                                              {"curve", "кривизна"},
+                                                              {"axis speed", "скорость оси"},
+                                                              {"acceleration", "ускорение"},
+                                                              {"jerk", "рывок"},
+                                                              {"pause", "пауза"}}};
+constexpr LimitNames rapid_rate = {"rapid rate", "быстрый ход"};
 
-const char* in(const Names& name, Lang lang) { return lang == Lang::ru ? name.ru : name.en; }
+const char* in(const LimitNames& name, Lang lang) { return lang == Lang::ru ? name.ru : name.en; }
 
 }  // namespace
 
-const char* limit_name(Limit limit, Lang lang) { return in(names[static_cast<std::size_t>(limit)], lang); }
+const char* limit_name(Limit limit, Lang lang) { return in(limit_names[static_cast<std::size_t>(limit)], lang); }
 
 std::string limit_text(LimitedBy by, bool rapid, const std::vector<std::string>& axes, Lang lang) {
-  if (by.limit == Limit::feed) return in(rapid ? rapid_rate : names[0], lang);
+  if (by.limit == Limit::feed) return in(rapid ? rapid_rate : limit_names[0], lang);
   const bool has_axis = by.limit != Limit::pause && by.axis < axes.size();
   return limit_name(by.limit, lang) + (has_axis ? ", " + axes[by.axis] : std::string());
 }

@@ -10,6 +10,7 @@
 
 #include "lang/block/lexer.h"
 #include "out/text/code_page.h"
+#include "out/text/in_language.h"
 #include "out/text/source_line.h"
 #include "out/text/variable_text.h"
 #include "out/text/word_text.h"
@@ -19,8 +20,6 @@ namespace {
 
 constexpr std::size_t most_blocks = 100;  // of a line: several stand between ПС
 constexpr std::size_t most_words = 500;
-
-const std::string& in_language(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 class LineWords {
  public:

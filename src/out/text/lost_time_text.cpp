@@ -15,24 +15,25 @@ namespace {
 
 constexpr std::size_t widest_block = 48;  // characters
 
-struct Words {
+struct LostTimeWords {
   const char *heading, *nothing, *all, *times;
   std::array<const char*, 6> columns;
 };
-constexpr Words english = {"lost time       what the axes need beyond the time by feed and rapid rate alone, s; the worst lines",
-                           "nothing: each motion takes its time by feed and rapid rate",
-                           "lost in all lines",
-                           "times",
-                           {"line", "time", "by feed", "lost", "by", "block"}};
-constexpr Words russian = {"потери времени  сверх времени по подачам и быстрым ходам станка, с; худшие строки",
-                           "нет: каждое движение идёт по подаче или быстрому ходу",
-                           "потери во всех строках",
-                           "раз",
-                           {"строка", "время", "по подаче", "потеря", "причина", "кадр"}};
+constexpr LostTimeWords english_lost_time = {
+    "lost time       what the axes need beyond the time by feed and rapid rate alone, s; the worst lines",
+    "nothing: each motion takes its time by feed and rapid rate",
+    "lost in all lines",
+    "times",
+    {"line", "time", "by feed", "lost", "by", "block"}};
+constexpr LostTimeWords russian_lost_time = {"потери времени  сверх времени по подачам и быстрым ходам станка, с; худшие строки",
+                                             "нет: каждое движение идёт по подаче или быстрому ходу",
+                                             "потери во всех строках",
+                                             "раз",
+                                             {"строка", "время", "по подаче", "потеря", "причина", "кадр"}};
 
-using Cells = std::array<std::string, 6>;
+using LostTimeCells = std::array<std::string, 6>;
 
-Cells cells_of(const LostTimeRow& row, const Words& words, const std::vector<std::string>& axes, Lang lang) {
+LostTimeCells cells_of(const LostTimeRow& row, const LostTimeWords& words, const std::vector<std::string>& axes, Lang lang) {
   const LostTime::Place& place = row.place;
   std::string line = row.file.empty() ? "" : row.file + ":";
   line += fmt::format("{}", place.line);
@@ -46,17 +47,17 @@ Cells cells_of(const LostTimeRow& row, const Words& words, const std::vector<std
 
 std::string lost_time_text(const std::vector<LostTimeRow>& rows, double all, const std::vector<std::string>& axes, Lang lang) {
   constexpr std::string_view indent = "                ", gap = "  ";
-  const Words& words = lang == Lang::ru ? russian : english;
-  std::vector<Cells> table(1);
+  const LostTimeWords& words = lang == Lang::ru ? russian_lost_time : english_lost_time;
+  std::vector<LostTimeCells> table(1);
   std::copy(words.columns.begin(), words.columns.end(), table[0].begin());
   for (const LostTimeRow& row : rows) table.push_back(cells_of(row, words, axes, lang));
   const auto width = [](const std::string& text) { return characters_before(text, text.size()); };
   std::array<std::size_t, 6> widths{};
-  for (const Cells& cells : table)
+  for (const LostTimeCells& cells : table)
     for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max<std::size_t>(widths[i], width(cells[i]));
   std::string text = std::string(words.heading) + "\n";
   if (rows.empty()) return text + std::string(indent) + words.nothing + "\n";
-  for (const Cells& cells : table) {
+  for (const LostTimeCells& cells : table) {
     text += indent;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string pad(widths[i] - width(cells[i]), ' ');

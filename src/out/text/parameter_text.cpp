@@ -6,34 +6,33 @@
 
 #include <array>
 
+#include "out/text/in_language.h"
+
 namespace kadr {
 namespace {
 
-using Words = std::array<std::string_view, 2>;  // by Lang
 constexpr double unbounded = 1e299;
 constexpr std::size_t bits_with_number = 8;  // those after have a name only (24.0)
 
-std::string_view said(const Words& words, Lang lang) { return words[lang == Lang::ru ? 1 : 0]; }
-
 std::string_view scope_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<Words, 4> words = {{{"the control has one", "одно на всё УЧПУ"},
-                                           {"one for each channel", "своё у каждого канала"},
-                                           {"one for each axis", "своё у каждой оси"},
-                                           {"one for each spindle", "своё у каждого шпинделя"}}};
-  return said(words[static_cast<std::size_t>(row.scope)], lang);
+  constexpr std::array<BothLanguages, 4> words = {{{"the control has one", "одно на всё УЧПУ"},
+                                                   {"one for each channel", "своё у каждого канала"},
+                                                   {"one for each axis", "своё у каждой оси"},
+                                                   {"one for each spindle", "своё у каждого шпинделя"}}};
+  return in_language(words[static_cast<std::size_t>(row.scope)], lang);
 }
 
 std::string_view type_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<Words, 4> words = {
+  constexpr std::array<BothLanguages, 4> words = {
       {{"bits", "разряды"}, {"whole number", "целое число"}, {"real number", "вещественное число"}, {"text", "текст"}}};
-  return said(words[static_cast<std::size_t>(row.type)], lang);
+  return in_language(words[static_cast<std::size_t>(row.type)], lang);
 }
 
 std::string_view when_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<Words, 3> words = {{{"at once", "сразу"},
-                                           {"after power-on; G10 L52 refuses it", "после включения; G10 L52 его не принимает"},
-                                           {"after an emergency stop", "после аварийного останова"}}};
-  return said(words[static_cast<std::size_t>(row.when)], lang);
+  constexpr std::array<BothLanguages, 3> words = {{{"at once", "сразу"},
+                                                   {"after power-on; G10 L52 refuses it", "после включения; G10 L52 его не принимает"},
+                                                   {"after an emergency stop", "после аварийного останова"}}};
+  return in_language(words[static_cast<std::size_t>(row.when)], lang);
 }
 
 /// "0 … 100", "at least 0"; empty where the table bounds nothing, and for bits and texts.

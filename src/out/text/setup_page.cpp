@@ -59,13 +59,13 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
 bool is_row_of_table(const SetupKey& row) { return row.path.ends_with(".*") && row.form == SetupForm::table; }
 
 /// "offsets.*.length": `offsets.N.length` for people.
-std::string shown(std::string_view path) {
+std::string path_shown(std::string_view path) {
   std::string text(path);
   for (std::size_t at = 0; (at = text.find('*', at)) != std::string::npos;) text.replace(at, 1, "…"), at += 3;
   return text;
 }
 
-std::string head(Lang lang) {
+std::string page_head(Lang lang) {
   if (lang == Lang::ru)
     return "# Исходное состояние (`--setup`)\n\n<!-- Страница создана dev/docs из src/config/setup_keys.cpp. -->\n\n"
            "Файл JSON: то, что оператор задаёт на пульте до пуска, и то, чем располагает станок. Все ключи необязательны; нет ключа — 0, "
@@ -110,14 +110,14 @@ std::string cell(std::string text) {
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang) {
   const bool ru = lang == Lang::ru;
   const SetupNamesOf names(nullptr, {}, {});
-  std::string page = head(lang);
+  std::string page = page_head(lang);
   page += ru ? "| ключ | значение | что это | УЧПУ | пример |\n|---|---|---|---|---|\n"
              : "| key | value | what it is | controls | example |\n|---|---|---|---|---|\n";
   for (const SetupKey& row : setup_keys()) {
     if (is_row_of_table(row)) continue;
     const std::string below = names_text(row, names, lang);
     page +=
-        fmt::format("| `{}` | {}{} | {} | {} | `{}` |\n", shown(row.path), cell(form_text(row, row.range, lang)),
+        fmt::format("| `{}` | {}{} | {} | {} | `{}` |\n", path_shown(row.path), cell(form_text(row, row.range, lang)),
                     below.empty() ? "" : "; " + cell(below), in(row, lang), knowers(row, controls, lang), cell(std::string(row.example)));
   }
   return page;
@@ -130,7 +130,7 @@ std::string explain_setup(const ControlDef& def, Lang lang) {
                         : fmt::format("{}: keys of the set-up (--setup FILE.json)\n", def.id);
   for (const SetupKey& row : setup_keys()) {
     if (is_row_of_table(row) || !names.knows(row)) continue;
-    text += fmt::format("  {:<28}{}\n", shown(row.path), in(row, lang));
+    text += fmt::format("  {:<28}{}\n", path_shown(row.path), in(row, lang));
     const std::string below = names_text(row, names, lang);
     text += fmt::format("  {:<28}  {}{}\n", "", form_text(row, names.range(row), lang), below.empty() ? "" : "; " + below);
     text += fmt::format("  {:<28}  {} {}\n", "", ru ? "пример:" : "example:", row.example);

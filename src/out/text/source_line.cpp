@@ -27,7 +27,7 @@ std::vector<std::string_view> characters(std::string_view text) {
 }
 
 /// Control characters must not reach a terminal: their pictures, U+2400 and on.
-std::string shown(std::string_view character) {
+std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
   if (character == "\t" ||
       (byte >= 0x20 && byte != 0x7F && !(byte == 0xC2 && character.size() == 2 && static_cast<unsigned char>(character[1]) < 0xA0)))
@@ -50,7 +50,7 @@ std::string shortened_line(std::string_view line, std::size_t most) {
   line = line.substr(first, line.find_last_not_of(blanks) + 1 - first);
   const std::vector<std::string_view> all = characters(line);
   std::string text;
-  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += all[i] == "\t" ? " " : shown(all[i]);
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += all[i] == "\t" ? " " : character_shown(all[i]);
   if (all.size() > most) text += clipped;
   return text;
 }
@@ -69,7 +69,7 @@ std::string marked_line(std::string_view line, Span place) {
     marks += ' ';
   }
   for (std::size_t i = first; i < std::max(last, begin + 1); ++i) {
-    if (i < last) text += shown(all[i]);
+    if (i < last) text += character_shown(all[i]);
     if (i < begin) marks += i < last && all[i] == "\t" ? '\t' : ' ';
     else if (i < end) marks += i == begin ? '^' : '~';
   }

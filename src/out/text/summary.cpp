@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 /// The words of the summary; both languages in one row.
-struct Words {
+struct SummaryWords {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
   const char *units, *mixed, *path, *cutting, *rapid, *all;
   const char *time, *dwell, *tool_change, *unknown;
@@ -22,32 +22,33 @@ struct Words {
   const char *tools, *alarms, *warnings;
 };
 
-constexpr Words english = {"blocks",
-                           "motions",
-                           "rapid",
-                           "feed",
-                           "arcs",
-                           "other",
-                           "units",
-                           "mm; the program cuts both in inches and in millimetres",
-                           "path",
-                           "cutting",
-                           "rapid",
-                           "all",
-                           "time",
-                           "dwell",
-                           "tool change",
-                           "motions without a time (no feed, or the spindle stands)",
-                           {"from programmed feeds and rapid rates, without acceleration",
-                            "as the control limits the speed, without acceleration", "as the control limits the speed, with acceleration"},
-                           "least time",
-                           "by Kadr's planner, within speed, acceleration and jerk of the axes",
-                           "speeding up",
-                           "slowing down",
-                           "tools",
-                           "alarms",
-                           "warnings"};
-constexpr Words russian = {
+constexpr SummaryWords english_summary = {
+    "blocks",
+    "motions",
+    "rapid",
+    "feed",
+    "arcs",
+    "other",
+    "units",
+    "mm; the program cuts both in inches and in millimetres",
+    "path",
+    "cutting",
+    "rapid",
+    "all",
+    "time",
+    "dwell",
+    "tool change",
+    "motions without a time (no feed, or the spindle stands)",
+    {"from programmed feeds and rapid rates, without acceleration", "as the control limits the speed, without acceleration",
+     "as the control limits the speed, with acceleration"},
+    "least time",
+    "by Kadr's planner, within speed, acceleration and jerk of the axes",
+    "speeding up",
+    "slowing down",
+    "tools",
+    "alarms",
+    "warnings"};
+constexpr SummaryWords russian_summary = {
     "кадров",
     "движений",
     "ускоренных",
@@ -74,14 +75,14 @@ constexpr Words russian = {
     "ошибок",
     "предупреждений"};
 
-std::size_t characters(std::string_view text) {
+std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string line(std::string_view name, const std::string& value) {
   constexpr std::size_t width = 16;
-  const std::size_t pad = width > characters(name) ? width - characters(name) : 1;
+  const std::size_t pad = width > character_count(name) ? width - character_count(name) : 1;
   return std::string(name) + std::string(pad, ' ') + value + "\n";
 }
 
@@ -92,14 +93,14 @@ std::string lines(std::string_view name, const std::vector<std::string>& values)
   return text;
 }
 
-std::string split_text(const Words& w, double cutting, double rapid, double dwell, double tool_change) {
+std::string split_text(const SummaryWords& w, double cutting, double rapid, double dwell, double tool_change) {
   return fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(cutting + rapid + dwell + tool_change), w.cutting,
                      duration_text(cutting), w.rapid, duration_text(rapid), w.dwell, duration_text(dwell), w.tool_change,
                      duration_text(tool_change));
 }
 
 /// The time of the planner of least time (docs/planner.md).
-std::string planned_text(const Words& w, const char* heading, const PlannedTime& t) {
+std::string planned_text(const SummaryWords& w, const char* heading, const PlannedTime& t) {
   const auto ramps = [&](const char* name, const PlannedTime::Share& share) {
     return fmt::format("{} {} {}, {} {}", name, w.speeding_up, duration_text(share.speeding_up), w.slowing_down,
                        duration_text(share.slowing_down));
@@ -158,11 +159,12 @@ std::string Statistics::caption(Lang lang) const {
   for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) caption += (i == 0 ? "" : ";   ") + texts[i];
   if (texts.size() > most) caption += fmt::format(";   … (+{})", texts.size() - most);
   if (caption.empty()) return caption;
-  return fmt::format("{}, {}:  {}", (lang == Lang::ru ? russian : english).cutting, unit_name(extents_.unit(), lang), caption);
+  return fmt::format("{}, {}:  {}", (lang == Lang::ru ? russian_summary : english_summary).cutting, unit_name(extents_.unit(), lang),
+                     caption);
 }
 
 std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned, PlannerMode counts) const {
-  const Words& w = lang == Lang::ru ? russian : english;
+  const SummaryWords& w = lang == Lang::ru ? russian_summary : english_summary;
   const TimeSplit& t = estimate_.split();
   std::string text = line(w.blocks, fmt::format("{}", blocks));
   std::string motions =

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 20'000;  // of one motion
+constexpr int most_chords_of_motion = 20'000;  // of one motion
 
 /// The tip is led while a rotary axis turns: the axes do not go along a line.
 bool turns_while_led(const ToolPosition& from, const Motion& motion) {
@@ -115,7 +115,7 @@ int MachinePath::pieces(double chord) const {
   if (worst * looked_at * looked_at <= few * chord) return of_curve;
   const double aimed = chord / 2;
   const double needed = looked_at * std::sqrt(worst / aimed);
-  return std::clamp(static_cast<int>(std::ceil(needed)), of_curve, std::max(of_curve, most_pieces));
+  return std::clamp(static_cast<int>(std::ceil(needed)), of_curve, std::max(of_curve, most_chords_of_motion));
 }
 
 Extents MachinePath::extents(double from, double to) const {

@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 4096;    // of one turn: chords of 0.1 µm on a radius of 100 m
-constexpr double same_place = 1e-9;  // mm
-constexpr double reach = 100;        // of a tool, mm: how far a wrong direction is felt
-constexpr double lean_chord = 5e-4;  // mm: of a tool that leans, whose sweeps are good to 2.5 µm (docs/stock.md)
-constexpr double turn_of_chord = 5;  // chords that its end may be off
-constexpr double undivided = 45;     // degrees: what turns farther may come back to where it began
+constexpr int most_pieces = 4096;       // of one turn: chords of 0.1 µm on a radius of 100 m
+constexpr double same_position = 1e-9;  // mm
+constexpr double reach = 100;           // of a tool, mm: how far a wrong direction is felt
+constexpr double lean_chord = 5e-4;     // mm: of a tool that leans, whose sweeps are good to 2.5 µm (docs/stock.md)
+constexpr double turn_of_chord = 5;     // chords that its end may be off
+constexpr double undivided = 45;        // degrees: what turns farther may come back to where it began
 constexpr int most_depth = 16;
 
 bool has_rotary_axis(const MachineTree& tree) {
@@ -36,7 +36,7 @@ double rotary_way(const Step& step) {
   return most;
 }
 
-bool is_nowhere(const WayPiece& p) { return length(p.to - p.from) <= same_place && p.from_direction == p.to_direction; }
+bool is_nowhere(const WayPiece& p) { return length(p.to - p.from) <= same_position && p.from_direction == p.to_direction; }
 
 }  // namespace
 
@@ -126,7 +126,7 @@ bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
   double begins = 0;
   for (const double part : leg->corners()) {
     const Vec3 to = start + Vec3{gone(0, part) * way.x, gone(1, part) * way.y, gone(2, part) * way.z};
-    if (length(to - from) > same_place) pieces.push_back({from, to, begins, part});
+    if (length(to - from) > same_position) pieces.push_back({from, to, begins, part});
     from = to;
     begins = part;
   }

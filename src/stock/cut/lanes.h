@@ -2,8 +2,12 @@
 // Lanes: eight numbers of single precision that take the same steps, as one vector of the processor (Wide) or as two (Pair).
 //
 // What is written once for both, `template <class V>`, gives the same bits with both: +, -, *, / and the square root are rounded alike
-// everywhere, and no two operations are made one (-ffp-contract=off). Everything is inlined into functions that are compiled for one
-// processor or the other; no Lanes are handed over between functions that remain.
+// everywhere, and no two operations are made one (-ffp-contract=off).
+//
+// A function of lanes is compiled for the processor that has them. Small ones are inlined into their callers (KADR_IN_LANES). Large ones
+// that are called from several places stay functions (KADR_OWN_FUNCTION): inlined everywhere they made 2.7 MB of code. Those of Wide are
+// compiled in lean_cut_wide.cpp alone, in which the compiler may use AVX2; what is no template of V is inlined there too, so that no
+// function that other files call needs AVX2 (tests/wide_lanes.py).
 
 #include <cmath>
 #include <cstdint>
@@ -11,6 +15,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"  // how Lanes would be handed over without AVX: they never are
 
 #define KADR_IN_LANES inline __attribute__((always_inline))
+#define KADR_OWN_FUNCTION __attribute__((noinline))
 
 namespace kadr::lanes {
 

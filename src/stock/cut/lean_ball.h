@@ -15,7 +15,7 @@ struct BallWay {
 
 /// A way as the lines of one family see it: along the axes that lines, lanes and rows go.
 struct BallTube {
-  BallTube(const BallWay& way, int family) {
+  KADR_IN_LANES BallTube(const BallWay& way, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
     float* const of_axis[3] = {line, lane, row};
     float forth[3];

@@ -5,9 +5,9 @@
 
 namespace kadr {
 
-template <class V, int family>
-KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material,
-                                           Swept<V>& swept) {
+template <class V>
+KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, int family, const BallTube& tube, int row, int lane,
+                                           const Swept<V>& material, Swept<V>& swept) {
   swept = in_ball_tube(tube, lanes_at<V>(scale_.place + lane) - half_, scale_.place[row] - half_);
   swept = {swept.from + half_, swept.to + half_};
   const bool meets = any(meet(swept, material));
@@ -15,7 +15,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallT
   const Swept<V> left = left_by(swept, material);
   if (!any(left.from < left.to)) return meets;
   Swept<V> shaft;
-  if (!sweeps<V, LeanBody::Kind::cylinder, family>(all, row, lane, left, shaft)) return meets;
+  if (!sweeps<V, LeanBody::Kind::cylinder>(all, family, row, lane, left, shaft)) return meets;
   shaft = where(meet(shaft, left), shaft.from, shaft.to);
   // Of a line that all but lies in both, one may come to it at one end of the way, the other at the other.
   const V between = most(swept.from, shaft.from) - least(swept.to, shaft.to);
@@ -24,7 +24,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallT
   if (any(apart & ball_takes)) leave_for_later<V>(apart & ball_takes, family, row, lane);
   swept = either(where(~apart, swept.from, swept.to), where(~(apart & ball_takes), shaft.from, shaft.to));
   if (!over_.family[family].any()) return true;
-  const MarksOf<V> now = ~for_later<V, LeanBody::Kind::cylinder, family>(all, row, lane, shaft, left);
+  const MarksOf<V> now = ~for_later<V, LeanBody::Kind::cylinder>(all, family, row, lane, shaft, left);
   swept = where(now, swept.from, swept.to);
   return true;
 }

@@ -2,19 +2,11 @@
 
 #include "stock/cut/lean_cut.h"
 
-#include "stock/cut/lean_ball_cutter.h"
+#include "base/matrix.h"
 #include "stock/cut/lean_cutter.h"
-#include "stock/cut/lean_later.h"
 
 namespace kadr {
 namespace {
-
-#if defined(__x86_64__) && defined(__GNUC__)
-__attribute__((target("avx2"), flatten)) void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Wide>(); }
-#else
-void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Pair>(); }
-#endif
-__attribute__((flatten)) void cut_leaning_pair(LeanCutter& cutter) { cutter.cut<Pair>(); }
 
 constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
 
@@ -52,7 +44,7 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
   half_turn = float(way.turn() / 2);
   reach = float(edge / 2 * std::sqrt(3.0));
   const Vec3 away = ends.halfway(centre) - 0.5 * (first + last);
-  bend = float(std::sqrt(ToolEnds::dot(away, away))) + half_turn * half_turn / 2 * reach;
+  bend = float(std::sqrt(dot(away, away))) + half_turn * half_turn / 2 * reach;
   for (int d = 0; d < 3; ++d) {
     tips[0][d] = float(along(way.from - centre, d)), tips[1][d] = float(along(way.to - centre, d));
     directions[0][d] = float(along(way.from_direction, d)), directions[1][d] = float(along(way.to_direction, d));
@@ -63,7 +55,7 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
     const Vec3 sum = a + b;
-    const double per = 1 / std::sqrt(ToolEnds::dot(sum, sum));  // of length 1: shorter by turn² / 8 but for this
+    const double per = 1 / std::sqrt(dot(sum, sum));  // of length 1: shorter by turn² / 8 but for this
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));

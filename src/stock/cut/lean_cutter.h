@@ -45,23 +45,26 @@ class LeanCutter : public Cutter {
   void cut_kind(const Reached& reached, const WayPast<V>& past);
   template <class V, LeanBody::Kind kind, int family>
   void cut_family(const Reached& reached, const WayPast<V>& past);
-  template <class V, LeanBody::Kind kind, int family>
-  Swept<V> ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const Swept<V>& material) const;
-  template <class V, LeanBody::Kind kind, int family>
-  bool sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
-  template <class V, int family>
-  bool sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material, Swept<V>& swept) const;
-  template <class V, int family>
-  bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept);
-  template <class V, LeanBody::Kind kind, int family>
-  Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
+  template <class V, LeanBody::Kind kind>
+  Swept<V> ends_in(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess, const Swept<V>& material) const;
+  template <class V, LeanBody::Kind kind>
+  bool sweeps(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V>
+  bool sweeps_cylinder(const LeanFamily<V>& all, int family, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material,
+                       Swept<V>& swept) const;
+  template <class V>
+  bool sweeps_ball(const LeanFamily<V>& all, int family, const BallTube& tube, int row, int lane, const Swept<V>& material,
+                   Swept<V>& swept);
+  template <class V, LeanBody::Kind kind>
+  Swept<V> by_end(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
   template <class V>
   void leave_for_later(const MarksOf<V>& later, int family, int row, int lane);
-  template <class V, LeanBody::Kind kind, int family>
-  MarksOf<V> for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept, const Swept<V>& material);
-  template <class V, LeanBody::Kind kind, int family>
-  MarksOf<V> may_reach_farther(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& swept, const Swept<V>& material) const;
+  template <class V, LeanBody::Kind kind>
+  MarksOf<V> for_later(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& swept, const Swept<V>& material);
+  template <class V, LeanBody::Kind kind>
+  MarksOf<V> may_reach_farther(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& swept,
+                               const Swept<V>& material) const;
   template <class V>
   MarksOf<V> is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
@@ -88,6 +91,10 @@ class LeanCutter : public Cutter {
   const LineSet* only_;
   LineSet& later_;
 };
+
+/// Cuts in lanes; the wide ones need AVX2.
+void cut_leaning_pair(LeanCutter& cutter);
+void cut_leaning_wide(LeanCutter& cutter);
 
 /// A place changes what is found by the turn times so much: mm that are let pass.
 inline constexpr float let_pass = 2.5e-4f;
@@ -134,7 +141,7 @@ KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& 
 
 /// By the columns through the middles of squares, and a body as much larger as the squares reach from there.
 template <class V>
-KADR_IN_LANES Swept<V> LeanCutter::over_squares(const WayPast<V>& past, const V& x, const V& y) const {
+KADR_OWN_FUNCTION Swept<V> LeanCutter::over_squares(const WayPast<V>& past, const V& x, const V& y) const {
   const auto& a = lean_.axes;
   const Vec3Of<V> at{x * a[0][0] + y * a[1][0] + lean_.middle[0], x * a[0][1] + y * a[1][1] + lean_.middle[1],
                      x * a[0][2] + y * a[1][2] + lean_.middle[2]};
@@ -214,9 +221,9 @@ KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r, const WayPast<V>& past
 /// One end of each line that is wanted: `by_from` that where the tool enters it, else where it leaves it. A place is within what the tool
 /// sweeps if it is so with the shift that it has itself: that is asked of the place that was found last, then of places between those that
 /// were within and without. What is missed with the shift at one place may be met with that nearer to the middle of what is met.
-template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess,
-                                          const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
+template <class V, LeanBody::Kind kind>
+KADR_OWN_FUNCTION Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
+                                              const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
   const V half = spread<V>(half_);
   const auto in_brick = [&](const V& place) { return within(place, -half, half); };
   const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]);
@@ -251,13 +258,13 @@ KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRo
 }
 
 /// What the tool sweeps of lines; beyond `material` no end is of account.
-template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess,
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
                                            const Swept<V>& material) const {
   const float room = scale_.cell / 8;
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
-  const Swept<V> one = by_end<V, kind, family>(all, line, guess, by_from, reached, material);
+  const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
   // That it lies beyond the material is certain only of the tool as it stands at an end of its way.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
@@ -265,14 +272,15 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanR
   // Whatever it meets of the material with the shift at this end: that may be another at the other.
   const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
-  const Swept<V> two = by_end<V, kind, family>(all, line, one, ~by_from, wanted, material);
+  const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
 /// What the tool, or but its shaft, sweeps of lines.
 ///   returns  false: none of the material
-template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const {
+template <class V, LeanBody::Kind kind>
+KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& material,
+                                          Swept<V>& swept) const {
   const V places = lanes_at<V>(scale_.place + lane) - half_;
   const float row_place = scale_.place[row] - half_;
   const V aside = places * all.aside_lane + (row_place * all.aside_row + all.aside);
@@ -288,7 +296,7 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
   line.at = plus(line.at, spread<V>(0.5f), vector_of<V>(lean_.aside));
   if constexpr (kind == LeanBody::Kind::cylinder) {
-    return sweeps_cylinder<V, family>(all, line, near, material, swept);
+    return sweeps_cylinder<V>(all, family, line, near, material, swept);
   } else {
     const Swept<V> even = lean_swept<V, kind>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
     const Swept<V> guess{even.from + half_, even.to + half_};
@@ -300,15 +308,15 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
         lean_at_ends<V, kind>({all.even.heading, all.first, all.last, all.even.past}, body_leaning_, {line.first, line.first, line.last});
     swept = {line.at_ends.from + half_, line.at_ends.to + half_};
     if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
-      swept = ends_in<V, kind, family>(all, line, guess, material);
+      swept = ends_in<V, kind>(all, family, line, guess, material);
     return true;
   }
 }
 
 /// By the tool as it stands at the ends of its way; what it sweeps between is asked for where it may reach more of the material.
-template <class V, int family>
-KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material,
-                                               Swept<V>& swept) const {
+template <class V>
+KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, int family, LeanRow<V>& line, const MarksOf<V>& near,
+                                               const Swept<V>& material, Swept<V>& swept) const {
   constexpr auto cylinder = LeanBody::Kind::cylinder;
   const Frustum& f = body_leaning_.shaft;
   const Pose<V> first = in_pose(line.first, all.first, f), last = in_pose(line.last, all.last, f);
@@ -331,16 +339,16 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
   }
   Swept<V> between = guess;
   if (lean_.half_turn > 0) {
-    between = by_end<V, cylinder, family>(all, line, guess, open_from, reached, material);
+    between = by_end<V, cylinder>(all, family, line, guess, open_from, reached, material);
     const MarksOf<V> other = open_from & open_to & reached & (between.from <= between.to);
-    if (any(other)) between.to = choose(other, by_end<V, cylinder, family>(all, line, between, ~open_from, other, material).to, between.to);
+    if (any(other)) between.to = choose(other, by_end<V, cylinder>(all, family, line, between, ~open_from, other, material).to, between.to);
   }
   swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
   return true;
 }
 
 template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached, const WayPast<V>& past) {
+KADR_OWN_FUNCTION void LeanCutter::cut_family(const Reached& reached, const WayPast<V>& past) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines], first[brick_lines], last[brick_lines];
@@ -366,13 +374,13 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached, const WayPast<
       if (only_ != nullptr && only_->bits[family][at / LineSet::at_once] == 0) continue;
       Swept<V> swept;
       if constexpr (kind == LeanBody::Kind::ball) {
-        if (!sweeps_ball<V, family>(all, tube, row, lane, material, swept)) continue;
+        if (!sweeps_ball<V>(all, family, tube, row, lane, material, swept)) continue;
       } else {
-        if (!sweeps<V, kind, family>(all, row, lane, material, swept)) continue;
+        if (!sweeps<V, kind>(all, family, row, lane, material, swept)) continue;
       }
       if (only_ != nullptr) swept = where(marks_of<V>(only_->bits[family][at / LineSet::at_once]), swept.from, swept.to);
       if (kind != LeanBody::Kind::ball && over_.family[family].any())
-        swept = where(~for_later<V, kind, family>(all, row, lane, swept, material), swept.from, swept.to);
+        swept = where(~for_later<V, kind>(all, family, row, lane, swept, material), swept.from, swept.to);
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }

@@ -41,14 +41,14 @@ KADR_IN_LANES V inverse(const V& slope) {
 
 /// A direction of length 1 that all lines have, seen from the tool.
 struct Heading {
-  explicit Heading(const float (&e)[3])
+  KADR_IN_LANES explicit Heading(const float (&e)[3])
       : x(e[0]),
         y(e[1]),
         z(e[2]),
         per_z(1 / (std::fabs(z) < nearly_none ? nearly_none : z)),
         square(x * x + y * y),
         per_square(1 / std::max(square, nearly_along)) {}
-  bool along_axis() const { return square < nearly_along; }
+  KADR_IN_LANES bool along_axis() const { return square < nearly_along; }
 
   float x, y, z;
   float per_z;
@@ -170,7 +170,9 @@ KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float ra
 /// The side of a frustum.
 enum class Side { straight, any };
 
-inline float widens(const Frustum& f) { return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low); }
+KADR_IN_LANES float widens(const Frustum& f) {
+  return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low);
+}
 
 /// mm: a line that lies in a face but for rounding is in it, all of it: the tool may turn it out of the face there and then.
 inline constexpr float in_face = 2e-5f;

@@ -34,8 +34,8 @@ KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, con
 /// Lines on which more than what was found may be swept. An end was found with the shift that the tool has there; of a place farther on by
 /// x that is wrong by x · turn / 2. A body that is hardly larger tells how flat its surface lies to the line: where it is steeper than that
 /// nothing farther on can be reached.
-template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& swept,
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& swept,
                                                        const Swept<V>& material) const {
   const float most_off = over_.apart / 2;
   const LeanBody hardly_larger = body_leaning_.larger(over_allowed);
@@ -102,9 +102,9 @@ KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int fami
 }
 
 /// Those of eight lines that halves of the way are to cut; they are noted.
-template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int row, int lane, const Swept<V>& swept,
-                                               const Swept<V>& material) {
+template <class V, LeanBody::Kind kind>
+KADR_OWN_FUNCTION MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& swept,
+                                                   const Swept<V>& material) {
   const V places = lanes_at<V>(scale_.place + lane) - half_;
   const float row_place = scale_.place[row] - half_;
   LeanRow<V> line;
@@ -120,7 +120,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int row
   }
   const MarksOf<V> later = are_turned_over<V, kind>(over_, family, body_leaning_, {line.first, all.first}, {line.last, all.last},
                                                     where(~nothing, asked.from - half_, asked.to - half_)) |
-                           may_reach_farther<V, kind, family>(all, line, swept, material);
+                           may_reach_farther<V, kind>(all, family, line, swept, material);
   if (any(later)) leave_for_later<V>(later, family, row, lane);
   return later;
 }

@@ -64,8 +64,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const LeanLines<V>& l, const LeanBody& b, 
 
 /// From without, one end of the interval in which the line is within `corner` of the shaft. `sign`: the direction on the line outwards.
 template <class V>
-KADR_IN_LANES V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought, const V& start,
-                               float sign) {
+KADR_OWN_FUNCTION V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought, const V& start,
+                                   float sign) {
   const Vec3Of<V> e = vector_of<V>(l.heading);
   const Vec3Of<V>& forth = l.past.forth;
   const V length = l.past.length;
@@ -116,7 +116,7 @@ KADR_IN_LANES Swept<V> in_shifted_rounded(const LeanLines<V>& l, const LeanBody&
 }
 
 template <class V, LeanBody::Kind kind>
-KADR_IN_LANES Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at, FacesNear near) {
+KADR_OWN_FUNCTION Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at, FacesNear near) {
   if constexpr (kind == LeanBody::Kind::cylinder) return in_shifted_frustum<V, Side::straight>(l, at, b.shaft, near);
   if constexpr (kind == LeanBody::Kind::rounded) return in_shifted_rounded(l, b, at);
   if constexpr (kind == LeanBody::Kind::ball)
@@ -128,7 +128,7 @@ KADR_IN_LANES Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, cons
 
 /// The same in two parts: as the tool stands at the ends of its way, which does not depend on how it shifts, and between them.
 template <class V, LeanBody::Kind kind>
-KADR_IN_LANES Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
+KADR_OWN_FUNCTION Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
   if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == LeanBody::Kind::rounded) {
     // Cylinders within it: a line that all but lies in its side or its flat face may leave that the other way where the tool does not turn.

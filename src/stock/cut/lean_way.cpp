@@ -13,23 +13,21 @@ constexpr double same_direction = 1e-12;  // length of what is between them
 constexpr double opposite = 1e-9;         // of half the sum of both
 constexpr double small_chord = 0.02;      // evenly along it turns evenly, to 1e-6 of it
 
-Vec3 across(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-
 /// By a root, which every library gives alike.
-double size_of(Vec3 v) { return std::sqrt(ToolEnds::dot(v, v)); }
-Vec3 unit(Vec3 v) { return (1 / size_of(v)) * v; }
+double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
+Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 
 /// Of length 1, upright to `direction`.
 Vec3 beside(Vec3 direction) {
   const Vec3 away = std::fabs(direction.x) <= std::fabs(direction.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  return unit(across(away, direction));
+  return unit_by_root(cross(away, direction));
 }
 
 /// The shortest turn that takes one direction to another, of what is upright to the first.
 class Carry {
  public:
-  Carry(Vec3 from, Vec3 to) : middle_(from + to), per_(2 / ToolEnds::dot(middle_, middle_)) {}
-  Vec3 operator()(Vec3 v) const { return v - (per_ * ToolEnds::dot(v, middle_)) * middle_; }
+  Carry(Vec3 from, Vec3 to) : middle_(from + to), per_(2 / dot(middle_, middle_)) {}
+  Vec3 operator()(Vec3 v) const { return v - (per_ * dot(v, middle_)) * middle_; }
 
  private:
   Vec3 middle_;
@@ -51,14 +49,14 @@ Vec3 LeanWay::direction(double part) const {
   Vec3 a = from_direction, b = to_direction;
   double first = 0, last = 1;
   // Opposite directions have no shortest turn: any will do.
-  const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit(c + d); };
+  const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit_by_root(c + d); };
   while (size_of(b - a) > small_chord) {
     const double half = (first + last) / 2;
     (part < half ? b : a) = middle(a, b);
     (part < half ? last : first) = half;
   }
   if (size_of(b - a) < same_direction) return a;
-  return unit(a + ((part - first) / (last - first)) * (b - a));
+  return unit_by_root(a + ((part - first) / (last - first)) * (b - a));
 }
 
 int parts_of(const LeanWay& way, double reach, double bend) {
@@ -73,7 +71,7 @@ double reach_of(const ToolShape& tool) {
 }
 
 ToolEnds::ToolEnds(const LeanWay& way) : from(way.from), to(way.to) {
-  const Vec3 z = unit(way.from_direction + way.to_direction), x = beside(z), y = across(z, x);
+  const Vec3 z = unit_by_root(way.from_direction + way.to_direction), x = beside(z), y = cross(z, x);
   axes_halfway = {x, y, z};
   const Carry back(z, way.from_direction), forth(z, way.to_direction);
   axes_first = {back(x), back(y), way.from_direction};

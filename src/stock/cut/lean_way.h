@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "base/matrix.h"
 #include "base/vec.h"
 #include "stock/cut/local_sweep.h"
 #include "stock/tool/round_solid.h"
@@ -48,7 +49,6 @@ struct ToolEnds {
   Vec3 last(Vec3 place) const { return in(axes_last, place - to); }
   Vec3 halfway(Vec3 place) const { return in(axes_halfway, place - 0.5 * (from + to)); }
   static Vec3 in(const ToolAxes& axes, Vec3 v) { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
-  static double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
   Vec3 from, to;
   ToolAxes axes_first, axes_halfway, axes_last;

@@ -18,9 +18,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
-constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
-constexpr double between_lines = 2;   // times as deep as on the lines around: a groove between them may be
+constexpr double same_surface = 2e-3;  // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
+constexpr double step_of_cell = 0.5;   // between places of a stretch whose depth is asked
+constexpr double between_lines = 2;    // times as deep as on the lines around: a groove between them may be
 
 constexpr double bytes_of_triangle = 130;  // tree, and the triangle itself, twice
 
@@ -147,7 +147,7 @@ void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Wor
     const Vec3 at = surface_.point(i);
     if (faces_ != nullptr && faces_->hold(at)) continue;
     const bool inside = is_inside(i, at);
-    const double depth = std::min(nearest_.distance(at, work.hint), between_lines * depth_around(at, inside) + same_place);
+    const double depth = std::min(nearest_.distance(at, work.hint), between_lines * depth_around(at, inside) + same_surface);
     deviation[i] = float(inside ? -depth : depth);
     (inside ? work.found.gouged : work.found.left_on).take({depth, at, surface_.made_by[i], i});
   }
@@ -203,7 +203,7 @@ float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest,
     if (walk(stretch, best, brick, deepest, work)) length += stretch.to - stretch.from;
   for (const int family : {(best + 1) % 3, (best + 2) % 3})
     for (const Stretch& stretch : of(family))
-      if (stretch.to - stretch.from > same_place) (void)walk(stretch, family, brick, deepest, work);
+      if (stretch.to - stretch.from > same_surface) (void)walk(stretch, family, brick, deepest, work);
   return float(length * wider_.lattice.cell() * wider_.lattice.cell());
 }
 
@@ -223,10 +223,10 @@ bool PartHeld::walk(const Stretch& stretch, int family, std::size_t brick, Deepe
     return depth;
   };
   double most = depth_at(stretch.from + half);
-  if (most > same_place && most + half < deepest.depth) return true;
+  if (most > same_surface && most + half < deepest.depth) return true;
   const int steps = int(std::ceil(2 * half / (step_of_cell * cell)));
   for (int i = 0; i <= steps; ++i) most = std::max(most, depth_at(stretch.from + 2 * half * i / steps));
-  return most > same_place;
+  return most > same_surface;
 }
 
 PartComparison PartHeld::held() {

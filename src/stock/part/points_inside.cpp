@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr double points_of_square = 2;
-constexpr std::size_t triangles_at_once = 4096;
+constexpr std::size_t triangles_at_once_inside = 4096;
 
 /// Turns of the triangles that its line meets below it, and at it: sums, so that their order does not matter.
 struct HeldPoint {
@@ -98,8 +98,8 @@ std::vector<std::uint8_t> points_inside(const Mesh& solid, const std::vector<flo
   PointSquares squares(places);
   std::atomic<std::size_t> next{0};
   side_by_side(threads, [&](int) {
-    for (std::size_t i; (i = triangles_at_once * next++) < solid.triangle_count();)
-      for (std::size_t t = i; t < std::min(i + triangles_at_once, solid.triangle_count()); ++t) squares.hold(solid, t);
+    for (std::size_t i; (i = triangles_at_once_inside * next++) < solid.triangle_count();)
+      for (std::size_t t = i; t < std::min(i + triangles_at_once_inside, solid.triangle_count()); ++t) squares.hold(solid, t);
   });
   for (const HeldPoint& p : squares.points) inside[p.number] = p.below > 0 && p.below + p.at > 0;
   return inside;

@@ -6,13 +6,15 @@
 #include <cmath>
 #include <optional>
 
+#include "base/matrix.h"
+
 namespace kadr {
 namespace {
 
 using Form = RoundSolid::Form;
 
 /// Faces nearer to a place than this cannot be told apart, mm: the law of stock/cut/sweep_rows.h.
-constexpr double same_place = 3e-4;
+constexpr double same_spot = 3e-4;
 constexpr double along_the_line = 0.01;  // of the part of a normal that points along a line
 constexpr int most_steps = 60;
 constexpr double same_part = 1e-6;  // of a way, mm
@@ -77,8 +79,6 @@ struct PlaceSeen {
   Vec3 at, outward;
 };
 
-double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 struct Touching {
   double distance;
   Vec3 normal;  // of the tool
@@ -95,7 +95,7 @@ Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, 
   if (squarest > along_the_line) return best;
   each_face(body, seen, [&](const Near& other) {
     const Vec3 normal = in_space(other, seen);
-    if (other.distance < face.distance - same_place || square_to(normal) <= squarest) return;
+    if (other.distance < face.distance - same_spot || square_to(normal) <= squarest) return;
     squarest = square_to(normal), best.normal = normal;
   });
   return best;
@@ -174,7 +174,7 @@ Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) 
     if (std::fabs(t.distance) >= nearest) continue;
     nearest = std::fabs(t.distance);
     best = as_unit({-t.normal.x, -t.normal.y, -t.normal.z}, place.outward);
-    if (nearest < same_place && dot(best, place.outward) > 0) break;
+    if (nearest < same_spot && dot(best, place.outward) > 0) break;
   }
   return best;
 }
@@ -225,7 +225,7 @@ bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place
   const AsSeen seen = as_seen(sweep, place, ends);
   return std::any_of(tool.begin(), tool.end(), [&](const BodyFaces& body) {
     const Touching t = touching(body, seen.way, seen.place);
-    return std::fabs(t.distance) < same_place && -dot(t.normal, seen.place.outward) > along_the_line;
+    return std::fabs(t.distance) < same_spot && -dot(t.normal, seen.place.outward) > along_the_line;
   });
 }
 

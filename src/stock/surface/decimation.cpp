@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t nothing = ~std::uint32_t{0};
+constexpr std::uint32_t no_index = ~std::uint32_t{0};
 constexpr std::uint32_t most_around = 40;  // triangles at a point
 constexpr std::size_t most_tried = 3;      // neighbours that a point may go into, the best first
 constexpr double worth_trying = 3;         // a neighbour that is so many times what is allowed off the planes around the point
@@ -28,8 +28,8 @@ Decimation::Decimation(const Mesh& exact)
       corners_(exact.triangles),
       first_(exact.point_count() + 1),
       count_(exact.point_count()),
-      holds_(exact.triangle_count(), nothing),
-      next_(exact.point_count(), nothing),
+      holds_(exact.triangle_count(), no_index),
+      next_(exact.point_count(), no_index),
       waits_(exact.point_count()),
       touched_(exact.point_count()),
       mark_(exact.point_count()) {
@@ -120,7 +120,7 @@ bool Decimation::hold_all(std::uint32_t u, double most_off) {
   };
   if (!hold(u)) return false;
   for (const Around& a : star_)
-    for (std::uint32_t p = holds_[a.triangle]; p != nothing; p = next_[p])
+    for (std::uint32_t p = holds_[a.triangle]; p != no_index; p = next_[p])
       if (!hold(p)) return false;
   return true;
 }
@@ -137,7 +137,7 @@ void Decimation::carry_out(std::uint32_t u, std::uint32_t v) {
     if (const std::uint32_t t = around_[i]; !has(t, u)) around_.push_back(t);
   for (const Around& a : star_) {
     std::uint32_t* const c = &corners_[3 * std::size_t(a.triangle)];
-    holds_[a.triangle] = nothing;
+    holds_[a.triangle] = no_index;
     if (!has(a.triangle, v)) {
       std::replace(c, c + 3, u, v);
       around_.push_back(a.triangle);
@@ -145,7 +145,7 @@ void Decimation::carry_out(std::uint32_t u, std::uint32_t v) {
     }
     for (int k = 0; k < 3; ++k)
       if (c[k] != u && c[k] != v) drop_from(c[k], a.triangle);
-    std::fill(c, c + 3, nothing);
+    std::fill(c, c + 3, no_index);
   }
   first_[v] = first, count_[v] = std::uint32_t(around_.size()) - first;
   count_[u] = 0;
@@ -194,7 +194,7 @@ void Decimation::go(double most_off, const StopToken& stop) {
 Mesh Decimation::mesh() const {
   Mesh mesh{exact_.points, {}};
   for (std::size_t i = 0; i < corners_.size(); i += 3)
-    if (corners_[i] != nothing) mesh.triangles.insert(mesh.triangles.end(), {corners_[i], corners_[i + 1], corners_[i + 2]});
+    if (corners_[i] != no_index) mesh.triangles.insert(mesh.triangles.end(), {corners_[i], corners_[i + 1], corners_[i + 2]});
   drop_unused(mesh);
   return mesh;
 }

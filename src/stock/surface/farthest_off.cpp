@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t triangles_at_once = 256;
+constexpr std::size_t triangles_a_share = 256;
 
 /// Visits places of the triangle, its corners among them, in rows along its longest side.
 template <class Visit>
@@ -45,9 +45,9 @@ double farthest_off(const Mesh& from, const Mesh& to, double step, const Simplif
   side_by_side(rules.threads, [&](int thread) {
     std::uint32_t hint = 0;
     double& own = most[std::size_t(thread)];
-    for (std::size_t chunk; !rules.stop.asked() && (chunk = next++) * triangles_at_once < from.triangle_count();) {
-      const std::size_t last = std::min((chunk + 1) * triangles_at_once, from.triangle_count());
-      for (std::size_t t = chunk * triangles_at_once; t < last; ++t)
+    for (std::size_t chunk; !rules.stop.asked() && (chunk = next++) * triangles_a_share < from.triangle_count();) {
+      const std::size_t last = std::min((chunk + 1) * triangles_a_share, from.triangle_count());
+      for (std::size_t t = chunk * triangles_a_share; t < last; ++t)
         each_place(from, t, step, [&](const Vec3& at) { own = std::max(own, nearest.distance(at, hint)); });
     }
   });

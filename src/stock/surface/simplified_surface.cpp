@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double shares[] = {0.1, 0.35, 1};  // of what is allowed, one after the other: what is flat goes first
+constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // of what is allowed, one after the other: what is flat goes first
 constexpr int most_rounds = 4;
 constexpr double of_found = 0.8;   // of the share that would have been right, if places were off in proportion
 constexpr double at_points = 1e9;  // mm: a step that no triangle is larger than
@@ -20,7 +20,7 @@ constexpr double bytes_a_triangle = 180;
 
 Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {
   Decimation decimation(exact);
-  for (const double share : shares) decimation.go(share * most_off, stop);
+  for (const double share : shares_of_tolerance) decimation.go(share * most_off, stop);
   return decimation.mesh();
 }
 

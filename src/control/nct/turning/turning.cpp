@@ -175,7 +175,7 @@ Status cut_once(Interpreter& m, const Call& call) {
 /// G78.7; the length of the chamfer-out is not known: INFERRED none.
 Status simple_thread(Interpreter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
-  const auto lead = lead_of(m, call);
+  const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   return thread_pass(m, {{s.x, t.y + kept.taper}, t, s, *lead, kept.start_angle, 0});

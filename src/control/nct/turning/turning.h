@@ -70,6 +70,6 @@ struct ThreadPass {
 };
 Status thread_pass(Interpreter& m, const ThreadPass& pass);
 /// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
-Result<double> lead_of(Interpreter& m, const Call& call);
+Result<double> thread_lead_of(Interpreter& m, const Call& call);
 
 }  // namespace kadr::nct

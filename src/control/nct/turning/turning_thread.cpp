@@ -99,7 +99,7 @@ Status thread_pass(Interpreter& m, const ThreadPass& pass) {
   return go(m, MotionKind::rapid, pass.start);
 }
 
-Result<double> lead_of(Interpreter& m, const Call& call) {
+Result<double> thread_lead_of(Interpreter& m, const Call& call) {
   if (m.modal.surface_speed) return fail(alarm(AlarmId::not_together, call.where, "G96", call.row->code));
   if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
   for (const char letter : {'F', 'E'})
@@ -121,7 +121,7 @@ Status compound_thread(Interpreter& m, const Call& call) {
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
     if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
   }
-  const auto lead = lead_of(m, call);
+  const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
   job.data = nct_of(m).state.turning;
   job.start = plane_point(m);

@@ -1,0 +1,12 @@
+#pragma once
+// What <cmath> lacks.
+
+#include <limits>
+
+namespace kadr {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+constexpr double square(double x) { return x * x; }
+
+}  // namespace kadr

@@ -1,0 +1,21 @@
+#pragma once
+// A text in the language asked for.
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "config/alarm_texts.h"
+#include "config/control_def.h"
+
+namespace kadr {
+
+/// English, Russian.
+using BothLanguages = std::array<std::string_view, 2>;
+
+inline std::string_view in_language(const BothLanguages& text, Lang lang) { return text[lang == Lang::ru ? 1 : 0]; }
+
+/// English where a row has no Russian.
+inline const std::string& in_language(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
+
+}  // namespace kadr

@@ -1,0 +1,11 @@
+// A tilted tool in a brick, in lanes that every processor has. For stock/cut/lean_cut.
+
+#include "stock/cut/lean_ball_cutter.h"
+#include "stock/cut/lean_cutter.h"
+#include "stock/cut/lean_later.h"
+
+namespace kadr {
+
+void cut_leaning_pair(LeanCutter& cutter) { cutter.cut<Pair>(); }
+
+}  // namespace kadr

@@ -1,0 +1,33 @@
+// A tilted tool in a brick, in lanes of AVX2. For stock/cut/lean_cut, which asks the processor first.
+
+// Everything that is not written in lanes comes before the pragma: the linker may take its copy of such a function for the whole program.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "stock/cut/brick_cut.h"
+#include "stock/cut/lean_cut.h"
+#include "stock/cut/lean_over.h"
+
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#elif defined(__x86_64__)
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "stock/cut/lean_ball_cutter.h"
+#include "stock/cut/lean_cutter.h"
+#include "stock/cut/lean_later.h"
+
+namespace kadr {
+
+void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Wide>(); }
+
+}  // namespace kadr
+
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__x86_64__)
+#pragma GCC pop_options
+#endif

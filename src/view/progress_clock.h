@@ -1,0 +1,24 @@
+#pragma once
+// ProgressClock: progress of long work is reported to a page at most ten times a second.
+
+#include <chrono>
+
+namespace kadr {
+
+class ProgressClock {
+ public:
+  /// True if the last report is long enough ago; the next one counts from now.
+  bool is_due() {
+    const Clock::time_point now = Clock::now();
+    if (now - reported_ < interval) return false;
+    reported_ = now;
+    return true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr Clock::duration interval = std::chrono::milliseconds(100);
+  Clock::time_point reported_{};
+};
+
+}  // namespace kadr
