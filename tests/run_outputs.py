@@ -10,6 +10,7 @@ import argparse
 import fnmatch
 import json
 import os
+import re
 import stat
 import subprocess
 import sys
@@ -52,6 +53,13 @@ class Kadr:
         expect(done.returncode == expected, f'{" ".join(map(str, arguments))}: exit status {done.returncode}, expected {expected}; {text[:300]}')
         return text
 
+    def printed(self, *arguments):
+        """What the program prints on standard output."""
+        done = subprocess.run([self.program, *arguments], cwd=self.folder, timeout=TIME_LIMIT_S, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              env={**os.environ, 'LANG': 'C'}, encoding='utf-8')
+        expect(done.returncode == 0, f'{arguments}: exit status {done.returncode}')
+        return done.stdout
+
     def left_over(self):
         """Files of Kadr's own that should have gone."""
         return [str(path) for path in self.folder.rglob('.kadr-*')]
@@ -69,6 +77,40 @@ def refused(kadr, *arguments, word):
     text = kadr.run(*arguments, expected=2)
     expect(word in text, f'{arguments}: the message lacks "{word}": {text!r}')
     expect(everything(kadr.folder) == before, f'{arguments}: files have changed')
+
+
+# ---- a name that is none
+
+# Options of files that are only read; every other option with FILE in some command's help is an output.
+ONLY_READ = {'--setup', '--setup-a', '--setup-b', '--baseline', '--part', '--tools'}
+NO_NAMES = ('off', 'OFF', 'no', 'none', 'None', 'false', '--help', '-q')
+
+
+def options_of_outputs(kadr):
+    """(command words, option) of all that the program can write, as its help names them."""
+    listed = kadr.printed('--help')
+    commands = [(word,) for word in re.findall(r'^  ([a-z]+) {2,}', listed[listed.index('Commands:'):], re.M)]
+    while commands:
+        command = commands.pop()
+        text = kadr.printed(*command, '--help')
+        if 'Commands:' in text:
+            commands += [(*command, word) for word in re.findall(r'^  ([a-z]+) {2,}', text[text.index('Commands:'):], re.M)]
+        for option in re.findall(r'^ +(?:-\w, )?(--[a-z-]+) FILE', text, re.M):
+            if option not in ONLY_READ:
+                yield command, option
+
+
+def check_words_for_none_are_no_file_names(kadr):
+    kadr.file('q.nc', PROGRAM)
+    outputs = sorted(set(options_of_outputs(kadr)))
+    for expected in ((('run',), '--trace'), (('cut',), '--blocks'), (('convert',), '--setup-out'), (('serve',), '--state')):
+        expect(expected in outputs, f'{expected} is missing in {outputs}')
+    expect(len(outputs) >= 20, f'only {len(outputs)} outputs are found: {outputs}')
+    for command, option in outputs:
+        for name in NO_NAMES:
+            refused(kadr, *command, f'{option}={name}', word=f'write ./{name}')
+    kadr.run('run', 'q.nc', '--control', 'mach3', '--trace', './off')
+    expect((kadr.folder / 'off').exists(), './off is a name')
 
 
 # ---- an output that is an input, or another output

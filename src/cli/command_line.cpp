@@ -99,9 +99,9 @@ void add_state(CLI::App& app, Commands& c) {
     sub->add_option(told("FILE", "ФАЙЛ"), c.state.file, told("state file", "файл состояния"))->required();
     language_option(*sub, c.state.lang);
     if (!recover) continue;
-    takes_file(sub->add_option("--out", c.state.out,
-                               told("the new file, which must not be there yet (default: FILE.recovered)",
-                                    "новый файл, которого ещё нет (по умолчанию ФАЙЛ.recovered)")));
+    writes_file(sub->add_option("--out", c.state.out,
+                                told("the new file, which must not be there yet (default: FILE.recovered)",
+                                     "новый файл, которого ещё нет (по умолчанию ФАЙЛ.recovered)")));
     control_id(sub->add_option("--control", c.state.control,
                                told("whose state it is, where the file no longer says", "чьё это состояние, если файл уже не говорит")));
   }

@@ -181,8 +181,8 @@ void add_convert(CLI::App& app, Commands& c) {
   control_id(
       convert->add_option("--from", o.from, told("control of the program (default: guessed)", "УЧПУ программы (по умолчанию по тексту)")));
   control_id(convert->add_option("--to", o.to, told("control that it is to be for", "УЧПУ, для которого перевести")))->required();
-  takes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
-  takes_file(
+  writes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
+  writes_file(
       convert->add_option("--setup-out", o.setup_out,
                           told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
   written_letters(convert->add_option(

@@ -95,25 +95,25 @@ void add_cut(CLI::App& app, Commands& c) {
           },
           ""));
   cut->add_flag("--coolant", o.coolant, told("warn of cutting without coolant", "предупреждать о резании без охлаждения"));
-  takes_file(cut->add_option("--plot", o.run.plot, told("draw the part: a file .svg or .png", "вид детали: файл .svg или .png")));
+  writes_file(cut->add_option("--plot", o.run.plot, told("draw the part: a file .svg or .png", "вид детали: файл .svg или .png")));
   one_of(cut->add_option("--colour,--color", o.run.colour,
                          told("of the part in --plot: by tool (default), by age of the cut, by deviation from --part, or by load",
                               "цвет детали на --plot: по инструменту (по умолчанию), по времени реза, по отклонению от --part или по "
                               "нагрузке")),
          {"tool", "age", "deviation", "load"});
-  takes_file(cut->add_option("--out", o.out, told("the part: a file .stl or .3mf", "деталь: файл .stl или .3mf")));
+  writes_file(cut->add_option("--out", o.out, told("the part: a file .stl or .3mf", "деталь: файл .stl или .3mf")));
   number(
       cut->add_option("--simplify", o.simplify,
                       told("fewer triangles in --out, which are off by no more", "меньше треугольников в --out, с отклонением не больше")),
       "MM", "ММ", least_simplify, most_allowed);
-  takes_file(cut->add_option("--deviation", o.deviation,
-                             told("the part, coloured by its deviation from --part, which each point carries: a file .ply",
-                                  "деталь, окрашенная по отклонению от --part, число у каждой точки: файл .ply")));
-  takes_file(
+  writes_file(cut->add_option("--deviation", o.deviation,
+                              told("the part, coloured by its deviation from --part, which each point carries: a file .ply",
+                                   "деталь, окрашенная по отклонению от --part, число у каждой точки: файл .ply")));
+  writes_file(
       cut->add_option("--json", o.json, told("what was found, to a file or - for stdout", "найденное: в файл или - на стандартный вывод")));
-  takes_file(cut->add_option("--blocks", o.blocks,
-                             told("what each block takes away, a row a block: a file .csv or - for stdout",
-                                  "что снимает каждый кадр, по строке на кадр: файл .csv или - на стандартный вывод")));
+  writes_file(cut->add_option("--blocks", o.blocks,
+                              told("what each block takes away, a row a block: a file .csv or - for stdout",
+                                   "что снимает каждый кадр, по строке на кадр: файл .csv или - на стандартный вывод")));
   program_options(*cut, o.run);
   cut->footer(cut_examples());
 }

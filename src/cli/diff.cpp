@@ -186,7 +186,7 @@ void add_diff(CLI::App& app, Commands& c) {
   diff->add_flag("--feeds-at-speed", o.feeds_at_speed,
                  told("a feed per revolution is the same as what it makes per minute",
                       "подача на оборот — то же, что минутная при этой частоте вращения"));
-  takes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
+  writes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
   control_id(
       diff->add_option("--control-a", o.control_a,
                        told("control of A (default: --control, else guessed)", "УЧПУ для A (по умолчанию --control или по тексту)")));

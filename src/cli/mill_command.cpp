@@ -75,9 +75,9 @@ void technology_options(CLI::App& app, MillOptions& o) {
 
 void output_options(CLI::App& app, MillOptions& o) {
   one_of(app.add_option("--mark", o.mark, told("end of block written out", "записываемый конец кадра")), {"ПС", "LF"});
-  takes_file(app.add_option("--output", o.output, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
-  takes_file(app.add_option("--plot", o.plot,
-                            told("draw contour and path: a file .svg or .png", "чертёж контура и траектории: файл .svg или .png")));
+  writes_file(app.add_option("--output", o.output, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
+  writes_file(app.add_option("--plot", o.plot,
+                             told("draw contour and path: a file .svg or .png", "чертёж контура и траектории: файл .svg или .png")));
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
 }

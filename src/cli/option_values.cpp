@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "config/control_file.h"
@@ -73,6 +74,23 @@ CLI::Option* limited(CLI::Option* option, bool whole, double least, double most)
 
 CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return option->type_name(told(en, ru)); }
 CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
+
+CLI::Option* writes_file(CLI::Option* option) {
+  const auto check = [option](std::string& name) {
+    const auto means = [&](const char* word) { return same_letters(name, word); };
+    const std::vector<const char*> words_for_none = {"off", "no", "none", "false"};
+    const bool is_word = std::any_of(words_for_none.begin(), words_for_none.end(), means);
+    const bool is_option = name.size() > 1 && name.front() == '-';
+    if (!is_word && !is_option) return std::string();
+    const std::string first = is_word ? told(fmt::format("without {} no such file is written", option->get_name()),
+                                             fmt::format("без {} такой файл не пишется", option->get_name()))
+                                      : told("that is how an option begins", "так начинается параметр");
+    return told(
+        fmt::format("'{}' is the name of a file to be written, and {}; if a file shall have this name, write ./{}", name, first, name),
+        fmt::format("«{}» — имя файла для записи, а {}; если файл должен называться так, укажите ./{}", name, first, name));
+  };
+  return takes_file(option)->check(CLI::Validator(check, ""));
+}
 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
   return option->type_name(joined(words, "|"))->transform(among(words));

@@ -16,6 +16,10 @@ namespace kadr::cli {
 CLI::Option* takes(CLI::Option* option, const char* en, const char* ru);
 CLI::Option* takes_file(CLI::Option* option);
 
+/// A file that the program writes. A word that says "none" (`off`, `no`, `none`, `false`) and a name like an option's (`--help`, `-q`) are
+/// refused with a hint: whoever types `--trace off` wants no file. "-" stands for standard output and passes.
+CLI::Option* writes_file(CLI::Option* option);
+
 /// One of these words, in small letters or capitals; named in the help `text|json|sarif`.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
 

@@ -94,12 +94,12 @@ OverrideChange override_change(const std::string& text) {
 }
 
 void sample_options(CLI::App& run, Options& o) {
-  takes_file(run.add_option("--samples", o.samples,
-                            told("positions of the axes at the servo rate as CSV, to a file or - for stdout",
-                                 "положения осей с тактом привода в виде CSV: в файл или - на стандартный вывод")));
-  takes_file(run.add_option("--samples-tip", o.samples_tip,
-                            told("beside --samples: the tool's tip in work coordinates and its direction at the same times, as CSV",
-                                 "вместе с --samples: вершина инструмента в координатах детали и его направление в те же моменты, CSV")))
+  writes_file(run.add_option("--samples", o.samples,
+                             told("positions of the axes at the servo rate as CSV, to a file or - for stdout",
+                                  "положения осей с тактом привода в виде CSV: в файл или - на стандартный вывод")));
+  writes_file(run.add_option("--samples-tip", o.samples_tip,
+                             told("beside --samples: the tool's tip in work coordinates and its direction at the same times, as CSV",
+                                  "вместе с --samples: вершина инструмента в координатах детали и его направление в те же моменты, CSV")))
       ->needs("--samples");
   number(run.add_option("--rate", o.rate, told("of the samples, Hz", "частота этих отсчётов, Гц")), "HZ", "ГЦ", 1, 1e6)
       ->capture_default_str();
@@ -121,22 +121,22 @@ void sample_options(CLI::App& run, Options& o) {
 }
 
 void picture_options(CLI::App& run, Options& o) {
-  takes_file(run.add_option("--plot", o.plot, told("draw the path: a file .svg or .png", "чертёж траектории: файл .svg или .png")));
+  writes_file(run.add_option("--plot", o.plot, told("draw the path: a file .svg or .png", "чертёж траектории: файл .svg или .png")));
   one_of(run.add_option("--colour,--color", o.colour,
                         told("of the path in --plot: by speed, or by the limit that slows it",
                              "цвет траектории на --plot: по скорости или по пределу, который её снижает")),
          {"speed", "limit"});
-  takes_file(run.add_option("--plot-speed", o.plot_speed,
-                            told("draw speed, acceleration and jerk over the time: a file .svg or .png",
-                                 "график скорости, ускорения и рывка во времени: файл .svg или .png")));
+  writes_file(run.add_option("--plot-speed", o.plot_speed,
+                             told("draw speed, acceleration and jerk over the time: a file .svg or .png",
+                                  "график скорости, ускорения и рывка во времени: файл .svg или .png")));
 }
 
 /// What a run gives, and the part of the program that it is.
 void result_options(CLI::App& run, Options& o) {
-  takes_file(run.add_option("--trace", o.trace,
-                            told("every action as a line of JSON, to a file or - for stdout",
-                                 "протокол: каждое действие строкой JSON, в файл или - на стандартный вывод")));
-  takes_file(
+  writes_file(run.add_option("--trace", o.trace,
+                             told("every action as a line of JSON, to a file or - for stdout",
+                                  "протокол: каждое действие строкой JSON, в файл или - на стандартный вывод")));
+  writes_file(
       run.add_option("--state", o.state,
                      told("file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)",
                           "файл, где от прогона к прогону хранятся корректоры, #500–#999, стойкость инструмента и параметры (nct)")));
@@ -185,9 +185,9 @@ void add_check(CLI::App& app, Commands& c) {
   program_options(*check, o);
   one_of(check->add_option("--format", o.format, told("of what is found", "вид перечня найденного")), {"text", "json", "sarif"})
       ->capture_default_str();
-  takes_file(check->add_option("--output", o.output,
-                               told("file for the findings (default: text on stderr, json and sarif on stdout)",
-                                    "файл для найденного (по умолчанию text в stderr, json и sarif в stdout)")));
+  writes_file(check->add_option("--output", o.output,
+                                told("file for the findings (default: text on stderr, json and sarif on stdout)",
+                                     "файл для найденного (по умолчанию text в stderr, json и sarif в stdout)")));
   takes_file(check->add_option("--baseline", o.baseline,
                                told("findings that are known, as --format json wrote them: only new ones are told",
                                     "известное, как его записал --format json: сообщается только о новом")));
@@ -208,8 +208,8 @@ void add_setup(CLI::App& app, Commands& c) {
                                                            "записать бланк исходного состояния с тем, что использует УП"));
   program_argument(*setup, c.setup.program);
   program_options(*setup, c.setup.program);
-  takes_file(setup->add_option("--out", c.setup.output,
-                               told("the new file (default: standard output)", "новый файл (по умолчанию стандартный вывод)")));
+  writes_file(setup->add_option("--out", c.setup.output,
+                                told("the new file (default: standard output)", "новый файл (по умолчанию стандартный вывод)")));
   setup->add_flag("--tools", c.setup.tools,
                   told("write a tools file for kadr cut instead, with what comments say of the tools",
                        "записать вместо него файл инструментов для kadr cut с тем, что о них говорят комментарии"));

@@ -16,7 +16,7 @@ void add_report(CLI::App& app, Commands& c) {
       told("write a report: path, times, tools, alarms, set-up sheet in one page that opens without a server",
            "записать отчёт: траектория, время, инструменты, ошибки, карта наладки — одна страница, которая открывается без сервера"));
   program_argument(*report, o.cut.run);
-  takes_file(report->add_option("--out", o.out, told("the report: a file .html", "отчёт: файл .html"))->required());
+  writes_file(report->add_option("--out", o.out, told("the report: a file .html", "отчёт: файл .html"))->required());
   const auto [stock, tools] = blank_options(*report, o.cut);
   stock->needs(tools);
   cell_option(*report, o.cut);

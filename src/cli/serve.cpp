@@ -52,10 +52,9 @@ void add_serve(CLI::App& app, Commands& c) {
                               "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
             ->capture_default_str(),
         "ADDRESS", "АДРЕС");
-  takes(serve->add_option("--state", o.state,
-                          told("what happens at the panels of machines is kept there, at every block",
-                               "хранить здесь, что происходит у пультов станков, после каждого кадра")),
-        "FILE", "ФАЙЛ");
+  writes_file(serve->add_option("--state", o.state,
+                                told("what happens at the panels of machines is kept there, at every block",
+                                     "хранить здесь, что происходит у пультов станков, после каждого кадра")));
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
   serve->footer(serve_examples());
