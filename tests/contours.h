@@ -1,22 +1,19 @@
 #pragma once
 // Contours for the tests of path: motions in a row, each beginning in the direction in which the last ended, unless it is turned.
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "action/curve.h"
 #include "actions.h"
+#include "any_number.h"
 #include "base/tolerance.h"
 #include "path/contour/radius_compensation.h"
 
 namespace kadr::test {
 
 inline const AxisRoles xyz = AxisRoles::of({"X", "Y", "Z"}, 0);
-
-inline double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
 
 /// A contour and the way in and out, each a motion of its own; all on one side.
 struct Contour {

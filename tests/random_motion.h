@@ -7,6 +7,7 @@
 #include "action/curve.h"
 #include "action/tool_position.h"
 #include "actions.h"
+#include "any_number.h"
 
 namespace kadr::test {
 
@@ -15,8 +16,6 @@ struct Moved {
   ToolPosition from;
   Motion motion;
 };
-
-inline double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
 
 /// Where a motion has its start: work coordinates near the origin, the machine's shifted, sometimes turned.
 inline Moved any_start() {

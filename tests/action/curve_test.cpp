@@ -7,7 +7,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::curve_test {
 namespace {
 
 using test::arc;
@@ -312,4 +312,4 @@ RC_GTEST_PROP(curve, pieces_keep_the_chord, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::curve_test

@@ -7,7 +7,7 @@
 #include "base/integral.h"
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::flat_path_test {
 namespace {
 
 using test::Choices;
@@ -172,4 +172,4 @@ RC_GTEST_PROP(flat_path, pieces_keep_the_chord, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::flat_path_test

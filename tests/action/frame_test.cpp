@@ -6,7 +6,7 @@
 #include "choices.h"
 #include "path/curve/machine_extents.h"
 
-namespace kadr {
+namespace kadr::frame_test {
 namespace {
 
 using test::arc;
@@ -135,4 +135,4 @@ TEST(frame, axis_that_rolls_over_counts_on_until_the_end) {  // nct 5.6
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::frame_test

@@ -9,7 +9,7 @@
 
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::plane_spline_test {
 namespace {
 
 using test::Choices;
@@ -147,4 +147,4 @@ RC_GTEST_PROP(plane_spline, box_of_a_part_is_that_of_its_points, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::plane_spline_test

@@ -6,7 +6,7 @@
 
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::polar_test {
 namespace {
 
 using test::Choices;
@@ -153,4 +153,4 @@ RC_GTEST_PROP(polar, pieces_of_a_line_keep_the_chord, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::polar_test

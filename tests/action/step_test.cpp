@@ -10,7 +10,7 @@
 #include "actions.h"
 #include "random_motion.h"
 
-namespace kadr {
+namespace kadr::step_test {
 namespace {
 
 using test::any_motion;
@@ -65,4 +65,4 @@ TEST(step, of_another_action_is_no_motion) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::step_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace kadr {
+namespace kadr::alarm_test {
 namespace {
 
 TEST(alarm_names, lead_back_to_their_ids) {
@@ -61,4 +61,4 @@ TEST(alarms, carry_their_place_and_arguments) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::alarm_test

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace kadr {
+namespace kadr::file_id_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ TEST(file_id, a_set_knows_files_that_are_to_come) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::file_id_test

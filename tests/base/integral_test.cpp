@@ -8,7 +8,7 @@
 
 #include "base/extremes.h"
 
-namespace kadr {
+namespace kadr::integral_test {
 namespace {
 
 TEST(integral, of_smooth_functions) {
@@ -53,4 +53,4 @@ TEST(extremes, of_a_kink_and_of_the_ends) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::integral_test

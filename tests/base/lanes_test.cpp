@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace kadr {
+namespace kadr::lanes_test {
 namespace {
 
 using Eight = std::array<double, lanes>;
@@ -47,4 +47,4 @@ TEST(Lanes, AsWrittenOut) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::lanes_test

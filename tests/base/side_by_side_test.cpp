@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace kadr {
+namespace kadr::side_by_side_test {
 namespace {
 
 TEST(SideBySide, DoesEachPieceOfWorkBeforeItIsWaitedFor) {
@@ -47,4 +47,4 @@ TEST(SideBySide, EndsWithWorkUnderWay) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::side_by_side_test

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <random>
 
-namespace kadr {
+namespace kadr::vec_test {
 namespace {
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }  // −0 is 0
@@ -130,4 +130,4 @@ RC_GTEST_PROP(vectors, dot_and_cross_are_length_times_cosine_and_sine, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::vec_test

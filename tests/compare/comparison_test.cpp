@@ -9,7 +9,7 @@
 #include "config/control_file.h"
 #include "lang/text/utf16.h"
 
-namespace kadr {
+namespace kadr::comparison_test {
 namespace {
 
 std::unique_ptr<Session> session_of(const std::string& text, const std::string& control = "linuxcnc") {
@@ -216,4 +216,4 @@ RC_GTEST_PROP(ComparisonProperty, divided_the_same_moved_not, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::comparison_test

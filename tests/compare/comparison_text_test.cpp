@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::comparison_text_test {
 namespace {
 
 TEST(ComparisonText, OfDifferences) {
@@ -32,4 +32,4 @@ TEST(ComparisonText, OfAll) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::comparison_text_test

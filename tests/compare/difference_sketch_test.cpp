@@ -8,7 +8,7 @@
 
 #include "base/matrix.h"
 
-namespace kadr {
+namespace kadr::difference_sketch_test {
 namespace {
 
 using Layer = SketchPiece::Layer;
@@ -82,4 +82,4 @@ TEST(DifferenceSketch, IsBounded) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::difference_sketch_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::difference_window_test {
 namespace {
 
 const Box part{{0, 0, -10}, {300, 200, 50}, false};
@@ -46,4 +46,4 @@ TEST(DifferenceWindow, NeverNothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::difference_window_test

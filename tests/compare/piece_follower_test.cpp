@@ -9,7 +9,7 @@
 #include "config/control_file.h"
 #include "lang/text/utf16.h"
 
-namespace kadr {
+namespace kadr::piece_follower_test {
 namespace {
 
 using Part = ComparedPiece::Part;
@@ -107,4 +107,4 @@ RC_GTEST_PROP(PieceFollowerProperty, without_a_gap_and_numbered_as_told, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::piece_follower_test

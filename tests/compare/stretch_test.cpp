@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace kadr {
+namespace kadr::stretch_test {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -153,4 +153,4 @@ RC_GTEST_PROP(StretchProperty, pieces_that_are_the_same_need_no_search, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::stretch_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::alarm_texts_test {
 namespace {
 
 AlarmTexts common() { return AlarmTexts::load(nullptr).value(); }
@@ -42,4 +42,4 @@ TEST(alarm_texts, numbers_for_people) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::alarm_texts_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace kadr {
+namespace kadr::contour_test {
 namespace {
 
 ContourFault fault_of(std::string_view text) {
@@ -120,4 +120,4 @@ RC_GTEST_PROP(ContourProperty, GarbageEndsInAnAlarmOrInFiniteEdges, (const std::
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_test

@@ -11,7 +11,7 @@
 #include "control/interpreter.h"
 #include "own_place.h"
 
-namespace kadr {
+namespace kadr::control_file_test {
 namespace {
 
 class BuiltIn : public testing::TestWithParam<std::string> {
@@ -306,4 +306,4 @@ TEST(errors, of_a_file_that_extends_itself) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::control_file_test

@@ -7,7 +7,7 @@
 #include "config/function.h"
 #include "config/toml_tools.h"
 
-namespace kadr {
+namespace kadr::control_rules_test {
 namespace {
 
 std::string refusal(const std::string& base, const std::string& rest) {
@@ -65,4 +65,4 @@ TEST(built_in_controls, keep_the_rules) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::control_rules_test

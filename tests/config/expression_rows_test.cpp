@@ -7,7 +7,7 @@
 #include "control/control.h"
 #include "lang/expression/expression.h"
 
-namespace kadr {
+namespace kadr::expression_rows_test {
 namespace {
 
 std::string fault_of(const std::string& rows, const std::string& base = "mach3") {
@@ -123,4 +123,4 @@ TEST(expression_rows, that_cannot_be_are_refused_by_name) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::expression_rows_test

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace kadr {
+namespace kadr::function_test {
 namespace {
 
 TEST(functions, names_lead_back) {
@@ -35,4 +35,4 @@ TEST(functions, that_move_take_the_axis_words) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::function_test

@@ -13,7 +13,7 @@
 #include "config/guess_pattern.h"
 #include "lang/text/encoding.h"
 
-namespace kadr {
+namespace kadr::guess_test {
 namespace {
 
 std::string text_of(const std::filesystem::path& path) {
@@ -184,4 +184,4 @@ TEST(guess, programs_are_not_taken_for_prose) {
 TEST(guess, does_not_read_comments) { EXPECT_EQ(guess_control("(L81 R1+5 ПС)\nG0 X1.5\n").control, "mach3"); }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::guess_test

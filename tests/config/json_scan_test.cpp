@@ -10,7 +10,7 @@
 #include "config/setup.h"
 #include "config/told.h"
 
-namespace kadr {
+namespace kadr::json_scan_test {
 namespace {
 
 std::string fault(std::string_view text) { return told_json_fault(text, ""); }
@@ -98,4 +98,4 @@ RC_GTEST_PROP(json_scan, as_the_parser, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::json_scan_test

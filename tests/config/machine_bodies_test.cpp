@@ -9,7 +9,7 @@
 #include "config/machine_profile.h"
 #include "own_place.h"
 
-namespace kadr {
+namespace kadr::machine_bodies_test {
 namespace {
 
 const std::string head =
@@ -114,4 +114,4 @@ TEST(machine_bodies, they_are_tables) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_bodies_test

@@ -10,7 +10,7 @@
 #include "config/control_file.h"
 #include "own_place.h"
 
-namespace kadr {
+namespace kadr::machine_codes_test {
 namespace {
 
 /// A control of one's own over another, with a table.
@@ -66,4 +66,4 @@ TEST(MachineCodes, ACodeThatIsNoneOfTheMachine) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_codes_test

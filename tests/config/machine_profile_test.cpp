@@ -9,7 +9,7 @@
 
 #include "own_place.h"
 
-namespace kadr {
+namespace kadr::machine_profile_test {
 namespace {
 
 std::string refusal(const std::string& toml) {
@@ -101,4 +101,4 @@ TEST(machine_profile, chains_of_axes) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_profile_test

@@ -8,7 +8,7 @@
 
 #include "config/embedded.h"
 
-namespace kadr {
+namespace kadr::packed_toml_test {
 namespace {
 
 TEST(PackedToml, BuiltInTablesAreThoseOfTheTexts) {
@@ -49,4 +49,4 @@ RC_GTEST_PROP(PackedToml, RandomTablesComeBack, (const std::map<std::string, std
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::packed_toml_test

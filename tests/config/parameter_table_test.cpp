@@ -9,7 +9,7 @@
 
 #include "config/control_file.h"
 
-namespace kadr {
+namespace kadr::parameter_table_test {
 namespace {
 
 const std::vector<ParameterRow>& nct() {
@@ -121,4 +121,4 @@ TEST(parameter_table, faults_are_told_with_file_and_line) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::parameter_table_test

@@ -6,7 +6,7 @@
 
 #include "config/control_file.h"
 
-namespace kadr {
+namespace kadr::rapid_way_test {
 namespace {
 
 bool apart(const char* control, const char* parameter = nullptr, const char* bit = "", double value = 1) {
@@ -34,4 +34,4 @@ TEST(rapid_way, by_parameter) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::rapid_way_test

@@ -15,7 +15,7 @@
 #include "config/setup.h"
 #include "config/told.h"
 
-namespace kadr {
+namespace kadr::read_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(told_no_text, other_encodings) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::read_file_test

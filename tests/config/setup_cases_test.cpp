@@ -3,7 +3,7 @@
 #include "case_files.h"
 #include "config/setup.h"
 
-namespace kadr {
+namespace kadr::setup_cases_test {
 namespace {
 
 using test::for_each_case;
@@ -37,4 +37,4 @@ TEST(setup_cases, every_state) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::setup_cases_test

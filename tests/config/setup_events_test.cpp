@@ -4,7 +4,7 @@
 
 #include "config/setup.h"
 
-namespace kadr {
+namespace kadr::setup_events_test {
 namespace {
 
 using When = SetupEvent::When;
@@ -82,4 +82,4 @@ TEST(setup_events, wrong_forms) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::setup_events_test

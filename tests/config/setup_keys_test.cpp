@@ -13,7 +13,7 @@
 #include "config/setup_file.h"
 #include "config/setup_names.h"
 
-namespace kadr {
+namespace kadr::setup_keys_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -253,4 +253,4 @@ TEST(setup_keys, null_is_kept) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::setup_keys_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::setup_test {
 namespace {
 
 Setup read(std::string_view json) {
@@ -226,4 +226,4 @@ TEST(setup, wrong_forms) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::setup_test

@@ -22,7 +22,7 @@
 #include "config/random_setup.h"
 #include "config/state_check.h"
 
-namespace kadr {
+namespace kadr::state_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -475,4 +475,4 @@ TEST(state_rows, wrong_rows) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::state_file_test

@@ -9,7 +9,7 @@
 
 #include "config/random_setup.h"
 
-namespace kadr {
+namespace kadr::state_json_test {
 namespace {
 
 TEST(state_json, empty) { EXPECT_EQ(state_json({}), R"({"tool":0})"); }
@@ -107,4 +107,4 @@ RC_GTEST_PROP(state_json, reads_back, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::state_json_test

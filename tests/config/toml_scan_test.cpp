@@ -11,7 +11,7 @@
 #include "config/told.h"
 #include "config/toml_tools.h"
 
-namespace kadr {
+namespace kadr::toml_scan_test {
 namespace {
 
 std::string limit(std::string_view text) { return told_toml_limit(text, "a.toml"); }
@@ -57,4 +57,4 @@ TEST(toml_parsed, faults_have_line_and_column) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::toml_scan_test

@@ -8,7 +8,7 @@
 
 #include "config/tool_formats.h"
 
-namespace kadr {
+namespace kadr::tool_library_test {
 namespace {
 
 using testing::HasSubstr;
@@ -255,4 +255,4 @@ TEST(ToolFormats, GarbageIsRefused) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tool_library_test

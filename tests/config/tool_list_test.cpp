@@ -9,7 +9,7 @@
 
 #include "config/read_file.h"
 
-namespace kadr {
+namespace kadr::tool_list_test {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(ToolList, WhatIsNoList) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tool_list_test

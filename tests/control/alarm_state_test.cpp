@@ -5,7 +5,7 @@
 #include "control/random_path.h"
 #include "control/scene.h"
 
-namespace kadr {
+namespace kadr::alarm_state_test {
 namespace {
 
 using namespace test;
@@ -194,4 +194,4 @@ RC_GTEST_PROP(alarm, at_any_block_leaves_what_was_before_and_the_rest_goes_on, (
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::alarm_state_test

@@ -4,7 +4,7 @@
 
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::arc_test {
 namespace {
 
 using test::Choices;
@@ -143,4 +143,4 @@ RC_GTEST_PROP(arc_by_radius, with_the_other_sign_and_turn_is_the_rest_of_the_cir
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::arc_test

@@ -4,7 +4,7 @@
 
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::block_states_test {
 namespace {
 
 ControlState with_feed(double feed) {
@@ -130,4 +130,4 @@ TEST(state_of, is_nothing_where_nobody_watches) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::block_states_test

@@ -6,7 +6,7 @@
 #include "control/run_program.h"
 #include "control/state/state.h"
 
-namespace kadr {
+namespace kadr::cycles_test {
 namespace {
 
 using namespace test;
@@ -192,4 +192,4 @@ TEST(cycles, that_turn_the_spindle_stop_reverse_and_restore_it) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::cycles_test

@@ -7,7 +7,7 @@
 #include "base/tolerance.h"
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::ellipse_test {
 namespace {
 
 std::vector<Motion> feeds_of(const std::string& program) {
@@ -50,4 +50,4 @@ TEST(ellipse, rises_evenly_as_a_helix) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::ellipse_test

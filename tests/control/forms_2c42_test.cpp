@@ -7,7 +7,7 @@
 #include "control/run_program.h"
 #include "lang/text/tape.h"
 
-namespace kadr {
+namespace kadr::forms_2c42_test {
 namespace {
 
 using namespace test;
@@ -163,4 +163,4 @@ RC_GTEST_PROP(carrier, does_not_matter, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::forms_2c42_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <map>
 
-namespace kadr {
+namespace kadr::journal_test {
 namespace {
 
 TEST(journal, brings_back_the_first_value_of_a_cell_written_twice) {
@@ -101,4 +101,4 @@ RC_GTEST_PROP(journal, is_like_a_copy_of_all, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::journal_test

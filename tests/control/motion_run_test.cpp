@@ -5,7 +5,7 @@
 
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::motion_run_test {
 namespace {
 
 struct Given {
@@ -240,4 +240,4 @@ INSTANTIATE_TEST_SUITE_P(motion_run, MotionRuns, testing::Values("mach3", "linux
                          [](const auto& control) { return std::string(control.param); });
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::motion_run_test

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <random>
 
-namespace kadr::fuzz {
+namespace kadr::fuzz::own_control_test {
 namespace {
 
 std::string in_hand;  // for the reader of a crash
@@ -73,4 +73,4 @@ TEST_F(OwnControl, RandomFilesAreRefusedOrRun) {
 }
 
 }  // namespace
-}  // namespace kadr::fuzz
+}  // namespace kadr::fuzz::own_control_test

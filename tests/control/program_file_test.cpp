@@ -9,7 +9,7 @@
 #include "config/control_file.h"
 #include "control/flow/block_numbers.h"
 
-namespace kadr {
+namespace kadr::program_file_test {
 namespace {
 
 const Grammar& nct_grammar() {
@@ -139,4 +139,4 @@ TEST(ProgramFile, ASearchEndsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::program_file_test

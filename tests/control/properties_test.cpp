@@ -3,7 +3,7 @@
 #include "control/random_path.h"
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::properties_test {
 namespace {
 
 using namespace test;
@@ -206,4 +206,4 @@ TEST(rotation, is_of_the_XY_plane_only) {  // Mach3 10.7.20
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::properties_test

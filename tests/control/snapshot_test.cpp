@@ -16,7 +16,7 @@
 #include "session/plc_commands.h"
 #include "some_programs.h"
 
-namespace kadr {
+namespace kadr::snapshot_test {
 namespace {
 
 using test::Folder, test::Work;
@@ -242,4 +242,4 @@ TEST(snapshot, a_called_file_that_is_gone_is_an_alarm) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::snapshot_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace kadr {
+namespace kadr::chain_test {
 namespace {
 
 TEST(three_axes, carry_the_tip_to_X_Y_Z_whatever_the_others_do) {
@@ -50,4 +50,4 @@ RC_GTEST_PROP(three_axes, forward_of_inverse_is_the_same, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::chain_test

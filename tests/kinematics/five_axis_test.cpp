@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace kadr {
+namespace kadr::five_axis_test {
 namespace {
 
 constexpr Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -190,4 +190,4 @@ TEST(five_axis, near_a_pole_the_free_axis_may_stand) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::five_axis_test

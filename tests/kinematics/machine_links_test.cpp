@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace kadr {
+namespace kadr::machine_links_test {
 namespace {
 
 const std::vector<std::string> five_axes = {"X", "Y", "Z", "A", "C", "B"};
@@ -87,4 +87,4 @@ TEST(machine_links, travel_is_a_bound) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_links_test

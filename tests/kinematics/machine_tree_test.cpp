@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace kadr {
+namespace kadr::machine_tree_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -154,4 +154,4 @@ TEST(machine_tree, limits_choose_and_refuse) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_tree_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace kadr {
+namespace kadr::part_joints_test {
 namespace {
 
 /// J1(a1) · J2(a2) · … · place
@@ -93,4 +93,4 @@ TEST(part_joints, of_a_part_space_put_the_tip_back) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_joints_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace kadr {
+namespace kadr::part_space_test {
 namespace {
 
 /// Any machine, any state, any numbers.
@@ -98,4 +98,4 @@ TEST(part_space, rotary_axes_alone_move_what_follows_them) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_space_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::tip_ways_test {
 namespace {
 
 std::shared_ptr<const PartSpace> c_b_head() {
@@ -71,4 +71,4 @@ TEST(contact, the_tip_of_each_tool) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tip_ways_test

@@ -7,7 +7,7 @@
 #include "choices.h"
 #include "lang/read_block.h"
 
-namespace kadr {
+namespace kadr::block_reader_test {
 namespace {
 
 using namespace test;
@@ -170,4 +170,4 @@ TEST(encodings, second_block_of_a_line_that_is_decoded_late) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::block_reader_test

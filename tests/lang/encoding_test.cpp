@@ -7,7 +7,7 @@
 
 #include "lang/text/tape.h"
 
-namespace kadr {
+namespace kadr::encoding_test {
 namespace {
 
 /// The text as a file of that encoding holds it, by iconv itself.
@@ -169,4 +169,4 @@ TEST(first_character, code_and_size) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::encoding_test

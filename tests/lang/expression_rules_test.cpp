@@ -4,7 +4,7 @@
 
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::expression_rules_test {
 namespace {
 
 using namespace test;
@@ -59,4 +59,4 @@ TEST(operations, have_names_by_their_operands) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::expression_rules_test

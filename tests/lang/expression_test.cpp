@@ -8,7 +8,7 @@
 #include "choices.h"
 #include "lang/read_block.h"
 
-namespace kadr {
+namespace kadr::expression_test {
 namespace {
 
 using namespace test;
@@ -257,4 +257,4 @@ RC_GTEST_PROP(expressions, have_the_value_of_the_slow_twin, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::expression_test

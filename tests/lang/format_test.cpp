@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::format_test {
 namespace {
 
 WordFormat parsed(std::string_view digits, bool point = false) { return parse_word_format(digits, point).value(); }
@@ -155,4 +155,4 @@ TEST(descriptor, refused_changes_nothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::format_test

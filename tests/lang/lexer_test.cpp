@@ -5,7 +5,7 @@
 #include "choices.h"
 #include "lang/read_block.h"
 
-namespace kadr {
+namespace kadr::lexer_test {
 namespace {
 
 using namespace test;
@@ -266,4 +266,4 @@ RC_GTEST_PROP(round_trip, words_of_2c42_come_back, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::lexer_test

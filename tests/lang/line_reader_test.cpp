@@ -16,7 +16,7 @@
 
 #include "lang/block/grammar.h"
 
-namespace kadr {
+namespace kadr::line_reader_test {
 namespace {
 
 struct Read {
@@ -234,4 +234,4 @@ TEST_F(Files, pipe_is_kept_in_memory) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::line_reader_test

@@ -10,7 +10,7 @@
 #include "lang/read_block.h"
 #include "macro_trees.h"
 
-namespace kadr {
+namespace kadr::macro_test {
 namespace {
 
 using namespace test;
@@ -291,4 +291,4 @@ RC_GTEST_PROP(macro_conditions, are_those_of_the_tree, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::macro_test

@@ -4,7 +4,7 @@
 #include "lang/block/o_word_reader.h"
 #include "lang/read_block.h"
 
-namespace kadr {
+namespace kadr::o_word_test {
 namespace {
 
 using namespace test;
@@ -63,4 +63,4 @@ TEST(sign_of_file, stands_alone) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::o_word_test

@@ -5,7 +5,7 @@
 #include "choices.h"
 #include "lang/read_block.h"
 
-namespace kadr {
+namespace kadr::plain_block_test {
 namespace {
 
 using namespace test;
@@ -101,4 +101,4 @@ RC_GTEST_PROP(plain_blocks, are_what_the_lexer_reads, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::plain_block_test

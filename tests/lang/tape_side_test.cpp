@@ -7,7 +7,7 @@
 
 #include "lang/text/eia.h"
 
-namespace kadr {
+namespace kadr::tape_side_test {
 namespace {
 
 constexpr std::string_view program = "%\nN1 G90 G0 X8000 Y13000\nN2 G1 X5123 Y-9314 F500\nN3 M2\n";
@@ -64,4 +64,4 @@ RC_GTEST_PROP(decode_tape, eia_reads_what_it_wrote, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tape_side_test

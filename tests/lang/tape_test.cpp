@@ -7,7 +7,7 @@
 
 #include <bit>
 
-namespace kadr {
+namespace kadr::tape_test {
 namespace {
 
 std::string encoded(std::string_view text) { return encode_tape(text, 0).value(); }
@@ -127,4 +127,4 @@ RC_GTEST_PROP(tape_round_trip, one_wrong_hole_is_always_found, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tape_test

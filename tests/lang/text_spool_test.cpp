@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace kadr {
+namespace kadr::text_spool_test {
 namespace {
 
 /// Lines of 1 to 40 characters, some of them two bytes long.
@@ -96,4 +96,4 @@ TEST(TextSpool, PiecesEndWhereTheyAreNotWanted) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::text_spool_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::tool_comment_test {
 namespace {
 
 constexpr double none = -1;
@@ -86,4 +86,4 @@ TEST(tool_comment, of_a_line) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tool_comment_test

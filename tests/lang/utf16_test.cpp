@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::utf16_test {
 namespace {
 
 std::string bytes_of(std::u16string_view text, ByteOrder order) {
@@ -114,4 +114,4 @@ TEST(utf16, any_place_is_read_as_from_the_beginning) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::utf16_test

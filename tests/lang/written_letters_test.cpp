@@ -7,7 +7,7 @@
 
 #include "lang/text/tape.h"
 
-namespace kadr {
+namespace kadr::written_letters_test {
 namespace {
 
 WrittenLetters letters(std::string_view name) { return written_letters_named(name).value(); }
@@ -83,4 +83,4 @@ RC_GTEST_PROP(WrittenLettersProperty, a_tape_too, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::written_letters_test

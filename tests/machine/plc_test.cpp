@@ -7,7 +7,7 @@
 #include "config/control_file.h"
 #include "session/plc_commands.h"
 
-namespace kadr {
+namespace kadr::plc_test {
 namespace {
 
 std::vector<SetupEvent> events(const std::string& json) {
@@ -212,4 +212,4 @@ TEST(plc, order_of_blocks_and_actions) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::plc_test

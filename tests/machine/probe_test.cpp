@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace kadr {
+namespace kadr::probe_test {
 namespace {
 
 const ProbeHole hole{2, 50, 20, 40, 0, 30};  // tip 2, centre X50 Y20, diameter 40, top 0, depth 30
@@ -75,4 +75,4 @@ RC_GTEST_PROP(probe, touches_where_the_stepping_twin_does, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::probe_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace kadr {
+namespace kadr::rendezvous_test {
 namespace {
 
 constexpr std::uint32_t set(std::initializer_list<int> channels) {
@@ -93,4 +93,4 @@ RC_GTEST_PROP(rendezvous, meets_when_the_last_has_come, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::rendezvous_test

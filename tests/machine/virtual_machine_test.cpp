@@ -6,7 +6,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::virtual_machine_test {
 namespace {
 
 using test::action;
@@ -259,4 +259,4 @@ TEST(virtual_machine, a_motion_out_of_position_is_done_and_nothing_behind_it) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::virtual_machine_test

@@ -7,7 +7,7 @@
 
 #include "random_motion.h"
 
-namespace kadr {
+namespace kadr::zones_test {
 namespace {
 
 using test::any_motion;
@@ -251,4 +251,4 @@ RC_GTEST_PROP(zones, an_axis_passes_a_value_where_its_sampled_twin_does, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::zones_test

@@ -6,7 +6,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::estimate_test {
 namespace {
 
 using test::arc;
@@ -178,4 +178,4 @@ TEST(estimate, surface_speed) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::estimate_test

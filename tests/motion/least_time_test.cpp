@@ -10,7 +10,7 @@
 #include "motion/least_time/rest_to_rest.h"
 #include "motion/least_time/timed_cells.h"
 
-namespace kadr {
+namespace kadr::least_time_test {
 namespace {
 
 /// A straight line of one axis, cells growing from both ends.
@@ -118,4 +118,4 @@ TEST(LeastTime, GoesOnFromAnEarlierSolution) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::least_time_test

@@ -10,7 +10,7 @@
 
 #include "kinematics/part_space.h"
 
-namespace kadr {
+namespace kadr::led_corner_test {
 namespace {
 
 constexpr double tolerance = 0.01;  // mm
@@ -120,4 +120,4 @@ TEST(led_corner, pieces_of_no_length_are_not_known) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::led_corner_test

@@ -12,7 +12,7 @@
 #include "motion/time/lost_time.h"
 #include "motion/time/planned_time.h"
 
-namespace kadr {
+namespace kadr::limited_by_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -202,4 +202,4 @@ TEST(LostTime, PausesAndMotionsWithoutATimeLoseNothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::limited_by_test

@@ -12,7 +12,7 @@
 #include "kinematics/part_space.h"
 #include "motion/time/steps.h"
 
-namespace kadr {
+namespace kadr::look_ahead_test {
 namespace {
 
 using test::arc;
@@ -293,4 +293,4 @@ TEST(look_ahead, threads_keep_their_time) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::look_ahead_test

@@ -6,7 +6,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::pace_test {
 namespace {
 
 constexpr double most = 3600;  // degrees/min
@@ -68,4 +68,4 @@ TEST(pace, rapid_as_the_slowest_axis) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::pace_test

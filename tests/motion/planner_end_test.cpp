@@ -9,7 +9,7 @@
 #include "motion/least_time/rest_to_rest.h"
 #include "planned_run.h"
 
-namespace kadr {
+namespace kadr::planner_end_test {
 namespace {
 
 using test::Point;
@@ -97,4 +97,4 @@ TEST(PlannerEnd, TheTimeFromRestToRestIsThatOfItsPhases) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::planner_end_test

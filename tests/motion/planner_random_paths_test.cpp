@@ -15,7 +15,7 @@
 #include "motion/least_time/planner.h"
 #include "planned_run.h"
 
-namespace kadr {
+namespace kadr::planner_random_paths_test {
 namespace {
 
 using test::Piece;
@@ -154,4 +154,4 @@ TEST(PlannerSideBySide, IsLeftInTheMiddle) {  // what works beside it ends befor
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::planner_random_paths_test

@@ -11,7 +11,7 @@
 #include "motion/least_time/rest_to_rest.h"
 #include "planned_run.h"
 
-namespace kadr {
+namespace kadr::planner_reversal_test {
 namespace {
 
 using test::Piece;
@@ -182,4 +182,4 @@ RC_GTEST_PROP(PlannerReversalProperty, NowAndThenElsewhere, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::planner_reversal_test

@@ -13,7 +13,7 @@
 #include "motion/least_time/planner.h"
 #include "planned_run.h"
 
-namespace kadr {
+namespace kadr::planner_surface_test {
 namespace {
 
 using test::Point;
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, PlannerSurface,
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::planner_surface_test

@@ -9,7 +9,7 @@
 
 #include "planned_run.h"
 
-namespace kadr {
+namespace kadr::planner_test {
 namespace {
 
 using test::Piece;
@@ -197,4 +197,4 @@ RC_GTEST_PROP(PlannerProperty, BackwardsItTakesTheSameTime, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::planner_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <thread>
 
-namespace kadr {
+namespace kadr::playback_test {
 namespace {
 
 constexpr double speed = 200, acceleration = 1000, jerk = 20000, rate = 1000;
@@ -361,4 +361,4 @@ TEST(Playback, PlannerAndClockInTwoThreads) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::playback_test

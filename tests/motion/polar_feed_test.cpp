@@ -7,7 +7,7 @@
 #include "actions.h"
 #include "choices.h"
 
-namespace kadr {
+namespace kadr::polar_feed_test {
 namespace {
 
 using test::straight;
@@ -98,4 +98,4 @@ TEST(polar_feed, rapid_goes_as_fast_as_the_slower_axis) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::polar_feed_test

@@ -13,7 +13,7 @@
 #include "motion/least_time/rest_to_rest.h"
 #include "motion/least_time/timed_cells.h"
 
-namespace kadr {
+namespace kadr::primal_dual_test {
 namespace {
 
 double seconds(const TimedPath& path, const std::vector<CellSpeeds>& speeds) {
@@ -125,4 +125,4 @@ TEST(PrimalDual, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::primal_dual_test

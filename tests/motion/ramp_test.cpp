@@ -10,7 +10,7 @@
 
 #include "base/vec.h"
 
-namespace kadr {
+namespace kadr::ramp_test {
 namespace {
 
 double within(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
@@ -78,4 +78,4 @@ TEST(ramp, without_a_limit_takes_no_time) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::ramp_test

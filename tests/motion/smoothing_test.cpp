@@ -8,7 +8,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr {
+namespace kadr::smoothing_test {
 namespace {
 
 constexpr double own = 0.01;  // mm: tolerance of corners that are not smoothed
@@ -115,4 +115,4 @@ TEST(smoothing, rules_of_the_setup) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::smoothing_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kadr {
+namespace kadr::speed_plan_test {
 namespace {
 
 double within(double low, double high) { return low + (high - low) * *rc::gen::resize(100, rc::gen::inRange(0, 1'000'001)) / 1e6; }
@@ -100,4 +100,4 @@ TEST(speed_plan, slows_down_before_the_slower_piece) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::speed_plan_test

@@ -6,7 +6,7 @@
 
 #include "motion/least_time/rest_to_rest.h"
 
-namespace kadr {
+namespace kadr::speed_record_test {
 namespace {
 
 const MotionLimits limits{{200, 200}, {1000, 500}, {20000, 20000}};
@@ -85,4 +85,4 @@ TEST(SpeedRecord, CuttingComesBeforeRapid) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::speed_record_test

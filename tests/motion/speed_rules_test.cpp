@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::speed_rules_test {
 namespace {
 
 using Json = std::string_view;
@@ -75,4 +75,4 @@ TEST(speed_rules, parameters_by_name_number_or_for_all_axes) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::speed_rules_test

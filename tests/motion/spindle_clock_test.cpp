@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::spindle_clock_test {
 namespace {
 
 Action act(const Spindle& spindle) { return {{}, spindle}; }
@@ -74,4 +74,4 @@ TEST(spindle_clock, coupled_it_goes_with_the_axis) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::spindle_clock_test

@@ -8,7 +8,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::steps_test {
 namespace {
 
 using test::arc;
@@ -88,4 +88,4 @@ TEST(steps, begin_when_the_run_says) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::steps_test

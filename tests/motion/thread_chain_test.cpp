@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace kadr {
+namespace kadr::thread_chain_test {
 namespace {
 
 constexpr double speed = 200, acceleration = 1000, jerk = 20000;
@@ -109,4 +109,4 @@ RC_GTEST_PROP(thread_chain, limits_and_ends, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::thread_chain_test

@@ -8,7 +8,7 @@
 
 #include "out/text/source_line.h"
 
-namespace kadr {
+namespace kadr::alarm_print_test {
 namespace {
 
 AlarmTexts texts() {
@@ -107,4 +107,4 @@ TEST(alarm_print, sarif) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::alarm_print_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::base64_test {
 namespace {
 
 TEST(Base64, TheExamplesOfTheRfc) {
@@ -30,4 +30,4 @@ TEST(Base64, WhatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::base64_test

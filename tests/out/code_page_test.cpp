@@ -7,7 +7,7 @@
 
 #include "config/control_file.h"
 
-namespace kadr {
+namespace kadr::code_page_test {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST_F(Explained, page_has_codes_variables_and_alarms) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::code_page_test

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace kadr {
+namespace kadr::cut_load_text_test {
 namespace {
 
 BlockLoad slot() {
@@ -68,4 +68,4 @@ TEST(cut_load_text, csv) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::cut_load_text_test

@@ -10,7 +10,7 @@
 
 #include "config/control_file.h"
 
-namespace kadr {
+namespace kadr::line_words_test {
 namespace {
 
 using testing::HasSubstr;
@@ -97,4 +97,4 @@ RC_GTEST_PROP(LineWordsProperty, of_any_line_they_stand_in_it_one_after_another,
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::line_words_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::load_colour_test {
 namespace {
 
 TEST(load_colour, from_blue_to_red) {
@@ -46,4 +46,4 @@ TEST(load_colour, a_mark_that_would_cover_a_heavier_one_is_left_out) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::load_colour_test

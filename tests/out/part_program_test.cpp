@@ -9,7 +9,7 @@
 #include "config/control_file.h"
 #include "session/program_moves.h"
 
-namespace kadr {
+namespace kadr::part_program_test {
 namespace {
 
 using area::Move;
@@ -81,4 +81,4 @@ TEST(PartProgram, ArcsBeyondTheToleranceBecomeLines) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_program_test

@@ -16,7 +16,7 @@
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 
-namespace kadr {
+namespace kadr::plot_test {
 namespace {
 
 using test::action;
@@ -180,4 +180,4 @@ TEST(plot, without_motion_it_says_so) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::plot_test

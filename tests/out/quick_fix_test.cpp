@@ -9,7 +9,7 @@
 #include "lang/text/utf16.h"
 #include "session/session.h"
 
-namespace kadr {
+namespace kadr::quick_fix_test {
 namespace {
 
 /// The first report of an id in a program, past all faults.
@@ -74,4 +74,4 @@ TEST(QuickFix, ThereIsNoneWhereNothingIsCertain) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::quick_fix_test

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace kadr {
+namespace kadr::result_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(result_file, of_a_process_that_ends_at_once_nothing_is_left) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::result_file_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <thread>
 
-namespace kadr {
+namespace kadr::samples_test {
 namespace {
 
 constexpr double speed = 100;  // mm/s
@@ -125,4 +125,4 @@ TEST(samples, of_a_long_dwell_stop_within_an_instant) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::samples_test

@@ -7,7 +7,7 @@
 #include "actions.h"
 #include "motion/time/steps.h"
 
-namespace kadr {
+namespace kadr::summary_test {
 namespace {
 
 using test::action;
@@ -173,4 +173,4 @@ TEST(summary, polar_interpolation_by_its_real_axes) {  // golden 04-50
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::summary_test

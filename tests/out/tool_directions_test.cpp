@@ -6,7 +6,7 @@
 
 #include "kinematics/part_space.h"
 
-namespace kadr {
+namespace kadr::tool_directions_test {
 namespace {
 
 /// A head A C that leads the tip, as the NCT's G43.4 has it.
@@ -79,4 +79,4 @@ TEST(tool_directions, nothing_of_a_tool_that_stands_upright) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tool_directions_test

@@ -11,7 +11,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::trace_test {
 namespace {
 
 using test::action;
@@ -331,4 +331,4 @@ TEST(trace, every_line_is_json) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::trace_test

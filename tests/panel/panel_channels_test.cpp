@@ -6,7 +6,7 @@
 #include "panel/a_panel.h"
 #include "panel/panel_machine.h"
 
-namespace kadr {
+namespace kadr::panel_channels_test {
 namespace {
 
 using test::APanel;
@@ -419,4 +419,4 @@ TEST(PanelChannels, ALongProgramBesideAShortOneIsNotPlannedToItsEnd) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::panel_channels_test

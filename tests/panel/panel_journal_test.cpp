@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace kadr {
+namespace kadr::panel_journal_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ TEST_F(PanelJournalTest, AFileThatIsNoneIsRefusedAndLeft) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::panel_journal_test

@@ -4,7 +4,7 @@
 
 #include "panel/a_panel.h"
 
-namespace kadr {
+namespace kadr::panel_machine_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -246,4 +246,4 @@ TEST(PanelMachine, AProgramWithoutAnEndIsReset) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::panel_machine_test

@@ -8,7 +8,7 @@
 #include "session/cutting/cutting.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::panel_restart_test {
 namespace {
 
 using test::APanel;
@@ -289,4 +289,4 @@ TEST(PanelRestart, TheSamePartInTheSecondPassUnderCompensation) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::panel_restart_test

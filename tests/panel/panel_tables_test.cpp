@@ -4,7 +4,7 @@
 
 #include "panel/a_panel.h"
 
-namespace kadr {
+namespace kadr::panel_tables_test {
 namespace {
 
 using test::APanel;
@@ -298,4 +298,4 @@ TEST(PanelKeeping, WhereItWasBroken) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::panel_tables_test

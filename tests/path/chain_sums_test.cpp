@@ -11,7 +11,7 @@
 #include "path/smooth/slow_width.h"
 #include "path/smooth/soft_corner.h"
 
-namespace kadr {
+namespace kadr::chain_sums_test {
 namespace {
 
 struct Chain {
@@ -149,4 +149,4 @@ TEST(SlowWidth, WhatIsSettledStays) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::chain_sums_test

@@ -7,7 +7,7 @@
 
 #include "actions.h"
 
-namespace kadr {
+namespace kadr::compression_test {
 namespace {
 
 using test::action;
@@ -183,4 +183,4 @@ RC_GTEST_PROP(compression, without_join_nothing_changes, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::compression_test

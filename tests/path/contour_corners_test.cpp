@@ -11,7 +11,7 @@
 #include "actions.h"
 #include "path/contour/contour_motion.h"
 
-namespace kadr {
+namespace kadr::contour_corners_test {
 namespace {
 
 using Follows = ContourCorners::Follows;
@@ -373,4 +373,4 @@ TEST(contour_corners, an_over_determined_block_needs_an_element_before) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_corners_test

@@ -9,7 +9,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr {
+namespace kadr::contour_offset_test {
 namespace {
 
 constexpr double left = 1, right = -1;  // G41, G42
@@ -200,4 +200,4 @@ TEST(contour_offset, what_fits) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_offset_test

@@ -13,7 +13,7 @@
 #include "contours.h"
 #include "path/contour/contour_closing.h"
 
-namespace kadr {
+namespace kadr::contour_safety_test {
 namespace {
 
 using test::any_number;
@@ -223,4 +223,4 @@ RC_GTEST_PROP(contour_safety, always_alarm_is_only_stricter, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_safety_test

@@ -8,7 +8,7 @@
 
 #include "contours.h"
 
-namespace kadr {
+namespace kadr::contour_symmetry_test {
 namespace {
 
 using test::any_number;
@@ -166,4 +166,4 @@ RC_GTEST_PROP(contour_symmetry, split, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_symmetry_test

@@ -8,7 +8,7 @@
 #include "closed_contours.h"
 #include "path/contour/contour_closing.h"
 
-namespace kadr {
+namespace kadr::contour_watch_test {
 namespace {
 
 using test::ClosedContour;
@@ -162,4 +162,4 @@ TEST(contour_watch, a_notch_anywhere_in_a_long_contour) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::contour_watch_test

@@ -11,7 +11,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr {
+namespace kadr::corner_geometry_test {
 namespace {
 
 constexpr double near = 1e-6;  // mm
@@ -244,4 +244,4 @@ TEST(corner_geometry, parallel_concentric_apart) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::corner_geometry_test

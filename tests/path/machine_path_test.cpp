@@ -9,7 +9,7 @@
 
 #include "random_motion.h"
 
-namespace kadr {
+namespace kadr::machine_path_test {
 namespace {
 
 using test::any_motion;
@@ -100,4 +100,4 @@ RC_GTEST_PROP(machine_path, followers_copy_the_way_of_their_masters_and_nothing_
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_path_test

@@ -10,7 +10,7 @@
 
 #include "contours.h"
 
-namespace kadr {
+namespace kadr::queued_compensation_test {
 namespace {
 
 using test::any_number;
@@ -254,4 +254,4 @@ TEST(queued_compensation, too_many_actions_between) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::queued_compensation_test

@@ -10,7 +10,7 @@
 
 #include "contours.h"
 
-namespace kadr {
+namespace kadr::radius_compensation_test {
 namespace {
 
 using test::any_number;
@@ -162,4 +162,4 @@ TEST(radius_compensation, too_many_actions_between) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::radius_compensation_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace kadr {
+namespace kadr::smooth_path_test {
 namespace {
 
 struct Corner {
@@ -121,4 +121,4 @@ RC_GTEST_PROP(SmoothPathProperty, StaysWithinTheTolerance, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::smooth_path_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::guard_test {
 namespace {
 
 TEST(Guard, OnlyItsOwnNames) {
@@ -33,4 +33,4 @@ TEST(Guard, TokensAreNew) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::guard_test

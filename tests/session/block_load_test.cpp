@@ -15,7 +15,7 @@
 #include "session/cutting/air_lines.h"
 #include "session/cutting/cutting.h"
 
-namespace kadr {
+namespace kadr::block_load_test {
 namespace {
 
 using test::ASession;
@@ -272,4 +272,4 @@ TEST(calls_of, the_way_of_calls_long_after) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::block_load_test

@@ -4,7 +4,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::block_search_test {
 namespace {
 
 using test::ASession;
@@ -91,4 +91,4 @@ TEST(block_search, not_reached_or_not_known) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::block_search_test

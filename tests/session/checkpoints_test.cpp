@@ -6,7 +6,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::checkpoints_test {
 namespace {
 
 using test::ASession;
@@ -77,4 +77,4 @@ TEST(checkpoints, of_blocks_that_do_nothing_too) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::checkpoints_test

@@ -5,7 +5,7 @@
 #include "kinematics/machine_tree.h"
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::give_machine_test {
 namespace {
 
 double given(const Setup& setup, const char* number, const char* bit = "") {
@@ -101,4 +101,4 @@ TEST(give_machine, the_control_and_the_file_mean_the_same_place) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::give_machine_test

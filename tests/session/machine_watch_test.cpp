@@ -8,7 +8,7 @@
 
 #include "session/cutting/axes_way.h"
 
-namespace kadr {
+namespace kadr::machine_watch_test {
 namespace {
 
 const std::vector<std::string> axis_names = {"X", "Y", "Z"};
@@ -157,4 +157,4 @@ TEST(dog_leg, bends_where_an_axis_arrives) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_watch_test

@@ -11,7 +11,7 @@
 #include "config/control_file.h"
 #include "session/milling/mill_summary.h"
 
-namespace kadr {
+namespace kadr::milling_test {
 namespace {
 
 const char* const zone = "from 0 0\nline 60 0\nline 60 40\nline 0 40\nclose\n";
@@ -92,4 +92,4 @@ TEST(Milling, ThePictureInMemoryIsAWholePage) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::milling_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::named_body_test {
 namespace {
 
 constexpr double most = 1e8;  // bytes
@@ -37,4 +37,4 @@ TEST(NamedBody, WhichWordsAreFiles) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::named_body_test

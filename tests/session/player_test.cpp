@@ -9,7 +9,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::player_test {
 namespace {
 
 using test::ASession, test::Work;
@@ -141,4 +141,4 @@ TEST(player, an_alarm_ends_the_motion_where_it_came) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::player_test

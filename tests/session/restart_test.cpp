@@ -7,7 +7,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::restart_test {
 namespace {
 
 using test::ASession;
@@ -159,4 +159,4 @@ TEST(restart, blocks_bring_what_must_be_in_force) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::restart_test

@@ -6,7 +6,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::snapshot_test {
 namespace {
 
 using test::Folder, test::Work, test::Written;
@@ -221,4 +221,4 @@ TEST(session_snapshot, random_five_axis_programs_go_on_the_same) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::snapshot_test

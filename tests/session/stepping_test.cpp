@@ -4,7 +4,7 @@
 
 #include "session/a_session.h"
 
-namespace kadr {
+namespace kadr::stepping_test {
 namespace {
 
 using How = Stepping::How;
@@ -186,4 +186,4 @@ TEST(stepping, block_by_block_as_in_one_go) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::stepping_test

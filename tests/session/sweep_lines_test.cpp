@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace kadr {
+namespace kadr::sweep_lines_test {
 namespace {
 
 using Line = SweepLines::Line;
@@ -37,4 +37,4 @@ TEST(SweepLines, TakesNoRoomForLinesInARow) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::sweep_lines_test

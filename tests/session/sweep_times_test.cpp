@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace kadr {
+namespace kadr::sweep_times_test {
 namespace {
 
 TEST(SweepTimes, AreThoseOfEachSweep) {
@@ -66,4 +66,4 @@ TEST(SweepTimes, TakeNoRoomForChordsOfAnArc) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::sweep_times_test

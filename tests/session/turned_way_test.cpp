@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kadr {
+namespace kadr::turned_way_test {
 namespace {
 
 struct Part {
@@ -48,4 +48,4 @@ TEST(TurnedWay, BesideThePlaneTheDistanceFromTheAxisCounts) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::turned_way_test

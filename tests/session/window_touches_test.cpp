@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::window_touches_test {
 namespace {
 
 const Box3 window{{0, 0, -10}, {10, 10, 0}};
@@ -51,4 +51,4 @@ TEST(finer_touches, in_the_order_of_sweeps_and_parts) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::window_touches_test

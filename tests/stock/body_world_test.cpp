@@ -9,7 +9,7 @@
 
 #include "stock/some_tools.h"
 
-namespace kadr {
+namespace kadr::body_world_test {
 namespace {
 
 constexpr double exact = 5e-6;  // mm
@@ -128,4 +128,4 @@ TEST_F(body_world, tools_are_as_wide_and_as_high_as_they_are) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::body_world_test

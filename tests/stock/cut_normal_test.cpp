@@ -9,7 +9,7 @@
 
 #include "stock/some_tools.h"
 
-namespace kadr {
+namespace kadr::cut_normal_test {
 namespace {
 
 /// Where a line along the axis enters or leaves what the tool sweeps, near the middle of its way.
@@ -79,4 +79,4 @@ RC_GTEST_PROP(cut_normal, is_the_gradient_of_the_distance, (unsigned seed)) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::cut_normal_test

@@ -10,7 +10,7 @@
 #include "stock/some_tools.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::cut_test {
 namespace {
 
 const Box3 block{{-10, -10, -10}, {10, 10, 10}};
@@ -309,4 +309,4 @@ TEST(Cut, WholeBricks) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::cut_test

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <random>
 
-namespace kadr {
+namespace kadr::kept_sweeps_test {
 namespace {
 
 bool same(const KeptSweep& a, const KeptSweep& b) {
@@ -69,4 +69,4 @@ TEST(kept_sweeps, take_12_bytes_where_they_go_on) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::kept_sweeps_test

@@ -9,7 +9,7 @@
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::lean_cut_test {
 namespace {
 
 const Box3 block{{-10, -10, -10}, {10, 10, 10}};
@@ -173,4 +173,4 @@ TEST(LeanCut, HalvedPartsTakeTheSame) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::lean_cut_test

@@ -10,7 +10,7 @@
 
 #include "stock/lean_twin.h"
 
-namespace kadr {
+namespace kadr::lean_graze_test {
 namespace {
 
 constexpr double law = 2e-3;  // mm; 1.6 µm is the most that was found: docs/stock.md
@@ -122,4 +122,4 @@ TEST(LeanGraze, BetweenBallAndShaftNothingIsTaken) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::lean_graze_test

@@ -9,7 +9,7 @@
 
 #include "stock/lean_twin.h"
 
-namespace kadr {
+namespace kadr::lean_sweep_test {
 namespace {
 
 constexpr double cell = 0.5;
@@ -148,4 +148,4 @@ TEST(LeanSweep, ALineAllButInAFaceOfAFormTool) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::lean_sweep_test

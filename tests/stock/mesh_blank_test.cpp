@@ -13,7 +13,7 @@
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::mesh_blank_test {
 namespace {
 
 using namespace test;
@@ -98,4 +98,4 @@ TEST(mesh_blank, a_cut_part_is_cut_again) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::mesh_blank_test

@@ -15,7 +15,7 @@
 #include "stock/some_meshes.h"
 #include "stock/some_tools.h"
 
-namespace kadr {
+namespace kadr::mesh_file_test {
 namespace {
 
 using namespace test;
@@ -224,4 +224,4 @@ RC_GTEST_PROP(mesh_file, damaged_bytes_are_refused_or_give_a_solid, (unsigned se
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::mesh_file_test

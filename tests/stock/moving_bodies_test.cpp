@@ -8,7 +8,7 @@
 
 #include "stock/some_tools.h"
 
-namespace kadr {
+namespace kadr::moving_bodies_test {
 namespace {
 
 const std::vector<std::string> axis_names = {"X", "Y", "Z", "A", "C"};
@@ -187,4 +187,4 @@ TEST_F(moving_bodies, random_motions) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::moving_bodies_test

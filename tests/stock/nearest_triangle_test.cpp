@@ -11,7 +11,7 @@
 #include "stock/part/triangle_distance.h"
 #include "stock/some_meshes.h"
 
-namespace kadr {
+namespace kadr::nearest_triangle_test {
 namespace {
 
 using namespace test;
@@ -65,4 +65,4 @@ TEST(nearest_triangle, built_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::nearest_triangle_test

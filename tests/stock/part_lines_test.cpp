@@ -13,7 +13,7 @@
 #include "stock/part/points_inside.h"
 #include "stock/some_meshes.h"
 
-namespace kadr {
+namespace kadr::part_lines_test {
 namespace {
 
 using namespace test;
@@ -98,4 +98,4 @@ TEST(points_inside, of_points_in_a_row) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_lines_test

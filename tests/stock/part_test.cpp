@@ -7,7 +7,7 @@
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::part_test {
 namespace {
 
 constexpr double cell = 0.5;
@@ -96,4 +96,4 @@ TEST(part_compare, threads_change_nothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_test

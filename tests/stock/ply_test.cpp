@@ -8,7 +8,7 @@
 
 #include "stock/some_meshes.h"
 
-namespace kadr {
+namespace kadr::ply_test {
 namespace {
 
 using namespace test;
@@ -50,4 +50,4 @@ TEST(ply, a_sink_that_is_full) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::ply_test

@@ -7,7 +7,7 @@
 
 #include "stock/some_tools.h"
 
-namespace kadr {
+namespace kadr::removed_test {
 namespace {
 
 using Pieces = std::vector<std::pair<double, double>>;
@@ -110,4 +110,4 @@ TEST(Removed, ARampIsAsDeepAsItGoesDown) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::removed_test

@@ -11,7 +11,7 @@
 #include "stock/some_tools.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::sheets_test {
 namespace {
 
 /// Cubes of 1 mm, some of them material.
@@ -73,4 +73,4 @@ RC_GTEST_PROP(sheets, surfaces_of_any_signs_are_closed_manifolds, (unsigned seed
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::sheets_test

@@ -10,7 +10,7 @@
 #include "stock/surface/simplified_surface.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::simplify_test {
 namespace {
 
 using namespace test;
@@ -85,4 +85,4 @@ RC_GTEST_PROP(simplified_surface, whatever_was_cut, ()) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::simplify_test

@@ -9,7 +9,7 @@
 #include "stock/some_tools.h"
 #include "stock/stock_samples.h"
 
-namespace kadr {
+namespace kadr::surface_test {
 namespace {
 
 using test::block;
@@ -235,4 +235,4 @@ TEST(surface, a_cut_at_the_seam_of_two_bricks_knows_its_sweep) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::surface_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace kadr {
+namespace kadr::tool_outline_test {
 namespace {
 
 ToolGeometry tool(ToolKind kind) {
@@ -46,4 +46,4 @@ TEST(ToolOutline, OfATurningToolOrNoneIsEmpty) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::tool_outline_test

@@ -7,13 +7,14 @@
 #include <cstdio>
 
 #include "config/tool_formats.h"
+#include "stock/line_places.h"
 #include "stock/material_around.h"
 #include "stock/some_inserts.h"
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
 #include "stock/surface/turned_normal.h"
 
-namespace kadr {
+namespace kadr::turn_test {
 namespace {
 
 constexpr double permitted = 1e-3;  // mm
@@ -37,7 +38,7 @@ bool is_left(const Stock& stock, const Place& p) {
 }
 
 /// Two in three lie at an end that a sweep has made, or close to it.
-Place some_place(const Stock& stock, Chance& chance) {
+Place some_place_by_turning(const Stock& stock, Chance& chance) {
   Place p{std::size_t(chance.below(int(stock.lattice().size()))), chance.below(3), chance.below(brick_lines), 0, {}};
   const double cell = stock.lattice().cell();
   p.along_line = chance.between(0, stock.lattice().edge());
@@ -62,12 +63,6 @@ Place some_place(const Stock& stock, Chance& chance) {
   along(p.at, (p.family + 1) % 3) += (p.line % brick_edge + 0.5) * cell;
   along(p.at, (p.family + 2) % 3) += (p.line / brick_edge + 0.5) * cell;
   return p;
-}
-
-bool within(const Box3& box, Vec3 at) {
-  bool inside = true;
-  for (int d = 0; d < 3; ++d) inside = inside && along(at, d) > along(box.least, d) && along(at, d) < along(box.most, d);
-  return inside;
 }
 
 std::string told(const ToolShape& tool, const Sweep& s, const Place& p) {
@@ -101,7 +96,7 @@ TEST(TurnProperty, LeavesWhatLiesOutsideOfTheRings) {
     for (const Sweep& s : sweeps) stock.add(s);
     stock.cut();
     for (int i = 0; i < 60; ++i) {
-      const Place p = some_place(stock, chance);
+      const Place p = some_place_by_turning(stock, chance);
       if (!within(bar, p.at)) continue;
       ++looked_at, at_ends += p.is_end;
       double distance = 1e30;
@@ -329,4 +324,4 @@ TEST(Turn, RadiiOfTheMaterialAround) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::turn_test

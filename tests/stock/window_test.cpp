@@ -12,7 +12,7 @@
 #include "stock/stock_samples.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::window_test {
 namespace {
 
 using namespace test;
@@ -117,4 +117,4 @@ TEST(part_compare, what_a_comparison_takes_grows_with_the_part) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::window_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::xml_scan_test {
 namespace {
 
 /// "+a(x=1) -a", then the fault if there is one.
@@ -66,4 +66,4 @@ TEST(xml_scan, depth_and_length_are_bounded) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::xml_scan_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace kadr {
+namespace kadr::instant_test {
 namespace {
 
 /// Loops, a subprogram, a cycle, arcs; work and machine coordinates are the same.
@@ -123,4 +123,4 @@ TEST(Instants, OfAProgramThatStopsByAnAlarm) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::instant_test

@@ -6,7 +6,7 @@
 
 #include "view/program_run.h"
 
-namespace kadr {
+namespace kadr::machine_bounds_test {
 namespace {
 
 MachineBounds bounds_of(const std::string& control, const Setup& setup) {
@@ -56,4 +56,4 @@ TEST(MachineBounds, ZonesOfTheParameters) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::machine_bounds_test

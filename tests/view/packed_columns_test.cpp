@@ -10,7 +10,7 @@
 
 #include "stock/mesh/zlib_library.h"
 
-namespace kadr {
+namespace kadr::packed_columns_test {
 namespace {
 
 /// As web/src/report/data.ts does it.
@@ -74,4 +74,4 @@ TEST(PackedColumns, ZlibTakesItApart) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::packed_columns_test

@@ -10,7 +10,7 @@
 #include "session/cutting/cut_cells.h"
 #include "session/cutting/cut_setup.h"
 
-namespace kadr {
+namespace kadr::part_run_test {
 namespace {
 
 constexpr const char* text =
@@ -197,4 +197,4 @@ TEST(PartRun, AToolWithoutShape) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::part_run_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace kadr {
+namespace kadr::path_piece_test {
 namespace {
 
 Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
@@ -91,4 +91,4 @@ TEST(PathPiece, AFrameIsAsLongAsItSays) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::path_piece_test

@@ -6,7 +6,7 @@
 
 #include "config/tool_list.h"
 
-namespace kadr {
+namespace kadr::proposals_test {
 namespace {
 
 std::unique_ptr<ProgramRun> run_of(const std::string& program, const std::string& control = "mach3") {
@@ -98,4 +98,4 @@ TEST(Proposals, WhatTurns) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::proposals_test

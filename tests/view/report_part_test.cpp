@@ -8,7 +8,7 @@
 
 #include "view/opening.h"
 
-namespace kadr {
+namespace kadr::report_part_test {
 namespace {
 
 TEST(ReportPart, IsWhatIsLeft) {
@@ -55,4 +55,4 @@ TEST(ReportPart, IsWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::report_part_test

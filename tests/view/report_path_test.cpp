@@ -10,7 +10,7 @@
 #include "view/opening.h"
 #include "view/program_run.h"
 
-namespace kadr {
+namespace kadr::report_path_test {
 namespace {
 
 std::unique_ptr<ProgramRun> run_of(const std::string& program) {
@@ -92,4 +92,4 @@ TEST(ReportPath, FarPlacesFitInCoarserSteps) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::report_path_test

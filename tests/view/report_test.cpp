@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::report_test {
 namespace {
 
 constexpr const char* text = "(</script><img src=x onerror=alert(1)>)\nG21 G90 F600\nG0 X0 Y0 Z5\nG1 X20\nM2\n";
@@ -38,4 +38,4 @@ TEST(Report, WithoutAPlaceIsRefused) { EXPECT_FALSE(made("<p></p>", "")); }
 TEST(Report, IsTheSameForTheSame) { EXPECT_EQ(*made("@KADR_REPORT_DATA@", "x"), *made("@KADR_REPORT_DATA@", "x")); }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::report_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace kadr {
+namespace kadr::served_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ TEST(ServedFolder, NothingBeyondIt) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::served_folder_test

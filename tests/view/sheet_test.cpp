@@ -8,7 +8,7 @@
 
 #include "config/setup_file.h"
 
-namespace kadr {
+namespace kadr::sheet_test {
 namespace {
 
 constexpr const char* program =
@@ -127,4 +127,4 @@ TEST(Sheet, OfAProgramThatDoesNothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::sheet_test

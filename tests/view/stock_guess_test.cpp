@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::stock_guess_test {
 namespace {
 
 struct Path {
@@ -95,4 +95,4 @@ TEST(StockGuess, OfNothing) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::stock_guess_test

@@ -12,7 +12,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr::correctors {
+namespace kadr::correctors::pocket_test {
 namespace {
 
 double any_number(double least, double most) { return least + *rc::gen::inRange(0, 10'001) / 10'000.0 * (most - least); }
@@ -108,4 +108,4 @@ TEST(pocket, passes_count_the_rest) {
 }
 
 }  // namespace
-}  // namespace kadr::correctors
+}  // namespace kadr::correctors::pocket_test

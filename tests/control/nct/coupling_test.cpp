@@ -4,7 +4,7 @@
 
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::coupling_test {
 namespace {
 
 using namespace test;
@@ -80,4 +80,4 @@ TEST(coupling, no_axis_follows_itself_through_others) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::coupling_test

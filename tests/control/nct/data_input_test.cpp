@@ -4,7 +4,7 @@
 
 #include "control/nct/tools/tools.h"
 
-namespace kadr::nct {
+namespace kadr::nct::data_input_test {
 namespace {
 
 using Tables = kadr::Setup;  // in a test, Setup would be GoogleTest's
@@ -175,4 +175,4 @@ TEST(data_input, alarms) {
 }
 
 }  // namespace
-}  // namespace kadr::nct
+}  // namespace kadr::nct::data_input_test

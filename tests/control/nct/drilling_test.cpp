@@ -7,7 +7,7 @@
 #include "choices.h"
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::drilling_test {
 namespace {
 
 using namespace test;
@@ -281,4 +281,4 @@ TEST(drilling, an_alarm_behind_operation_1_takes_it_back) {  // the dwell in rev
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::drilling_test

@@ -6,7 +6,7 @@
 #include "control/run_program.h"
 #include "macro_trees.h"
 
-namespace kadr {
+namespace kadr::macro_test {
 namespace {
 
 using namespace test;
@@ -578,4 +578,4 @@ TEST(macro_loops, find_the_next_of_two_blocks_with_one_number) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::macro_test

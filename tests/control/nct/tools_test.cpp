@@ -4,7 +4,7 @@
 
 #include "choices.h"
 
-namespace kadr::nct {
+namespace kadr::nct::tools_test {
 namespace {
 
 using test::Choices;
@@ -364,4 +364,4 @@ TEST(changes, are_named_once) {
 }
 
 }  // namespace
-}  // namespace kadr::nct
+}  // namespace kadr::nct::tools_test

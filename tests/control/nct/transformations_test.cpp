@@ -7,7 +7,7 @@
 #include "control/run_program.h"
 #include "control/state/state.h"
 
-namespace kadr {
+namespace kadr::transformations_test {
 namespace {
 
 using namespace test;
@@ -215,4 +215,4 @@ TEST(transform, a_rotation_leaves_the_planes_that_share_one_axis_with_it) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::transformations_test

@@ -8,7 +8,7 @@
 #include "choices.h"
 #include "control/run_program.h"
 
-namespace kadr {
+namespace kadr::turning_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST(turning, the_contour_is_carried_out_where_the_cycle_fails) {  // checking g
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::turning_test

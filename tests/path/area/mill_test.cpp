@@ -12,7 +12,7 @@
 #include "path/area/random_zone.h"
 #include "path/area/verify.h"
 
-namespace kadr::area {
+namespace kadr::area::mill_test {
 namespace {
 
 Edges rectangle(double width, double height) {
@@ -168,4 +168,4 @@ RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::area
+}  // namespace kadr::area::mill_test

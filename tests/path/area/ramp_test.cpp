@@ -8,7 +8,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr::area {
+namespace kadr::area::ramp_test {
 namespace {
 
 Zone bore(double radius) { return {{{{{-radius, 0}, {radius, 0}, 1}, {{radius, 0}, {-radius, 0}, 1}}}}; }
@@ -53,4 +53,4 @@ TEST(Ramp, NoneWhereTheToolWouldDrill) {
 }
 
 }  // namespace
-}  // namespace kadr::area
+}  // namespace kadr::area::ramp_test

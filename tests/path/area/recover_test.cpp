@@ -8,7 +8,7 @@
 
 #include "base/tolerance.h"
 
-namespace kadr::area {
+namespace kadr::area::recover_test {
 namespace {
 
 /// Corners on the circle of radius 5 around zero, from angle to angle, one a degree.
@@ -63,4 +63,4 @@ TEST(Recover, AWholeCircle) {
 }
 
 }  // namespace
-}  // namespace kadr::area
+}  // namespace kadr::area::recover_test

@@ -9,7 +9,7 @@
 
 #include "path/area/sweep.h"
 
-namespace kadr::area {
+namespace kadr::area::room_test {
 namespace {
 
 /// A star with a hole.
@@ -54,4 +54,4 @@ TEST(Sweep, AsAllAtOnce) {
 }
 
 }  // namespace
-}  // namespace kadr::area
+}  // namespace kadr::area::room_test
