@@ -134,8 +134,10 @@ class Kadr:
         return done
 
     def printed(self, *words):
-        """What the program prints on standard output."""
-        return self.run(*words, env={**os.environ, 'LANG': 'C'}).stdout
+        """What the program prints on standard output in English."""
+        done = self.call(*words, env={**os.environ, 'LANG': 'C'})
+        expect(done.returncode == 0, f'{" ".join(map(str, words))}: exit status {done.returncode}; {done.stderr[:300]}')
+        return done.stdout
 
     def start(self, *words, **more):
         """Starts the program and goes on."""
@@ -158,6 +160,11 @@ def until(condition, seconds=TIME_LIMIT_S):
     return True
 
 
+def ended(process):
+    """Whether a process is over; it is still to be waited for."""
+    return os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+
+
 def times_of(process):
     """The fields of /proc/PID/stat behind the name; they are there until the process is waited for."""
     return Path(f'/proc/{process.pid}/stat').read_text(encoding='ascii', errors='replace').rsplit(')', 1)[1].split()
@@ -170,9 +177,8 @@ def spent(process):
 
 def at_work(process, seconds=0.3):
     """Waits until a process has spent so much processor time, or is over.  returns whether it is still at work"""
-    ended = lambda: os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
-    until(lambda: ended() or spent(process) >= seconds)
-    return not ended()
+    until(lambda: ended(process) or spent(process) >= seconds)
+    return not ended(process)
 
 
 def stands(process, seconds=1.0):
@@ -193,7 +199,7 @@ def spent_after(process, sign):
     returns the processor time that the process has spent since, s; its status is then in `returncode`"""
     before = spent(process)
     process.send_signal(sign)
-    if not until(lambda: os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None):
+    if not until(lambda: ended(process)):
         process.kill()
         process.wait()
         raise Failure(f'it does not end within {TIME_LIMIT_S} s after signal {sign}')
