@@ -98,7 +98,7 @@ class Kadr:
     language = None
 
     def __init__(self, program, folder):
-        self.program, self.folder = str(program), Path(folder)
+        self.program, self.folder, self.started = str(program), Path(folder), []
 
     def file(self, name, content=''):
         """Writes a file, and the folders above it; text is written as UTF-8.  returns its path"""
@@ -140,8 +140,18 @@ class Kadr:
         return done.stdout
 
     def start(self, *words, **more):
-        """Starts the program and goes on."""
-        return subprocess.Popen(self.command(words), **self.streams(more, binary=True))
+        """Starts the program and goes on; what still runs behind the check is killed."""
+        self.started.append(subprocess.Popen(self.command(words), **self.streams(more, binary=True)))
+        return self.started[-1]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for process in self.started:
+            with process:   # closes its pipes
+                if process.poll() is None:
+                    process.kill()
 
     def left_over(self):
         """Files of Kadr's own that should have gone."""
@@ -247,7 +257,8 @@ def in_a_folder(check, program, make=Kadr):
     """Carries out a check in a fresh folder.  returns the faults: none, or why it failed"""
     with tempfile.TemporaryDirectory(prefix='kadr_check_') as folder:
         try:
-            check(make(program, folder))
+            with make(program, folder) as made:
+                check(made)
         except Failure as failure:
             return [str(failure)]
         except Exception:  # pylint: disable=broad-except
