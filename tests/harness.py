@@ -266,6 +266,14 @@ def in_a_folder(check, program, make=Kadr):
     return []
 
 
+def carried_out(checks, program, make=Kadr, jobs=CORES):
+    """Carries out checks, by their names, so many at a time, and sums up.  returns the exit status"""
+    tally = Tally()
+    for name, faults in zip(checks, each(lambda check: in_a_folder(check, program, make), checks.values(), jobs)):
+        tally.judge(name, faults)
+    return tally.result()
+
+
 def main(text, checks, make=Kadr, jobs=CORES):
     """A whole runner. `checks` is the module's globals(), or checks by their names; `make` makes of the program and the folder what a check
     gets; `jobs` of them run at a time.  returns the exit status"""
@@ -277,7 +285,4 @@ def main(text, checks, make=Kadr, jobs=CORES):
     chosen = {name: check for name, check in named.items() if fnmatch.fnmatch(name, options.only)}
     if not chosen:
         parser.error('no check of that name')
-    tally = Tally()
-    for name, faults in zip(chosen, each(lambda check: in_a_folder(check, options.kadr, make), chosen.values(), options.jobs)):
-        tally.judge(name, faults)
-    return tally.result()
+    return carried_out(chosen, options.kadr, make, options.jobs)
