@@ -185,6 +185,12 @@ def spent(process):
     return sum(map(int, times_of(process)[11:13])) / TICKS
 
 
+def spent_by_children():
+    """Processor time of all processes that this one has waited for, s."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
 def at_work(process, seconds=0.3):
     """Waits until a process has spent so much processor time, or is over.  returns whether it is still at work"""
     until(lambda: ended(process) or spent(process) >= seconds)
