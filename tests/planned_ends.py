@@ -13,7 +13,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+from harness import TIME_LIMIT_S
+
 X = {'mach3-router': (100, 400, 8000), 'linuxcnc-sim': (200, 1000, 20000)}  # mm/s, mm/s², mm/s³ of the machine files
 
 

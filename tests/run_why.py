@@ -15,7 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+from harness import TIME_LIMIT_S
+
 
 # line, time, by feed, lost, by, block
 PROGRAM = '''G21 G90 G17 G61

@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+from harness import TIME_LIMIT_S
+
 
 # name, control, program, template without notes, pieces of its notes
 TEMPLATES = [

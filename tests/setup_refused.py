@@ -13,7 +13,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+from harness import TIME_LIMIT_S
+
 PROGRAMS = {'s2c42': '%\nN1 G90 ПС\nN2 M2 ПС\n', 'mach3': 'M30\n', 'gost': '%\nN1 G90\nN2 M02\n', 'correctors': '%\nN1 G90\nN2 M02\n', 'nct': 'M30\n'}
 AXES = {'mach3': 'X, Y, Z, A, B, C', 'nct': 'X, Y, Z', 's2c42': 'X, Y, Z', 'gost': 'X, Y, Z, U, V, W, A, B, C'}
 
