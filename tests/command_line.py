@@ -6,15 +6,13 @@
 The commands are found by their own help, so a new one, or a new option, without its Russian text fails here. Prints a line per failure,
 then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
 import os
 import re
-import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
-TIME_LIMIT_S = 30
+import harness
+
 CYRILLIC = re.compile('[а-яё]', re.I)
 LATIN_SENTENCE = re.compile(r'(?<![-\w./<=])[a-z]{3,} (?:[a-z]+ )*[a-z]{3,}')   # two English words in a row
 
@@ -94,18 +92,17 @@ LANGUAGES = [
 ]
 
 
-class Kadr:
+class Kadr(harness.Kadr):
     def __init__(self, program, folder):
-        self.program, self.folder = program, folder
-        self.program_file = folder / 'p.nc'
-        self.program_file.write_text('G21 G90 G0 X1\nM30\n')
-        self.cover = Path(__file__).parent.parent / 'examples/mill/cover.txt'
+        super().__init__(program, folder)
+        self.program_file = self.file('p.nc', 'G21 G90 G0 X1\nM30\n')
+        self.cover = harness.ROOT / 'examples/mill/cover.txt'
 
     def __call__(self, line, lang='C'):
         words = line.split() if isinstance(line, str) else list(line)
         words = [{'PROGRAM': str(self.program_file), 'COVER': str(self.cover)}.get(word, word) for word in words]
         env = {k: v for k, v in os.environ.items() if not k.startswith('LC_')} | {'LANG': lang}
-        done = subprocess.run([self.program, *words], capture_output=True, text=True, env=env, cwd=self.folder, timeout=TIME_LIMIT_S, check=False)
+        done = self.call(*words, env=env)
         return done.returncode, done.stdout, done.stderr
 
     def help(self, command, lang):
@@ -198,7 +195,7 @@ def checks(kadr):
 
 
 def machine_checks(kadr):
-    folder = Path(__file__).parent.parent / 'machines'
+    folder = harness.ROOT / 'machines'
     for lang in ('en', 'ru'):
         out = kadr(['machines', '--lang', lang])[1]
         rows = {line.split()[0]: line for line in out.splitlines()[1:]}
@@ -215,26 +212,17 @@ def machine_checks(kadr):
     wanted = [['X', '6000', '0', '…', '900', '400', '8000'], ['Z', '3000', '-120', '…', '0', '300', '6000'],
               ['A', '3600', 'no', 'limits', '300', '6000'], ['tool', 'change', '60', 's']]
     yield 'one machine', [f'no {row} in {out}' for row in wanted if row not in rows]
-    own = kadr.folder / 'own.toml'
-    own.write_text('id = "own"\nname = { en = "own", ru = "свой" }\n[axes]\nX = { rapid = 1, limits = [0, 2] }\nspeed = 3\n')
+    kadr.file('own.toml', 'id = "own"\nname = { en = "own", ru = "свой" }\n[axes]\nX = { rapid = 1, limits = [0, 2] }\nspeed = 3\n')
     status, _, err = kadr(['machines', 'own.toml'])
     yield 'an own file with a fault', [] if status == 2 and 'own.toml:5' in err else [err]
 
 
 def main():
-    parser = argparse.ArgumentParser(description='The command line.')
-    parser.add_argument('--kadr', type=Path, required=True)
-    program = parser.parse_args().kadr.resolve()
-    if not os.access(program, os.X_OK):
-        return print(f'{program} is no program', file=sys.stderr) or 2
-    passed = failed = 0
+    tally = harness.Tally()
     with tempfile.TemporaryDirectory() as folder:
-        for name, faults in checks(Kadr(program, Path(folder))):
-            passed, failed = passed + (not faults), failed + bool(faults)
-            for fault in faults:
-                print(f'{name}: {fault}')
-    print(f'{passed} passed, {failed} failed')
-    return 1 if failed else 0
+        for name, faults in checks(Kadr(harness.kadr_of(__doc__), folder)):
+            tally.judge(name, faults)
+    return tally.result()
 
 
 if __name__ == '__main__':

@@ -6,16 +6,15 @@
 bash is really asked: the script is read, COMP_WORDS set, its function called. fish and zsh, where they are there, read their scripts. Prints
 a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
-TIME_LIMIT_S = 30
+import harness
+
+told = set()  # what is not looked at here
 
 # the line up to the cursor, what must be offered, what must not
 LINES = [
@@ -59,7 +58,7 @@ def bash_offers(script, line, program, folder):
     words[0] = str(program)
     quoted = ' '.join("'" + word + "'" for word in words)
     ask = f'. {script}\nCOMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; complete -p kadr >/dev/null && _kadr; printf "%s\\n" "${{COMPREPLY[@]}}"'
-    done = subprocess.run(['bash', '--norc', '-c', ask], capture_output=True, text=True, cwd=folder, timeout=TIME_LIMIT_S, check=False)
+    done = subprocess.run(['bash', '--norc', '-c', ask], capture_output=True, text=True, cwd=folder, timeout=harness.TIME_LIMIT_S, check=False)
     return done.stdout.split(), done.stderr
 
 
@@ -71,8 +70,10 @@ def completion_checks(kadr, program, folder):
         scripts = {shell: folder / f'sub/kadr.{shell}' for shell in ('bash', 'zsh', 'fish')}
         for shell, script in scripts.items():
             script.write_text(kadr('completion', shell, '--lang', lang))
-            if shutil.which(shell):
-                done = subprocess.run([shell, '-n', script], capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False)
+            if not shutil.which(shell):
+                told.add(f'{shell} does not read its script: it is not here')
+            else:
+                done = subprocess.run([shell, '-n', script], capture_output=True, text=True, timeout=harness.TIME_LIMIT_S, check=False)
                 yield f'{shell} reads its script ({lang})', [] if done.returncode == 0 and not done.stderr else [done.stderr]
         for line, wanted, unwanted in LINES:
             offers, error = bash_offers(scripts['bash'], line, program, folder)
@@ -96,32 +97,27 @@ def manual_checks(kadr, folder):
         names = set(re.findall(r'^  (?:-., )?(--[a-z-]+)', kadr('run', '--help'), re.M)) - {'--help'}
         told = page.replace('\\-', '-')
         yield f'man ({lang}): options of run', [f'no {name}' for name in names if f'\\fB{name}\\fR' not in told]
-        if shutil.which('groff'):
+        if not shutil.which('groff'):
+            told.add('the manual page is not set: groff is not here')
+        else:
             file = folder / f'kadr.{lang}.1'
             file.write_text(page)
-            done = subprocess.run(['groff', '-man', '-Kutf8', '-Tutf8', '-ww', file], capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False)
+            done = subprocess.run(['groff', '-man', '-Kutf8', '-Tutf8', '-ww', file], capture_output=True, text=True, timeout=harness.TIME_LIMIT_S, check=False)
             preconv_missing = 'preconv' in done.stderr
+            if preconv_missing:
+                told.add('warnings of groff are not held: preconv is not here')
             yield f'man ({lang}): groff has no warning', [] if preconv_missing or (done.returncode == 0 and not done.stderr) else [done.stderr[:500]]
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Completion and manual page.')
-    parser.add_argument('--kadr', type=Path, required=True)
-    program = parser.parse_args().kadr.resolve()
-    if not os.access(program, os.X_OK):
-        return print(f'{program} is no program', file=sys.stderr) or 2
-
-    def kadr(*words):
-        return subprocess.run([program, *words], capture_output=True, text=True, timeout=TIME_LIMIT_S, check=True).stdout
-
-    passed = failed = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for name, faults in [*completion_checks(kadr, program, Path(folder)), *manual_checks(kadr, Path(folder))]:
-            passed, failed = passed + (not faults), failed + bool(faults)
-            for fault in faults:
-                print(f'{name}: {fault}')
-    print(f'{passed} passed, {failed} failed')
-    return 1 if failed else 0
+    tally = harness.Tally()
+    with tempfile.TemporaryDirectory() as name:
+        kadr = harness.Kadr(harness.kadr_of(__doc__), name)
+        for what, faults in [*completion_checks(kadr.printed, kadr.program, kadr.folder), *manual_checks(kadr.printed, kadr.folder)]:
+            tally.judge(what, faults)
+    for reason in sorted(told):
+        tally.skip(reason)
+    return tally.result()
 
 
 if __name__ == '__main__':

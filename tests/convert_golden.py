@@ -14,11 +14,11 @@ import tempfile
 from pathlib import Path
 
 from golden.check import runs_of
+from harness import TIME_LIMIT_S
 from page_client.client import expect, result
 
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
 GOLDEN = Path(__file__).resolve().parent / 'golden'
-SECONDS = 60
 EVERY = 15  # some 20 s; no multiple of 8, else it is one other control alone
 
 
@@ -49,7 +49,7 @@ def convert(kadr, job):
         setup_file.write_text(json.dumps(setup, ensure_ascii=False), encoding='utf-8')
         try:
             got = subprocess.run([str(kadr), 'convert', main, '--from', control, '--to', to, '--setup', str(setup_file), '--out', str(out), '--lang', 'en'],
-                                 cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False, errors='replace')
+                                 cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False, errors='replace')
         except subprocess.TimeoutExpired:
             return 'hangs', ''
         if got.returncode == 0 and out.exists() and got.stderr.startswith('equal: '):

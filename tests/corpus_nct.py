@@ -13,8 +13,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 FOLDER = Path(__file__).resolve().parent / 'corpus_nct'
-TIME_LIMIT_S = 60
 ROW = re.compile(r'\| ([^|]+\.(?:nc|NC)) \| ([^|]*) ?\| ([^|]+) \| [^|]* ?\|')
 FINDING = re.compile(r'(\d+) ([a-z_]+)')
 

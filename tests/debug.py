@@ -5,16 +5,14 @@
 
 Expectations are by hand. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed.
 """
-import argparse
 import json
 import signal
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+import harness
 
 PROGRAM = '''N10 G21 G90 G17
 N20 #100=1
@@ -59,17 +57,8 @@ SCRIPTS = [
     ('comments and empty lines of a script', '# first\n\nstep\nquit\nstep\n', ['p.nc:2: N20 #100=1'], 0),
 ]
 
-failures = []
-passed = 0
-
-
-def check(name, good, what=''):
-    global passed
-    if good:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED {name}: {what}')
+tally = harness.Tally()
+check = lambda name, good, what='': tally.expect(good, name, what)  # noqa: E731
 
 
 def in_order(wanted, lines):
@@ -84,7 +73,7 @@ class Bench:
     def run(self, command, *options, script='', program=PROGRAM, control='nct', lang='en'):
         (self.folder / 'p.nc').write_text(program)
         return subprocess.run([self.kadr, command, 'p.nc', '--control', control, '--lang', lang, *options], cwd=self.folder, input=script,
-                              capture_output=True, text=True, timeout=TIME_LIMIT_S)
+                              capture_output=True, text=True, timeout=harness.TIME_LIMIT_S)
 
     def trace(self, *options):
         done = self.run('run', *options, '--trace', '-', '--quiet')
@@ -105,7 +94,7 @@ def scripts(bench):
     done = bench.run('debug', '--from', '12:2', '--to', '12', script='print #100\ncontinue\n')
     check('from a line on, to a line', in_order(['p.nc:12: G1 X20 F200', '#100 = 2', 'p.nc:13: Y20'], done.stdout.splitlines()), done.stdout)
     done = subprocess.run([bench.kadr, 'debug', '-', '--control', 'nct'], input='step\n', capture_output=True, text=True,
-                          timeout=TIME_LIMIT_S)
+                          timeout=harness.TIME_LIMIT_S)
     check('the program cannot come with the commands', done.returncode == 2 and done.stdout == '', done.stderr)
     done = bench.run('debug', '--trace', 't.jsonl', script='step 3\nquit\n')
     check('the trace of a part', done.returncode == 0 and '"end"' in (bench.folder / 't.jsonl').read_text(), done.stderr)
@@ -149,25 +138,20 @@ def signals(bench):
         if command[0] == 'debug':
             started.stdin.write('continue\n')
             started.stdin.flush()
-        time.sleep(0.5)
-        begin = time.monotonic()
-        started.send_signal(signal.SIGINT)
-        status = started.wait(TIME_LIMIT_S)
-        check(f'Ctrl-C ends {command[0]} at once', status == 130 and time.monotonic() - begin < 1, f'{status}')
+        begun = harness.at_work(started)
+        took = harness.spent_after(started, signal.SIGINT)
+        check(f'Ctrl-C ends {command[0]} at once', begun and started.returncode == 130 and took < 1, f'{started.returncode}, {took:.2f} s of work')
         started.communicate()
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument('--kadr', required=True)
-    kadr = str(Path(parser.parse_args().kadr).resolve())
+    kadr = harness.kadr_of(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(kadr, folder)
         scripts(bench)
         parts(bench)
         signals(bench)
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+    return tally.result()
 
 
 if __name__ == '__main__':

@@ -4,33 +4,21 @@ those of any command. Pictures are read again as SVG.
 
     diff_plot.py --kadr PROGRAM [--mutations N]
 """
-import argparse
+import fnmatch
 import os
 import random
 import re
 import signal
 import subprocess
 import sys
-import tempfile
-import time
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-EXAMPLES = ROOT / 'examples'
+import harness
+
+EXAMPLES = harness.ROOT / 'examples'
 NS = '{http://www.w3.org/2000/svg}'
-TIME_LIMIT_S = 60
-failures = []
-passed = 0
-
-
-def expect(what, name):
-    global passed
-    if what:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED: {name}')
+tally = harness.Tally()
+expect = tally.expect
 
 
 class Picture:
@@ -74,12 +62,9 @@ def points_of(path):
     return list(zip(numbers[::2], numbers[1::2]))
 
 
-class Kadr:
-    def __init__(self, program, folder):
-        self.program, self.folder = program, folder
-
+class Kadr(harness.Kadr):
     def run(self, *arguments, **more):
-        return subprocess.run([self.program, 'diff', *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=TIME_LIMIT_S, **more)
+        return self.call('diff', *arguments, **more)
 
     def picture(self, a, b, *options, lang='en', control='linuxcnc'):
         """The output, its status, the picture."""
@@ -185,9 +170,10 @@ def check_long(kadr):
     a = zigzag(70_000)
     b = list(a)
     b[90_004] = b[90_004].replace('X300', 'X300.02').replace('X0', 'X0.02')
-    begun = time.monotonic()
+    before = harness.spent_by_children()
     got, picture = kadr.picture('\n'.join(a), '\n'.join(b))
-    expect(got.returncode == 1 and time.monotonic() - begun < 30, f'140,000 lines: {got.stdout}{got.stderr}')
+    took = harness.spent_by_children() - before
+    expect(got.returncode == 1 and took < 30, f'140,000 lines: {took:.1f} s of processor time, {got.stdout}{got.stderr}')
     expect(any(t.startswith('thinned') for t in picture.texts_of('legend')), 'it says that it is thinned')
     expect(picture.lines('closeup-1', 'a') and picture.lines('closeup-1', 'b'), 'both are there close up')
     expect(picture.lines('closeup-1', 'a') <= set(range(90_000, 90_010)), f'lines close up {picture.lines("closeup-1", "a")}')
@@ -270,16 +256,16 @@ def check_files(kadr):
     expect((kadr.folder / 'O0012.nct').read_text() == 'G0 X1\nM99\n', 'the called file is as it was')
     if os.path.exists('/dev/full'):
         with open('/dev/full', 'w') as full:
-            got = subprocess.run([kadr.program, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--plot', 'full.svg'], cwd=kadr.folder, stdout=full, stderr=subprocess.PIPE)
+            got = kadr.run('a.nc', 'b.nc', '--control', 'linuxcnc', '--plot', 'full.svg', stdout=full)
         expect(got.returncode == 2 and not (kadr.folder / 'full.svg').exists(), f'a full disk: {got.returncode}')
     got = kadr.run('a.nc', '-', '--control', 'linuxcnc', '--plot', 'd.PNG', input=BASE)
     expect(got.returncode == 0 and (kadr.folder / 'd.PNG').read_bytes()[:4] == b'\x89PNG', f'standard input, PNG: {got.stderr}')
     (kadr.folder / 'endless.nc').write_text('G21 G90 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n')
-    process = subprocess.Popen([kadr.program, 'diff', 'endless.nc', 'endless.nc', '--control', 'linuxcnc', '--max-blocks', '1000000000000', '--plot', 'e.svg'],
-                               cwd=kadr.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(0.5)
-    process.send_signal(signal.SIGINT)
-    expect(process.wait(timeout=10) == 130 and not list(kadr.folder.glob('*e.svg*')), 'Ctrl-C leaves nothing')
+    process = kadr.start('diff', 'endless.nc', 'endless.nc', '--control', 'linuxcnc', '--max-blocks', '1000000000000', '--plot', 'e.svg',
+                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    begun = harness.at_work(process)
+    harness.spent_after(process, signal.SIGINT)
+    expect(begun and process.returncode == 130 and not list(kadr.folder.glob('*e.svg*')), 'Ctrl-C leaves nothing')
 
 
 def mutations(kadr, count):
@@ -315,19 +301,16 @@ def mutations(kadr, count):
 
 
 def main():
-    options = argparse.ArgumentParser()
-    options.add_argument('--kadr', required=True)
+    options = harness.arguments(__doc__)
     options.add_argument('--mutations', type=int, default=40)
-    options.add_argument('--only', default='')
-    args = options.parse_args()
-    program = str(Path(args.kadr).resolve())
-    for name, check in [(n, c) for n, c in globals().items() if n.startswith('check_') and args.only in n]:
-        with tempfile.TemporaryDirectory() as folder:
-            check(Kadr(program, Path(folder)))
-    with tempfile.TemporaryDirectory() as folder:
-        mutations(Kadr(program, Path(folder)), args.mutations if not args.only else 0)
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+    options.add_argument('--only', default='*', help='only checks whose name matches')
+    args = harness.parsed(options)
+    checks = {**harness.checks_of(globals()), 'mutations': lambda kadr: mutations(kadr, args.mutations)}
+    for name, check in checks.items():
+        if fnmatch.fnmatch(name, args.only):
+            for fault in harness.in_a_folder(check, args.kadr, Kadr):
+                expect(False, name, fault)
+    return tally.result()
 
 
 if __name__ == '__main__':

@@ -13,10 +13,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / 'docs' / 'controls'
 SETUP = {'setup.md': ROOT / 'docs' / 'setup.md', 'setup.ru.md': ROOT / 'docs' / 'ru' / 'setup.md'}   # not of one control
-TIME_LIMIT_S = 60
 
 
 def made_by(kadr, folder):

@@ -22,7 +22,6 @@ Grbl counts in 32-bit floats: positions may differ by NEAR mm and by FLOAT of th
 float decides (a radius equal to half of the chord, an arc error at its limit) the generator keeps a distance from the limit.
 The seed is printed. Exit status: 0 all passed or skipped, 1 some failed.
 """
-import argparse
 import json
 import math
 import os
@@ -30,18 +29,15 @@ import random
 import re
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+from harness import Failure
+
 NEAR = 1e-4    # mm
 FLOAT = 1e-6   # of the largest coordinate: some roundings of 2^-24 one upon the other
 MOTIONS = ('rapid', 'feed', 'arc_cw', 'arc_ccw', 'probe', 'home')
 AXES = 'XYZ'
-
-
-class Failure(Exception):
-    """What was found different."""
 
 
 # ---- programs
@@ -206,16 +202,13 @@ def program(rng, lines):
 # ---- both answers
 
 def oracle_of(oracle, text):
-    done = subprocess.run([oracle], input='\n'.join(text).encode(), capture_output=True, timeout=TIME_LIMIT_S, check=True)
+    done = subprocess.run([oracle], input='\n'.join(text).encode(), capture_output=True, timeout=harness.TIME_LIMIT_S, check=True)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-def kadr_actions(kadr, folder, text):
-    (folder / 'p.nc').write_bytes('\n'.join(text).encode())
-    done = subprocess.run([kadr, 'run', 'p.nc', '--control', 'grbl', '--trace', '-', '-q', '--lang', 'en', '--encoding', 'utf-8'], cwd=folder,
-                          stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT_S)
-    if done.returncode not in (0, 1):
-        raise Failure(f'kadr run: status {done.returncode}: {done.stderr.decode()[-300:]}')
+def kadr_actions(kadr, text):
+    kadr.file('p.nc', '\n'.join(text))
+    done = kadr.run('run', 'p.nc', '--control', 'grbl', '--trace', '-', '-q', '--lang', 'en', '--encoding', 'utf-8', expected=(0, 1))
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
@@ -294,7 +287,7 @@ def refusal_of(actions):
     return (last['line'], last['text'].split(' ')[0]) if last['do'] == 'alarm' else None
 
 
-def compare_program(kadr, oracle, folder, text):
+def compare_program(kadr, oracle, text):
     """Returns how many lines were compared."""
     theirs = oracle_of(oracle, text)
     faults = {a['line']: f"error:{a['error']}" for a in theirs if 'error' in a}
@@ -302,10 +295,10 @@ def compare_program(kadr, oracle, folder, text):
     last = alarm[0] if alarm else len(text)
     for fault in faults.items():  # each refused line behind nothing but right ones
         upto = ['' if n in faults and n != fault[0] else line for n, line in enumerate(text[:fault[0]], 1)]
-        refusal = refusal_of(kadr_actions(kadr, folder, upto))
+        refusal = refusal_of(kadr_actions(kadr, upto))
         if refusal != fault:
             raise Failure(f'line {fault[0]}: {refusal}, Grbl {fault[1]}: {text[fault[0] - 1]!r}')
-    actions = kadr_actions(kadr, folder, ['' if n in faults else line for n, line in enumerate(text[:last], 1)])
+    actions = kadr_actions(kadr, ['' if n in faults else line for n, line in enumerate(text[:last], 1)])
     refusal = refusal_of(actions)
     if refusal != alarm:
         raise Failure(f'{refusal}, Grbl {alarm or "ok"}: {text[(refusal or alarm)[0] - 1]!r}')
@@ -327,36 +320,30 @@ def compare_program(kadr, oracle, folder, text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
+    parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=19)
     parser.add_argument('--programs', type=int, default=600)
     parser.add_argument('--lines', type=int, default=40, help='of a program')
     parser.add_argument('--keep', type=Path, help='folder for the programs that differ')
-    arguments = parser.parse_args()
-    oracle = os.environ.get('KADR_GRBL_ORACLE')
+    options = harness.parsed(parser)
+    oracle, tally = os.environ.get('KADR_GRBL_ORACLE'), harness.Tally()
     if not oracle:
-        print('KADR_GRBL_ORACLE is not set: nothing is compared with Grbl')
-        print(f'0 passed, 0 failed, {arguments.programs} skipped')
-        return 0
-    kadr = str(Path(arguments.kadr).resolve())
-    print(f'seed {arguments.seed}')
-    passed = failed = lines = 0
-    with tempfile.TemporaryDirectory() as name:
-        for n in range(arguments.programs):
-            text = program(random.Random(f'{arguments.seed} {n}'), arguments.lines)
-            try:
-                lines += compare_program(kadr, oracle, Path(name), text)
-                passed += 1
-            except (Failure, subprocess.SubprocessError) as failure:
-                failed += 1
-                print(f'FAIL program {n}: {failure}')
-                if arguments.keep:
-                    arguments.keep.mkdir(parents=True, exist_ok=True)
-                    (arguments.keep / f'{n}.nc').write_text('\n'.join(text))
-    print(f'{lines} lines compared')
-    print(f'{passed} passed, {failed} failed')
-    return 1 if failed else 0
+        tally.skip('nothing is compared with Grbl: KADR_GRBL_ORACLE is not set')
+        return tally.result()
+    print(f'seed {options.seed}')
+    texts = [program(random.Random(f'{options.seed} {n}'), options.lines) for n in range(options.programs)]
+    lines = []
+
+    def faults(text):
+        return harness.in_a_folder(lambda kadr: lines.append(compare_program(kadr, oracle, text)), options.kadr)
+
+    for n, (text, found) in enumerate(zip(texts, harness.each(faults, texts))):
+        tally.judge(f'program {n}', found)
+        if found and options.keep:
+            options.keep.mkdir(parents=True, exist_ok=True)
+            (options.keep / f'{n}.nc').write_text('\n'.join(text))
+    print(f'{sum(lines)} lines compared')
+    return tally.result()
 
 
 if __name__ == '__main__':

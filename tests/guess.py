@@ -12,6 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 HERE = Path(__file__).resolve().parent
 FACTORY = '''extends = "gost"
 id = "factory"
@@ -71,7 +73,7 @@ UNKNOWN = {
 def said(kadr, folder, *names):
     """{file: what is said of it}."""
     done = subprocess.run([kadr, 'check', *names, '--lang', 'en', '--max-blocks', '100'], cwd=folder, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, timeout=20)
+                          capture_output=True, text=True, timeout=TIME_LIMIT_S)
     lines = [line.removeprefix('kadr: ').replace('./', '') for line in done.stderr.splitlines()]
     return {line.split(': ')[0]: line for line in lines if line.endswith('--control')}
 

@@ -4,19 +4,17 @@
     set-up, control, machine, state, contour   x   too deep, too long, binary, UTF-16, NUL bytes, empty, a directory, a device, a pipe …
     kadr state check and recover               sound, damaged, no state, in use, nothing overwritten; in both languages
 """
-import argparse
 import json
 import os
 import resource
-import shutil
 import sqlite3
 import subprocess
 import sys
-import tempfile
-import time
 from pathlib import Path
 
-SECONDS = 60        # of one run; a busy machine
+import harness
+from harness import expect as need
+
 MEMORY = 600 << 20  # bytes of address space: a file has 16 MB at most
 PROGRAM = "O0001\nG10 L2 P1 X-40\n#500=7\n#501=8\n#502=9\nG0 X1\nM30\n"
 
@@ -69,31 +67,18 @@ STATE = {
 }
 
 
-class Failure(Exception):
-    pass
+class Kadr(harness.Kadr):
+    def __init__(self, program, folder):
+        super().__init__(program, folder)
+        self.nct = self.file("p.nc", PROGRAM)
 
-
-def need(holds, what):
-    if not holds:
-        raise Failure(what)
-
-
-class Tests:
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder = kadr, folder
-        self.program = folder / "p.nc"
-        self.program.write_text(PROGRAM)
-        self.count = 0
-
-    def call(self, *arguments, **more):
-        self.count += 1
+    def call(self, *words, **more):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        return subprocess.run([self.kadr, *map(str, arguments)], capture_output=True, text=True, errors="replace", timeout=SECONDS, stdin=subprocess.DEVNULL,
-                              preexec_fn=limit, **more)
+        return super().call(*words, **{"preexec_fn": limit, **more})
 
     def refused(self, option, path, sentence, language="en"):
         control = [] if option == "--control" else ["--control", "nct"]
-        command = ["run", self.program, *control, option, path, "-q", "--lang", language]
+        command = ["run", self.nct, *control, option, path, "-q", "--lang", language]
         if option == "mill":
             command = ["mill", "pocket", path, "--tool-diameter", 8, "--depth", 1, "--control", "nct", "--output", self.folder / "out.nc"]
         done = self.call(*command)
@@ -102,128 +87,110 @@ class Tests:
         need(sentence in done.stderr, f"{what}, wanted {sentence!r}")
         need("json.exception" not in done.stderr, what)
 
-    def contents(self):
-        for option, ending, cases in (("--setup", ".json", ANY | JSON), ("--machine", ".toml", ANY | TOML | MACHINE),
-                                      ("--control", ".toml", ANY | TOML | CONTROL), ("--state", ".state", STATE)):
-            for name, (content, sentence) in cases.items():
-                path = self.folder / (name + ending)
-                path.write_bytes(content)
-                self.refused(option, path, sentence)
-                need(path.read_bytes() == content, f"{option} {name}: was changed")
-                path.unlink()
-        for name, content in (("utf-16", '{"tool": 1}\n'.encode("utf-16")), ("binary", bytes(range(256)) * 50), ("empty", b""),
-                              ("deep", b"<svg>" + b"<g>" * 1_000_000), ("long", b"\n" * ((16 << 20) + 1))):
-            path = self.folder / (name + ".txt")
+
+def check_contents(kadr):
+    for option, ending, cases in (("--setup", ".json", ANY | JSON), ("--machine", ".toml", ANY | TOML | MACHINE),
+                                  ("--control", ".toml", ANY | TOML | CONTROL), ("--state", ".state", STATE)):
+        for name, (content, sentence) in cases.items():
+            path = kadr.folder / (name + ending)
             path.write_bytes(content)
-            self.refused("mill", path, ": ")
+            kadr.refused(option, path, sentence)
+            need(path.read_bytes() == content, f"{option} {name}: was changed")
             path.unlink()
-
-    def kinds(self):
-        """A directory, a device, a pipe: at once, in words."""
-        pipe, directory, none = self.folder / "pipe.toml", self.folder / "d.toml", self.folder / "none.toml"
-        os.mkfifo(pipe)
-        directory.mkdir()
-        device = self.folder / "zero.toml"
-        device.symlink_to("/dev/zero")
-        for option in ("--setup", "--machine", "--control", "--state", "mill"):
-            self.refused(option, pipe, "is a pipe, not a file")
-            self.refused(option, directory, "is a directory, not a file")
-            self.refused(option, device, "is a device, not a file")
-            if option not in ("--state", "mill"):
-                self.refused(option, none, "cannot be read: there is no such file")
-        self.refused("--setup", pipe, "это канал (FIFO), а не файл", "ru")
-        self.refused("--state", directory, "это каталог, а не файл", "ru")
-
-    def russian(self):
-        path = self.folder / "r.json"
-        path.write_text('{"tool": 1,}')
-        self.refused("--setup", path, "r.json:1:12: запятая перед '}'", "ru")
-        path = self.folder / "r.toml"
-        path.write_text("id = 'a'\n[axes]\nX = { acceleration = -1 }\n")
-        self.refused("--machine", path, "r.toml:3: acceleration: должно быть число от 0.001", "ru")
-
-    def state(self):
-        file, new = self.folder / "shop.state", self.folder / "new.state"
-        run = ["run", self.program, "--control", "nct", "--state", file, "-q"]
-        done = self.call(*run)
-        need(done.returncode == 0 and file.exists(), f"run --state: {done.stderr}")
-        done = self.call("state", "check", file)
-        need(done.returncode == 0 and "sound: control nct, " in done.stdout, f"check: {done}")
-        sound = file.read_bytes()
-        with sqlite3.connect(file) as base:
-            base.execute("PRAGMA journal_mode = DELETE")
-            base.execute("UPDATE state SET value = -41.0 WHERE key = 'G54/X'")
-        base.close()
-        damaged = file.read_bytes()
-        done = self.call("state", "check", file)
-        need(done.returncode == 1 and "work_offsets G54/X: its checksum does not fit, it holds -41" in done.stdout, f"check: {done}")
-        done = self.call("state", "check", file, "--lang", "ru")
-        need(done.returncode == 1 and "work_offsets G54/X: контрольная сумма не сходится, записано -41" in done.stdout, f"check: {done}")
-        done = self.call(*run)
-        need(done.returncode == 2 and "is damaged: work_offsets G54/X" in done.stderr, f"run: {done}")
-        done = self.call("state", "recover", file, "--out", new)
-        need(done.returncode == 1 and "G54/X" in done.stdout, f"recover: {done}")
-        need(file.read_bytes() == damaged, "a damaged file was changed")
-        kept = new.read_bytes()
-        done = self.call("state", "recover", file, "--out", new)
-        need(done.returncode == 2 and "is there already" in done.stderr and new.read_bytes() == kept, f"recover again: {done}")
-        done = self.call("state", "recover", file, "--out", file)
-        need(done.returncode == 2 and file.read_bytes() == damaged, f"recover over itself: {done}")
-        done = self.call("state", "check", new)
-        need(done.returncode == 0, f"check of the new one: {done}")
-        empty = self.folder / "empty.nc"
-        empty.write_text("O0002\nM30\n")
-        done = self.call("run", empty, "--control", "nct", "--state", new, "--trace", "-", "-q")
-        last = json.loads(done.stdout.splitlines()[-1])
-        need(last["variables"]["#500"] == 7 and "X" not in last["state"].get("work_offsets", {}).get("G54", {}), f"recovered: {last}")
-        file.write_bytes(sound)
-        with open("/dev/full", "w") as full:
-            done = subprocess.run([self.kadr, "state", "check", file], stdout=full, stderr=subprocess.DEVNULL, timeout=SECONDS)
-        need(done.returncode == 2, "check to a full disk")
-        for path in (self.folder / "nothing", self.folder, "/dev/zero"):
-            need(self.call("state", "check", path).returncode == 2, f"check {path}")
-            need(self.call("state", "recover", path, "--out", self.folder / "x").returncode == 2, f"recover {path}")
-        need(not (self.folder / "x").exists(), "recover wrote something out of nothing")
-
-    def two_at_once(self):
-        """A second run, and a check, while a run has the file."""
-        file, loop = self.folder / "two.state", self.folder / "loop.nc"
-        loop.write_text("O0003\nWHILE[1EQ1] DO1\n#500=#500+1\nEND1\nM30\n")
-        first = subprocess.Popen([self.kadr, "run", loop, "--control", "nct", "--state", file, "-q"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            for _ in range(200):  # until the first has it
-                if file.exists() and "is in use" in self.call("state", "check", file).stderr:
-                    break
-                time.sleep(0.02)
-            done = self.call("run", self.program, "--control", "nct", "--state", file, "-q")
-            need(done.returncode == 2 and "is in use by another process" in done.stderr, f"second run: {done}")
-            done = self.call("state", "check", file)
-            need(done.returncode == 2 and "is in use by another process" in done.stderr, f"check in use: {done}")
-        finally:
-            first.kill()
-            first.wait()
-        done = self.call("state", "check", file)  # with the log that the kill left
-        need(done.returncode == 0, f"check behind a kill: {done}")
+    for name, content in (("utf-16", '{"tool": 1}\n'.encode("utf-16")), ("binary", bytes(range(256)) * 50), ("empty", b""),
+                          ("deep", b"<svg>" + b"<g>" * 1_000_000), ("long", b"\n" * ((16 << 20) + 1))):
+        path = kadr.folder / (name + ".txt")
+        path.write_bytes(content)
+        kadr.refused("mill", path, ": ")
+        path.unlink()
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--kadr", required=True)
-    kadr = str(Path(parser.parse_args().kadr).resolve())
-    passed = failed = 0
-    for name in ("contents", "kinds", "russian", "state", "two_at_once"):
-        folder = Path(tempfile.mkdtemp(prefix="kadr_hostile"))
-        try:
-            getattr(Tests(kadr, folder), name)()
-            passed += 1
-        except (Failure, subprocess.TimeoutExpired) as fault:
-            failed += 1
-            print(f"{name}: {fault}")
-        finally:
-            shutil.rmtree(folder)
-    print(f"{passed} passed, {failed} failed")
-    return failed != 0
+def check_kinds(kadr):
+    """A directory, a device, a pipe: at once, in words."""
+    pipe, directory, none = kadr.folder / "pipe.toml", kadr.folder / "d.toml", kadr.folder / "none.toml"
+    os.mkfifo(pipe)
+    directory.mkdir()
+    device = kadr.folder / "zero.toml"
+    device.symlink_to("/dev/zero")
+    for option in ("--setup", "--machine", "--control", "--state", "mill"):
+        kadr.refused(option, pipe, "is a pipe, not a file")
+        kadr.refused(option, directory, "is a directory, not a file")
+        kadr.refused(option, device, "is a device, not a file")
+        if option not in ("--state", "mill"):
+            kadr.refused(option, none, "cannot be read: there is no such file")
+    kadr.refused("--setup", pipe, "это канал (FIFO), а не файл", "ru")
+    kadr.refused("--state", directory, "это каталог, а не файл", "ru")
+
+
+def check_russian(kadr):
+    path = kadr.folder / "r.json"
+    path.write_text('{"tool": 1,}')
+    kadr.refused("--setup", path, "r.json:1:12: запятая перед '}'", "ru")
+    path = kadr.folder / "r.toml"
+    path.write_text("id = 'a'\n[axes]\nX = { acceleration = -1 }\n")
+    kadr.refused("--machine", path, "r.toml:3: acceleration: должно быть число от 0.001", "ru")
+
+
+def check_state(kadr):
+    file, new = kadr.folder / "shop.state", kadr.folder / "new.state"
+    run = ["run", kadr.nct, "--control", "nct", "--state", file, "-q"]
+    done = kadr.call(*run)
+    need(done.returncode == 0 and file.exists(), f"run --state: {done.stderr}")
+    done = kadr.call("state", "check", file)
+    need(done.returncode == 0 and "sound: control nct, " in done.stdout, f"check: {done}")
+    sound = file.read_bytes()
+    with sqlite3.connect(file) as base:
+        base.execute("PRAGMA journal_mode = DELETE")
+        base.execute("UPDATE state SET value = -41.0 WHERE key = 'G54/X'")
+    base.close()
+    damaged = file.read_bytes()
+    done = kadr.call("state", "check", file)
+    need(done.returncode == 1 and "work_offsets G54/X: its checksum does not fit, it holds -41" in done.stdout, f"check: {done}")
+    done = kadr.call("state", "check", file, "--lang", "ru")
+    need(done.returncode == 1 and "work_offsets G54/X: контрольная сумма не сходится, записано -41" in done.stdout, f"check: {done}")
+    done = kadr.call(*run)
+    need(done.returncode == 2 and "is damaged: work_offsets G54/X" in done.stderr, f"run: {done}")
+    done = kadr.call("state", "recover", file, "--out", new)
+    need(done.returncode == 1 and "G54/X" in done.stdout, f"recover: {done}")
+    need(file.read_bytes() == damaged, "a damaged file was changed")
+    kept = new.read_bytes()
+    done = kadr.call("state", "recover", file, "--out", new)
+    need(done.returncode == 2 and "is there already" in done.stderr and new.read_bytes() == kept, f"recover again: {done}")
+    done = kadr.call("state", "recover", file, "--out", file)
+    need(done.returncode == 2 and file.read_bytes() == damaged, f"recover over itself: {done}")
+    done = kadr.call("state", "check", new)
+    need(done.returncode == 0, f"check of the new one: {done}")
+    empty = kadr.folder / "empty.nc"
+    empty.write_text("O0002\nM30\n")
+    done = kadr.call("run", empty, "--control", "nct", "--state", new, "--trace", "-", "-q")
+    last = json.loads(done.stdout.splitlines()[-1])
+    need(last["variables"]["#500"] == 7 and "X" not in last["state"].get("work_offsets", {}).get("G54", {}), f"recovered: {last}")
+    file.write_bytes(sound)
+    with open("/dev/full", "w") as full:
+        done = kadr.call("state", "check", file, stdout=full)
+    need(done.returncode == 2, "check to a full disk")
+    for path in (kadr.folder / "nothing", kadr.folder, "/dev/zero"):
+        need(kadr.call("state", "check", path).returncode == 2, f"check {path}")
+        need(kadr.call("state", "recover", path, "--out", kadr.folder / "x").returncode == 2, f"recover {path}")
+    need(not (kadr.folder / "x").exists(), "recover wrote something out of nothing")
+
+
+def check_two_at_once(kadr):
+    """A second run, and a check, while a run has the file."""
+    file, loop = kadr.folder / "two.state", kadr.folder / "loop.nc"
+    loop.write_text("O0003\nWHILE[1EQ1] DO1\n#500=#500+1\nEND1\nM30\n")
+    endless = ("run", loop, "--control", "nct", "--state", file, "-q", "--max-blocks", 10**12)
+    first = kadr.start(*endless, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    need(harness.until(lambda: file.exists() and "is in use" in kadr.call("state", "check", file).stderr), "the first run does not take the file")
+    done = kadr.call("run", kadr.nct, "--control", "nct", "--state", file, "-q")
+    need(done.returncode == 2 and "is in use by another process" in done.stderr, f"second run: {done}")
+    done = kadr.call("state", "check", file)
+    need(done.returncode == 2 and "is in use by another process" in done.stderr, f"check in use: {done}")
+    first.kill()
+    first.wait()
+    done = kadr.call("state", "check", file)  # with the log that the kill left
+    need(done.returncode == 0, f"check behind a kill: {done}")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals(), Kadr, jobs=1))  # no other threads beside preexec_fn

@@ -9,8 +9,6 @@ A fourth of the programs are of a machine with the axes U V W too; `--axes` make
 `--named`: lines `NAME reason` of programs that differ for a reason; one that is equal all the same is a fault.
 Skipped, counted and said, where there is no rs274 (Debian's linuxcnc-uspace: dev/setup oracle).
 """
-import argparse
-import concurrent.futures
 import json
 import re
 import shutil
@@ -18,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import harness
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / 'golden'), str(HERE / 'rs274')]
@@ -27,7 +27,7 @@ import programs  # noqa: E402
 
 TOOLS = '\n'.join(f'T{n} P{n} Z0 D0' for n in range(1, 100)) + '\n'
 USUAL, ALL = 'XYZABC', 'XYZABCUVW'
-SECONDS = 20
+SECONDS = 20  # of rs274, of which some programs have no end
 
 
 class KadrRun(check.Run):
@@ -37,7 +37,7 @@ class KadrRun(check.Run):
         setup = json.loads(Path(setup_file).read_text())
         self.axes = setup['axes']
         done = subprocess.run([kadr, 'run', name, '--control', 'linuxcnc', '--setup', setup_file, '--files', '.', '--trace', '-', '--lang', 'en'],
-                              cwd=folder, capture_output=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+                              cwd=folder, capture_output=True, timeout=harness.TIME_LIMIT_S, stdin=subprocess.DEVNULL)
         self.status, self.stderr = done.returncode, done.stderr.decode(errors='replace')
         lines = [json.loads(x) for x in done.stdout.decode(errors='replace').splitlines() if x.startswith('{')]
         self.end = next((x for x in lines if x['do'] in ('end', 'alarm')), None)
@@ -93,7 +93,7 @@ def difference(rs274, kadr, folder, name, text, axes=USUAL):
     except check.Mismatch as mismatch:
         return f'{mismatch}' + (f' (rs274: {error[:100]})' if error else '')
     except subprocess.TimeoutExpired:
-        return f'kadr does not end within {SECONDS} s'
+        return f'kadr does not end within {harness.TIME_LIMIT_S} s'
     return None
 
 
@@ -121,23 +121,21 @@ def named_in(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
+    parser = harness.arguments(__doc__)
     parser.add_argument('--count', type=int, default=400)
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--show', action='store_true', help='print the programs that differ')
     parser.add_argument('--folder')
     parser.add_argument('--named')
     parser.add_argument('--axes', choices=(USUAL, ALL))
-    options = parser.parse_args()
-    kadr = str(Path(options.kadr).resolve())
+    options = harness.parsed(parser)
+    kadr, tally = options.kadr, harness.Tally()
     with tempfile.TemporaryDirectory(prefix='rs274') as place:
         try:
             rs274 = oracle.Oracle(place)
         except oracle.Absent as absent:
-            print(f'skipped: {absent}')
-            print('0 passed, 0 failed, 1 skipped')
-            return 0
+            tally.skip(f'nothing is compared with LinuxCNC: {absent}')
+            return tally.result()
         if options.folder:
             root = Path(options.folder)
             work = {str(f.relative_to(root)): f for f in sorted(root.rglob('*.ngc'))}
@@ -146,24 +144,20 @@ def main():
             axes = {n: options.axes or (ALL if n % 4 == 0 else USUAL) for n in range(options.seed, options.seed + options.count)}
             work = {f'seed {n}': (*programs.random_program(n, of), of) for n, of in axes.items()}
             compare = lambda name: of_text(rs274, kadr, *work[name][1:])
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            found = dict(zip(work, pool.map(compare, work)))
+        found = dict(zip(work, harness.each(compare, list(work))))
     named = named_in(options.named)
-    passed = failed = skipped = 0
     for name, text in found.items():
         if text == 'no answer':
-            skipped += 1
+            tally.skip(f'{name}: rs274 does not end')
         elif (text is None) != (name in named):
-            passed += 1
+            tally.judge(name, [])
             if text is not None and name in named:
                 print(f'{name}: {named[name]} ({text})')
         else:
-            failed += 1
-            print(f'FAIL {name}: {text or "is named, and equal"}')
+            tally.judge(name, [text or 'is named, and equal'])
             if options.show and not options.folder:
                 print('\n'.join(f'    {n} {line}' for n, line in enumerate(work[name][1].splitlines(), 1)))
-    print(f'{passed} passed, {failed} failed, {skipped} skipped')
-    return 1 if failed or not passed else 0
+    return tally.result()
 
 
 if __name__ == '__main__':

@@ -3,7 +3,6 @@
 
     tests/mill.py --kadr PROGRAM
 """
-import argparse
 import json
 import math
 import os
@@ -12,8 +11,8 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
-from pathlib import Path
+
+import harness
 
 SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 # as printed in the source: with blanks, some with their direction (shared/seeds, figure of the schemes)
@@ -48,29 +47,22 @@ FAULTS = [
 ]
 
 
-class Runner:
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
-
-    def expect(self, holds, what):
-        self.passed += bool(holds)
-        if not holds:
-            self.failed += 1
-            print(f'FAILED  {what}')
+class Runner(harness.Kadr):
+    def __init__(self, program, folder):
+        super().__init__(program, folder)
+        self.tally = harness.Tally()
+        self.expect = self.tally.expect
 
     def mill(self, drawing, control, *options, task='pocket'):
-        contour, program = self.folder / 'contour', self.folder / 'program.nc'
-        contour.write_text(drawing, encoding='utf-8')
+        contour, program = self.file('contour', drawing), self.folder / 'program.nc'
         program.unlink(missing_ok=True)
         language = [] if '--lang' in options else ['--lang', 'en']
-        done = subprocess.run([self.kadr, 'mill', task, contour, '--tool-diameter', str(TOOL), '--depth', str(DEPTH), '--control', control,
-                               '--output', program, *language, *options], capture_output=True, text=True, timeout=120)
+        done = self.call('mill', task, contour, '--tool-diameter', TOOL, '--depth', DEPTH, '--control', control, '--output', program, *language, *options)
         return done, program
 
     def trace(self, program, control):
         """(do, from, to) of every motion, by `kadr run`."""
-        done = subprocess.run([self.kadr, 'run', program, '--control', control, '--trace', '-', '--quiet', '--lang', 'en'],
-                              capture_output=True, text=True, timeout=120)
+        done = self.call('run', program, '--control', control, '--trace', '-', '--quiet', '--lang', 'en')
         at, moves = {'X': 0, 'Y': 0, 'Z': 0}, []
         for row in map(json.loads, done.stdout.splitlines()):
             if 'to' in row and row['do'] in ('rapid', 'feed', 'arc_cw', 'arc_ccw'):
@@ -114,10 +106,10 @@ def names(run):
 
 def seconds(run, scheme, stepover):
     """Processor time: that of the clock depends on what else runs."""
-    before = os.times()
+    before = harness.spent_by_children()
     done, _ = run.mill(TEXT, 'mach3', '--scheme', scheme, '--stepover', stepover)
     run.expect(done.returncode == 0, f'{scheme} {stepover}: {done.stderr}')
-    return os.times().children_user - before.children_user
+    return harness.spent_by_children() - before
 
 
 def speed(run):
@@ -158,28 +150,23 @@ def until_bar(terminal):
 
 def stopped(run):
     """Work of minutes shows how far it is on a terminal, ends soon after Ctrl-C or SIGTERM, and leaves no program behind."""
-    contour, program = run.folder / 'contour', run.folder / 'stopped.nc'
-    contour.write_text(TEXT.replace('60', '600').replace('40', '400'), encoding='utf-8')
+    contour, program = run.file('contour', TEXT.replace('60', '600').replace('40', '400')), run.folder / 'stopped.nc'
     for sign, scheme in ((signal.SIGINT, 'spiral-out'), (signal.SIGTERM, 'comb')):
         terminal, end = pty.openpty()
-        process = subprocess.Popen([run.kadr, 'mill', 'pocket', contour, '--tool-diameter', '10', '--depth', '4', '--control', 'mach3', '--scheme',
-                                    scheme, '--stepover', '0.02', '--output', program, '--lang', 'en'], stdout=subprocess.DEVNULL, stderr=end)
+        process = run.start('mill', 'pocket', contour, '--tool-diameter', '10', '--depth', '4', '--control', 'mach3', '--scheme', scheme,
+                            '--stepover', '0.02', '--output', program, '--lang', 'en', stdout=subprocess.DEVNULL, stderr=end)
         os.close(end)
         shown = until_bar(terminal)
-        asked = time.monotonic()
-        process.send_signal(sign)
-        status = process.wait(60)
-        took = time.monotonic() - asked
+        took = harness.spent_after(process, sign)
+        status = process.returncode
         shown += all_of(terminal)
-        run.expect(status in (128 + sign, -sign) and took < 2 and not program.exists(), f'{scheme}: status {status} {took:.1f} s after {sign.name}')
+        run.expect(status in (128 + sign, -sign) and took < 2 and not program.exists(), f'{scheme}: status {status}, {took:.1f} s of work after {sign.name}')
         run.expect(' %  ' in shown, f'{scheme}: on the terminal: {shown[-300:]!r}')
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument('--kadr', required=True)
-    with tempfile.TemporaryDirectory() as folder:
-        run = Runner(parser.parse_args().kadr, folder)
+    kadr = harness.kadr_of(__doc__)
+    with tempfile.TemporaryDirectory() as folder, Runner(kadr, folder) as run:
         for i, (scheme, russian) in enumerate(zip(SCHEMES, RUSSIAN)):
             by_name = {}
             for control in CONTROLS:
@@ -199,8 +186,7 @@ def main():
         for drawing, options, status, alarm in FAULTS:
             done, program = run.mill(drawing, 's2c42', *options)
             run.expect(done.returncode == status and alarm in done.stderr and not program.exists(), f'{alarm}: {done.returncode} {done.stderr}')
-        print(f'{run.passed} passed, {run.failed} failed')
-        return 1 if run.failed else 0
+        return run.tally.result()
 
 
 if __name__ == '__main__':

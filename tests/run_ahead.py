@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+from harness import TIME_LIMIT_S
+
 SETUP = '{"offsets": {"1": {"radius": 2}}}'
 BLOCKS = 3000
 SMALL_ARC = ['G91 G3 X1 Y0 I0.5 J0', 'G90']  # smaller than the tool

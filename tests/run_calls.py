@@ -4,48 +4,36 @@
 Reading stays within the main program's folder and the folder of --files: no links out of them, no pipes, no devices. Files that have one
 number are told. The search order: docs/controls/nct-notes.md.
 """
-import argparse
 import os
-import pathlib
-import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import harness
+
 SUB = "#100=5\nM99\n"
 
 
-class Memory:
+class Memory(harness.Kadr):
     """A folder with the program memory `work/` and things beside it."""
 
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.failures = kadr, pathlib.Path(folder), []
-        self.work = self.folder / "work"
-        self.work.mkdir()
-        (self.folder / "outside.nc").write_text(SUB)
-        (self.folder / "library").mkdir()
-        (self.folder / "library" / "O0020.nc").write_text(SUB)
-        (self.folder / "library" / "00021.nc").write_text(SUB)
+    def __init__(self, program, folder):
+        super().__init__(program, folder)
+        self.tally, self.work = harness.Tally(), self.folder / "work"
+        for name in ("outside.nc", "library/O0020.nc", "library/00021.nc"):
+            self.file(name, SUB)
 
     def expect(self, what, program, wanted, *options):
-        main = self.work / "main.nc"
-        main.write_text(program + "\nM30\n")
-        try:
-            done = subprocess.run([self.kadr, "run", "main.nc", "--control", "nct", "-q", *options], cwd=self.work, capture_output=True, timeout=20)
-        except subprocess.TimeoutExpired:
-            self.failures.append(f"{what}: it waits")
-            return
-        text = (done.stdout + done.stderr).decode("utf-8", "replace")
-        if (done.returncode == 0) != (wanted is None) or (wanted is not None and wanted not in text):
-            self.failures.append(f"{what}: status {done.returncode}, wanted {wanted}\n{text}")
+        """Carries the program out; `wanted` stands in what is said, None: nothing is wrong."""
+        self.file("work/main.nc", program + "\nM30\n")
+        done = self.call("run", "main.nc", "--control", "nct", "-q", *options, cwd=self.work)
+        text = done.stdout + done.stderr
+        holds = (done.returncode == 0) == (wanted is None) and (wanted is None or wanted in text)
+        self.tally.expect(holds, what, f"status {done.returncode}, wanted {wanted}\n{text}")
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--kadr", default=str(ROOT / "build/release/kadr"))
-    kadr = str(pathlib.Path(parser.parse_args().kadr).resolve())
     with tempfile.TemporaryDirectory(prefix="kadr_run_calls_") as folder:
-        m = Memory(kadr, folder)
+        m = Memory(harness.kadr_of(__doc__), folder)
         m.expect("a file above the program", "M98 <..\\outside.nc>", "file_outside")
         m.expect("the password file", "M98 <" + "..\\" * 12 + "etc\\passwd>", "file_outside")
         m.expect("a file of --files", "M98 <..\\library\\O0020.nc>", None, "--files", "../library")
@@ -75,10 +63,7 @@ def main():
         m.expect("14.4.1: O1.nct is no number", "M98 P1", "program_missing")
         (m.work / "O0042.prg").write_text("O0042\n" + SUB)
         m.expect("14.4.2: another extension", "M98 P42", "program_missing")
-    for failure in m.failures:
-        print(failure)
-    print(f"called files: {len(m.failures)} failed")
-    return 1 if m.failures else 0
+    return m.tally.result()
 
 
 if __name__ == "__main__":

@@ -7,21 +7,16 @@ Random programs of two to four channels, dwells and waiting codes, are run twice
 whom, when, and who waits for ever is what the slow model below finds, which knows no scheduler. The seed is printed.
 Exit status: 0 all passed, 1 some failed.
 """
-import argparse
 import json
 import random
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 10
+import harness
+from harness import Failure
+
 PARAMETERS = {'N2201': 500, 'N2202': 599}
 NEAR = 1e-6  # s
-
-
-class Failure(Exception):
-    """What was found wrong."""
 
 
 def random_channels(rng):
@@ -72,21 +67,19 @@ def model(channels):
             return sorted(met, key=lambda m: max(m[1].values())), set(waiting)
 
 
-def call(kadr, folder, *arguments):
-    try:
-        return subprocess.run([kadr, *arguments, '--control', 'nct', '--setup', 'setup.json', '--lang', 'en'], cwd=folder,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT_S, text=True)
-    except subprocess.TimeoutExpired:
-        raise Failure(f'no end within {TIME_LIMIT_S} s') from None
+class Kadr(harness.Kadr):
+    language = 'en'
+
+    def nct(self, *arguments):
+        return self.call(*arguments, '--control', 'nct', '--setup', 'setup.json')
+
+    def lay_out(self, programs, **setup):
+        setup = {'parameters': PARAMETERS, 'channels': {str(n): {'program': p} for n, p in programs.items() if n != 1}, **setup}
+        self.file('setup.json', json.dumps(setup))
+        self.file('main.nct', programs[1])
 
 
-def lay_out(folder, programs, **setup):
-    setup = {'parameters': PARAMETERS, 'channels': {str(n): {'program': p} for n, p in programs.items() if n != 1}, **setup}
-    Path(folder, 'setup.json').write_text(json.dumps(setup), encoding='utf-8')
-    Path(folder, 'main.nct').write_text(programs[1], encoding='utf-8')
-
-
-def check_syncs(lines, met):
+def judge_syncs(lines, met):
     syncs = [line for line in lines if line['do'] == 'sync']
     if len(syncs) != len(met):
         raise Failure(f'{len(syncs)} meetings, {len(met)} expected')
@@ -104,16 +97,14 @@ def check_syncs(lines, met):
         raise Failure('meetings not in the order of time')
 
 
-def check_random(kadr, rng):
-    channels = random_channels(rng)
+def judge_random(kadr, channels, programs):
     met, stuck = model(channels)
-    with tempfile.TemporaryDirectory(prefix='channels') as folder:
-        lay_out(folder, {n: text_of(steps, rng) for n, steps in channels.items()})
-        done = call(kadr, folder, 'run', 'main.nct', '-q', '--trace', '-')
-        if done.stdout != call(kadr, folder, 'run', 'main.nct', '-q', '--trace', '-').stdout:
-            raise Failure('the second trace is another one')
+    kadr.lay_out(programs)
+    done = kadr.nct('run', 'main.nct', '-q', '--trace', '-')
+    if done.stdout != kadr.nct('run', 'main.nct', '-q', '--trace', '-').stdout:
+        raise Failure('the second trace is another one')
     lines = [json.loads(line) for line in done.stdout.splitlines()]
-    check_syncs(lines, met)
+    judge_syncs(lines, met)
     last = {line['channel']: line for line in lines if line['do'] in ('end', 'alarm')}
     if set(last) != set(channels):
         raise Failure(f'last lines of channels {sorted(last)}')
@@ -127,21 +118,19 @@ def check_random(kadr, rng):
             raise Failure(f'channel {n}: dwells {got}, {dwells} expected')
 
 
-def check_summary(kadr, _rng):
+def check_summary(kadr):
     """Busy and waiting times of each channel; the longest is the machining time."""
-    with tempfile.TemporaryDirectory(prefix='channels') as folder:
-        lay_out(folder, {1: 'G94 G4 P2\nM501 P12\nG4 P1', 2: 'G94 G4 P5\nM501 P12'})
-        out = call(kadr, folder, 'run', 'main.nct').stdout
+    kadr.lay_out({1: 'G94 G4 P2\nM501 P12\nG4 P1', 2: 'G94 G4 P5\nM501 P12'})
+    out = kadr.nct('run', 'main.nct').stdout
     expected = 'machining time  0:06.0: channel 1 0:06.0 (waiting 0:03.0), channel 2 0:05.0'
     if expected not in out.splitlines():
         raise Failure(f'the summary lacks {expected!r}:\n{out}')
 
 
-def check_stopped(kadr, _rng):
+def check_stopped(kadr):
     """An alarm stops all: the other channel's last line says from where."""
-    with tempfile.TemporaryDirectory(prefix='channels') as folder:
-        lay_out(folder, {1: 'G94 G4 P5\n#100=1', 2: 'G94 G4 P1\nN7 #3000=1(STOP)'})
-        done = call(kadr, folder, 'run', 'main.nct', '-q', '--trace', '-')
+    kadr.lay_out({1: 'G94 G4 P5\n#100=1', 2: 'G94 G4 P1\nN7 #3000=1(STOP)'})
+    done = kadr.nct('run', 'main.nct', '-q', '--trace', '-')
     last = {line['channel']: line for line in map(json.loads, done.stdout.splitlines()) if line['do'] in ('end', 'alarm')}
     if last[1].get('alarm_channel') != 2 or 'alarm_channel' in last[2] or last[1]['block'] != 'N7' or done.returncode != 1:
         raise Failure(f'last lines {last}')
@@ -149,56 +138,48 @@ def check_stopped(kadr, _rng):
         raise Failure(f'stderr: {done.stderr}')
 
 
-def check_faults(kadr, _rng):
+def check_faults(kadr):
     """kadr check finds the faults of all channels, and those who wait for ever; one program alone has none there."""
-    with tempfile.TemporaryDirectory(prefix='channels') as folder:
-        lay_out(folder, {1: 'M501 P12\nG1 X1 F100 G997\nM502 P12\nG999', 2: 'G998\nM501 P12\n#100=1'})
-        done = call(kadr, folder, 'check', 'main.nct', '--format', 'json')
-        found = sorted((Path(f['file']).name, f['line'], f['id']) for f in json.loads(done.stdout))
-        expected = [('channel2.nct', 1, 'code_unknown'), ('main.nct', 2, 'code_unknown'), ('main.nct', 3, 'channels_wait'),
-                    ('main.nct', 4, 'code_unknown')]
-        if found != expected or done.returncode != 1:
-            raise Failure(f'found {found}, expected {expected}')
-        Path(folder, 'setup.json').write_text(json.dumps({'parameters': PARAMETERS}), encoding='utf-8')
-        Path(folder, 'main.nct').write_text('M501 P12\nG1 X1 F100\nM502 P12\n', encoding='utf-8')
-        if (done := call(kadr, folder, 'check', 'main.nct')).returncode != 0:
-            raise Failure(f'a program alone: {done.stderr}')
-        Path(folder, 'main.nct').write_text('G94\nG4 P1\n#3001=0\nWHILE[#3001 LT 2000]DO1\nG4 P0.5\nEND1\n', encoding='utf-8')
-        if (done := call(kadr, folder, 'check', 'main.nct')).returncode != 0:
-            raise Failure(f'a loop that looks at the clock: {done.stderr}')
+    kadr.lay_out({1: 'M501 P12\nG1 X1 F100 G997\nM502 P12\nG999', 2: 'G998\nM501 P12\n#100=1'})
+    done = kadr.nct('check', 'main.nct', '--format', 'json')
+    found = sorted((Path(f['file']).name, f['line'], f['id']) for f in json.loads(done.stdout))
+    expected = [('channel2.nct', 1, 'code_unknown'), ('main.nct', 2, 'code_unknown'), ('main.nct', 3, 'channels_wait'),
+                ('main.nct', 4, 'code_unknown')]
+    if found != expected or done.returncode != 1:
+        raise Failure(f'found {found}, expected {expected}')
+    kadr.file('setup.json', json.dumps({'parameters': PARAMETERS}))
+    kadr.file('main.nct', 'M501 P12\nG1 X1 F100\nM502 P12\n')
+    if (done := kadr.nct('check', 'main.nct')).returncode != 0:
+        raise Failure(f'a program alone: {done.stderr}')
+    kadr.file('main.nct', 'G94\nG4 P1\n#3001=0\nWHILE[#3001 LT 2000]DO1\nG4 P0.5\nEND1\n')
+    if (done := kadr.nct('check', 'main.nct')).returncode != 0:
+        raise Failure(f'a loop that looks at the clock: {done.stderr}')
 
 
-def check_setups(kadr, _rng):
+def check_setups(kadr):
     """What a set-up cannot have: the program's own channel again, axes that are none, events that are never seen."""
     def on(code):
         return {'events': [{'when': {'code': code}, 'do': 'start'}]}
     for setup, words in (({'channels': {'1': {'program': ''}}}, 'channel 1'), ({'channels': {'2': {'axes': ['Q']}}}, 'channel 2: '),
                          (on('M30'), 'M30'), (on('G4'), 'G4')):
-        with tempfile.TemporaryDirectory(prefix='channels') as folder:
-            lay_out(folder, {1: 'M30'}, **setup)
-            done = call(kadr, folder, 'run', 'main.nct')
+        kadr.lay_out({1: 'M30'}, **setup)
+        done = kadr.nct('run', 'main.nct')
         if done.returncode != 2 or words not in done.stderr:
             raise Failure(f'{setup}: exit status {done.returncode}, {done.stderr}')
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Channels that wait for each other.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
+    parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=14, help='of the random programs')
     parser.add_argument('--count', type=int, default=60, help='how many of them')
-    options = parser.parse_args()
-    kadr, rng = str(Path(options.kadr).resolve()), random.Random(options.seed)
+    options = harness.parsed(parser)
     print(f'seed {options.seed}')
-    failed = 0
-    checks = [check_summary, check_stopped, check_faults, check_setups] + [check_random] * options.count
-    for number, check in enumerate(checks):
-        try:
-            check(kadr, rng)
-        except Failure as failure:
-            failed += 1
-            print(f'FAIL {check.__name__} {number}: {failure}')
-    print(f'{len(checks) - failed} passed, {failed} failed')
-    return 1 if failed else 0
+    rng, checks = random.Random(options.seed), harness.checks_of(globals())
+    for number in range(options.count):
+        channels = random_channels(rng)
+        programs = {n: text_of(steps, rng) for n, steps in channels.items()}
+        checks[f'random {number}'] = lambda kadr, channels=channels, programs=programs: judge_random(kadr, channels, programs)
+    return harness.carried_out(checks, options.kadr, Kadr)
 
 
 if __name__ == '__main__':

@@ -3,52 +3,32 @@
 
     run_check.py --kadr build/kadr [--only 'exclude*']
 
-Each check_… function is one; it works in a temporary folder and raises Failure.
+Each check_… function is one; it works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import fnmatch
 import json
 import os
 import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+from harness import expect
+
 GOOD = 'G0 X1.5\nM30\n'
 FAULTY = 'G0 X1.5\nG0 Q7\nM30\n'
 WARNED = 'G0 Х1.5\nM30\n'   # a Cyrillic Х
 
 
-class Failure(Exception):
-    """Why a check failed, for a person."""
-
-
-def expect(holds, why):
-    if not holds:
-        raise Failure(why)
-
-
-class Kadr:
-    """The program under test in a folder of its own."""
-
-    def __init__(self, program, folder):
-        self.program, self.folder = program, Path(folder)
+class Kadr(harness.Kadr):
+    language = 'en'
 
     def file(self, name, content=GOOD):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
+        return super().file(name, content)
 
     def check(self, *arguments, expected=0):
         """stdout and stderr of `kadr check`."""
-        done = subprocess.run([self.program, 'check', *map(str, arguments), '--lang', 'en'], cwd=self.folder, timeout=TIME_LIMIT_S,
-                              stdin=subprocess.DEVNULL, capture_output=True)
-        out, err = done.stdout.decode(errors='replace'), done.stderr.decode(errors='replace')
-        expect(done.returncode == expected, f'{arguments}: exit status {done.returncode}, expected {expected}; {out[:300]} {err[:500]}')
-        return out, err
+        done = self.run('check', *arguments, expected=expected)
+        return done.stdout, done.stderr
 
 
 def check_which_files_are_programs(kadr):
@@ -151,31 +131,5 @@ def check_a_deep_tree(kadr):
     subprocess.run(['rm', '-rf', str(kadr.folder / ('d' * 100))], check=True)
 
 
-def main():
-    parser = argparse.ArgumentParser(description='Check kadr check.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    parser.add_argument('--only', default='*', help='only checks whose name matches')
-    options = parser.parse_args()
-    program = os.path.abspath(options.kadr)
-    if not os.access(program, os.X_OK):
-        print(f'{options.kadr}: not a program', file=sys.stderr)
-        return 2
-    checks = {name.removeprefix('check_').replace('_', '-'): check for name, check in globals().items() if name.startswith('check_')}
-    chosen = {name: check for name, check in checks.items() if fnmatch.fnmatch(name, options.only)}
-    if not chosen:
-        print('no check of that name', file=sys.stderr)
-        return 2
-    failed = 0
-    for name, check in chosen.items():
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                check(Kadr(program, folder))
-            except (Failure, subprocess.TimeoutExpired, json.JSONDecodeError) as failure:
-                print(f'FAILED {name}: {failure}')
-                failed += 1
-    print(f'{len(chosen) - failed} passed, {failed} failed')
-    return 1 if failed else 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals(), Kadr))

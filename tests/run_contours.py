@@ -13,10 +13,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 NEAR_MM = 1e-5   # the trace has nine digits behind the point, the program six
 OPPOSED = {'arc_cw': 'arc_ccw', 'arc_ccw': 'arc_cw'}
 SETUP = {'offsets': {'1': {'radius': 1.5}}, 'parameters': {'N1339': 0.01}}
-TIME_LIMIT_S = 20
 
 
 def contour(choose):

@@ -38,8 +38,9 @@ import tempfile
 import tomllib
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 HERE = Path(__file__).resolve().parent
-TIME_LIMIT_S = 60
 MILL_SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 MILL_CONTROLS = ['s2c42', 'mach3', 'nct', 'gost', 'correctors']
 MILL_STOCK = 'box:-20,-20,-30,220,180,0'

@@ -3,7 +3,6 @@
 
     run_diff.py --kadr PROGRAM [--mutations N]
 """
-import argparse
 import json
 import math
 import random
@@ -12,27 +11,13 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-EXAMPLES = ROOT / 'examples'
+import harness
+
+EXAMPLES = harness.ROOT / 'examples'
 TOLERANCE = 0.001
-failures = []
-passed = 0
-
-
-def expect(what, name):
-    global passed
-    if what:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED: {name}')
-
-
-def run(*command, **more):
-    return subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=60, **more)
+tally = harness.Tally()
+expect = tally.expect
 
 
 BASE = 'G21 G90 G17\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM30\n'
@@ -57,7 +42,8 @@ CASES = [
 ]
 
 
-def cases(kadr, folder):
+def cases(kadr):
+    folder = kadr.folder
     (folder / 'a.nc').write_text(BASE)
     for name, changes, status, holds in CASES:
         text = BASE
@@ -65,32 +51,31 @@ def cases(kadr, folder):
             assert before in text, name
             text = text.replace(before, after, 1)
         (folder / 'b.nc').write_text(text)
-        got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'en', cwd=folder)
+        got = kadr.call('diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'en')
         expect(got.returncode == status and holds in got.stdout + got.stderr, f'{name}: {got.returncode} {got.stdout}{got.stderr}')
-    got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'ru', cwd=folder)
+    got = kadr.call('diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'ru')
     expect('расходятся' in got.stdout, 'Russian')
     (folder / 'b.nc').write_text(BASE.replace('X10\n', 'X10.004\n'))
-    expect(run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--tolerance', '0.01', cwd=folder).returncode == 0, '--tolerance')
+    expect(kadr.call('diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--tolerance', '0.01').returncode == 0, '--tolerance')
     (folder / 'b.nc').write_text(BASE.replace('M30', 'M02'))
-    got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control-a', 'linuxcnc', '--control-b', 'mach3', '--lang', 'en', cwd=folder)
+    got = kadr.call('diff', 'a.nc', 'b.nc', '--control-a', 'linuxcnc', '--control-b', 'mach3', '--lang', 'en')
     expect(got.returncode == 0 and 'equal' in got.stdout, f'two controls: {got.stdout}{got.stderr}')
     for wrong in (['a.nc'], ['a.nc', 'none.nc'], ['a.nc', 'a.nc', '--tolerance', '0'], ['-', '-'], ['a.nc', '/dev']):
-        got = run(kadr, 'diff', *wrong, '--control', 'linuxcnc', cwd=folder, stdin=subprocess.DEVNULL)
+        got = kadr.call('diff', *wrong, '--control', 'linuxcnc')
         expect(got.returncode == 2 and got.stderr, f'wrong usage {wrong}: {got.returncode}')
     (folder / 'empty.nc').write_text('')
-    expect(run(kadr, 'diff', 'empty.nc', 'a.nc', '--control', 'linuxcnc', cwd=folder).returncode == 1, 'an empty file')
+    expect(kadr.call('diff', 'empty.nc', 'a.nc', '--control', 'linuxcnc').returncode == 1, 'an empty file')
     many = BASE.replace('Y10\nG2', ''.join(f'Y{i} F{100 + i}\n' for i in range(1, 60)) + 'Y10\nG2')
     (folder / 'b.nc').write_text(many)
     (folder / 'c.nc').write_text(re.sub(r'F(1\d\d)', lambda m: f'F{int(m[1]) + 1}', many))
-    short, long = (run(kadr, 'diff', 'b.nc', 'c.nc', '--control', 'linuxcnc', '--lang', 'en', *o, cwd=folder).stdout for o in ([], ['--all']))
+    short, long = (kadr.call('diff', 'b.nc', 'c.nc', '--control', 'linuxcnc', '--lang', 'en', *o).stdout for o in ([], ['--all']))
     expect(short.count('feed:') == 20 and 'more: --all' in short and long.count('feed:') > 50, 'the first twenty, or all')
     (folder / 'endless.nc').write_text('G21 G90 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n')
-    process = subprocess.Popen([kadr, 'diff', 'endless.nc', 'endless.nc', '--control', 'linuxcnc', '--max-blocks', '1000000000000'], cwd=folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(0.5)
-    begun = time.monotonic()
-    process.send_signal(signal.SIGINT)
-    expect(process.wait(timeout=10) == 130 and time.monotonic() - begun < 1, 'Ctrl-C')
+    process = kadr.start('diff', 'endless.nc', 'endless.nc', '--control', 'linuxcnc', '--max-blocks', '1000000000000', stdout=subprocess.DEVNULL,
+                         stderr=subprocess.DEVNULL)
+    begun = harness.at_work(process)
+    took = harness.spent_after(process, signal.SIGINT)
+    expect(begun and process.returncode == 130 and took < 1, f'Ctrl-C: status {process.returncode}, {took:.2f} s of work behind it')
 
 
 def programs():
@@ -103,7 +88,7 @@ def programs():
 
 
 def actions_of(kadr, file, control, options):
-    got = run(kadr, 'run', file, '--control', control, '--trace', '-', '--quiet', *options)
+    got = kadr.call('run', file, '--control', control, '--trace', '-', '--quiet', *options)
     if got.returncode != 0:
         return None
     return [json.loads(line) for line in got.stdout.splitlines()]
@@ -179,14 +164,15 @@ def is_the_same_way(before, after):
     return doings == others and farthest(points, other) < 2 * TOLERANCE and farthest(other, points) < 2 * TOLERANCE
 
 
-def mutations(kadr, folder, count):
+def mutations(kadr, count):
+    folder = kadr.folder
     random_ = random.Random(20261125)
     found = missed = same = 0
     all_of_them = [(f, c, o, actions_of(kadr, f, c, o)) for f, c, o in programs()]
     usable = [p for p in all_of_them if p[3] is not None]
     expect(len(usable) > 20, f'examples that run: {len(usable)}')
     for file, control, options, _ in usable:
-        got = run(kadr, 'diff', file, file, '--control', control, *options)
+        got = kadr.call('diff', file, file, '--control', control, *options)
         expect(got.returncode == 0, f'{file.name} and itself: {got.stdout[-300:]}{got.stderr[-300:]}')
     while found + missed + same < count:
         file, control, options, before = random_.choice(usable)
@@ -201,7 +187,7 @@ def mutations(kadr, folder, count):
         after = actions_of(kadr, other, control, options)
         if after is None:
             continue
-        got = run(kadr, 'diff', file, other, '--control', control, *options)
+        got = kadr.call('diff', file, other, '--control', control, *options)
         moved = kept(before) != kept(after)
         if not moved:
             same += 1
@@ -219,16 +205,13 @@ def mutations(kadr, folder, count):
 
 
 def main():
-    options = argparse.ArgumentParser()
-    options.add_argument('--kadr', required=True)
+    options = harness.arguments(__doc__)
     options.add_argument('--mutations', type=int, default=100)
-    args = options.parse_args()
-    args.kadr = str(Path(args.kadr).resolve())
-    with tempfile.TemporaryDirectory() as folder:
-        cases(args.kadr, Path(folder))
-        expect(mutations(args.kadr, Path(folder), args.mutations) == 0, 'each change that moves anything is found')
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+    args = harness.parsed(options)
+    with tempfile.TemporaryDirectory() as folder, harness.Kadr(args.kadr, folder) as kadr:
+        cases(kadr)
+        expect(mutations(kadr, args.mutations) == 0, 'each change that moves anything is found')
+    return tally.result()
 
 
 if __name__ == '__main__':

@@ -9,6 +9,8 @@ import shlex
 import subprocess
 import sys
 
+from harness import TIME_LIMIT_S
+
 CASES = pathlib.Path(__file__).parent / "explain_cases"
 
 
@@ -25,7 +27,7 @@ def cases(path):
 
 def faults(kadr, arguments, expected):
     language = [] if "--lang" in arguments else ["--lang", "en"]
-    run = subprocess.run([kadr, "explain", *arguments, *language], capture_output=True, text=True, cwd=CASES, timeout=60)
+    run = subprocess.run([kadr, "explain", *arguments, *language], capture_output=True, text=True, cwd=CASES, timeout=TIME_LIMIT_S)
     answer = run.stdout + run.stderr
     lines = [line.strip() for line in answer.splitlines()]
     status = [e for e in expected if e.startswith("status ")] or ["status 0"]

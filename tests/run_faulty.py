@@ -21,26 +21,20 @@ Each program is checked twice: --format json gives the findings, --format text m
 line and a caret under the place, and the count. An unknown key, a folder without programs, a file without its neighbour fail.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import concurrent.futures
 import fnmatch
 import json
-import os
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
+
+import harness
+from harness import Failure
 
 ROOT = Path(__file__).resolve().parent / 'faulty'
 CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
 PROGRAMS = ('.nc', '.tape')
-TIME_LIMIT_S = 20
 FAULT = re.compile(r'(\d+):(\d+) (warning |note )?([a-z0-9_]+)')
-
-
-class Failure(Exception):
-    """Why a program failed, for a person."""
 
 
 class Expected:
@@ -79,12 +73,8 @@ class Expected:
 
 
 def run(kadr, program, control, args, style):
-    command = [kadr, 'check', program.name, '--control', control, '--lang', 'en', '--format', style, *args]
-    try:
-        done = subprocess.run(command, cwd=program.parent, stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT_S)
-    except subprocess.TimeoutExpired:
-        raise Failure(f'no end within {TIME_LIMIT_S} s') from None
-    return done.returncode, done.stdout.decode(errors='replace'), done.stderr.decode(errors='replace')
+    done = harness.Kadr(kadr, program.parent).call('check', program.name, '--control', control, '--lang', 'en', '--format', style, *args)
+    return done.returncode, done.stdout, done.stderr
 
 
 def shown(findings):
@@ -163,56 +153,47 @@ def check_other(other, three_lines):
 
 
 def judge(kadr, program, control):
-    """None, or why it failed."""
+    """The faults: none, or why it failed."""
     expectation = program.with_suffix('.expect')
     if not expectation.exists():
-        return f'{expectation.name} is missing'
+        return [f'{expectation.name} is missing']
     try:
         expected = Expected(expectation)
         findings = check_json(expected, control, *run(kadr, program, control, expected.args, 'json'))
         check_text(program, expected, findings, *run(kadr, program, control, expected.args, 'text'))
     except Failure as failure:
-        return str(failure)
-    return None
+        return [str(failure)]
+    return []
 
 
-def programs_of(control, failures):
+def programs_of(control, tally):
     folder = ROOT / control
     files = sorted(folder.iterdir()) if folder.is_dir() else []
     programs = [f for f in files if f.suffix in PROGRAMS]
     if not programs:
-        failures.append((f'{control}/', 'holds no program'))
+        tally.judge(f'{control}/', ['holds no program'])
     used = {f.name for p in programs for f in (p, p.with_suffix('.expect'), p.with_suffix('.json'))}
-    failures += [(f'{control}/{f.name}', 'belongs to no program') for f in files if f.name not in used]
+    for file in files:
+        if file.name not in used:
+            tally.judge(f'{control}/{file.name}', ['belongs to no program'])
     return [(p, control) for p in programs]
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Check the faulty programs and compare.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    parser.add_argument('--only', help='only programs whose name matches, e.g. "arc-*"')
-    options = parser.parse_args()
-    kadr = os.path.abspath(options.kadr)
-    if not os.access(kadr, os.X_OK):
-        print(f'{options.kadr}: not a program', file=sys.stderr)
-        return 2
-    failures = [(f.name, 'is no control') for f in sorted(ROOT.iterdir()) if f.name not in CONTROLS]
-    jobs = [job for control in CONTROLS for job in programs_of(control, failures)]
-    if options.only:
-        jobs = [job for job in jobs if fnmatch.fnmatch(job[0].name, options.only) or fnmatch.fnmatch(job[0].stem, options.only)]
+    parser = harness.arguments(__doc__)
+    parser.add_argument('--only', default='*', help='only programs whose name matches, e.g. "arc-*"')
+    options = harness.parsed(parser)
+    tally = harness.Tally()
+    for file in sorted(ROOT.iterdir()):
+        if file.name not in CONTROLS:
+            tally.judge(file.name, ['is no control'])
+    jobs = [job for control in CONTROLS for job in programs_of(control, tally)]
+    jobs = [job for job in jobs if fnmatch.fnmatch(job[0].name, options.only) or fnmatch.fnmatch(job[0].stem, options.only)]
     if not jobs:
-        print('no program to check', file=sys.stderr)
-        return 2
-    passed = 0
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        for (program, control), why in zip(jobs, pool.map(lambda job: judge(kadr, *job), jobs)):
-            passed += why is None
-            if why is not None:
-                failures.append((f'{control}/{program.name}', why))
-    for name, why in failures:
-        print(f'FAILED {name}: {why}')
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+        parser.error('no program to check')
+    for (program, control), faults in zip(jobs, harness.each(lambda job: judge(options.kadr, *job), jobs)):
+        tally.judge(f'{control}/{program.name}', faults)
+    return tally.result()
 
 
 if __name__ == '__main__':

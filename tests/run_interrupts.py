@@ -5,24 +5,17 @@
 
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import fnmatch
-import os
 import signal
 import subprocess
 import sys
-import tempfile
-import time
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-TIME_LIMIT_S = 20
-BEGUN_S = 0.5        # by then it is at work
-ENDED_S = 0.2        # promised (design.md 10) …
-SLOWNESS_S = 1.0     # … and what a machine at full load may add before the processor comes round
+import harness
+from harness import expect
+
+MOST_S = 1.0   # of processor time behind a signal; promised are 0.2 s (design.md 10), on one processor, and some programs work in three threads
 
 RUN = ('run', '{file}', '--quiet', '--max-passes', '1000000000', '--max-blocks', '1000000000000')
-OPTIMAL = ('--machine', str(ROOT / 'machines' / 'mach3-router.toml'))
+OPTIMAL = ('--machine', str(harness.ROOT / 'machines' / 'mach3-router.toml'))
 MILL = ('mill', 'pocket', '{file}', '--tool-diameter', '2', '--stepover', '0.02', '--depth', '50', '--pass', '0.1', '--control', 'mach3')
 
 # name: text of the program, command
@@ -40,101 +33,61 @@ WORK = {
 }
 
 
-class Failure(Exception):
-    """Why a check failed, for a person."""
+class Kadr(harness.Kadr):
+    def begin(self, name):
+        """Starts the work of that name; what it says goes into a file, so that no full pipe holds it up."""
+        text, command = WORK[name]
+        if text is not None:
+            self.file('program.nc', text)
+        self.file('out', 'old')
+        words = [part.format(file=self.folder / 'program.nc', out=self.folder / 'out') for part in command]
+        with open(self.folder / 'said', 'wb') as said:
+            return self.start(*words, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+
+    def said(self):
+        return (self.folder / 'said').read_text(encoding='utf-8', errors='replace')
 
 
-def expect(holds, why):
-    if not holds:
-        raise Failure(why)
-
-
-def start(kadr, folder, name, stdout=subprocess.DEVNULL):
-    text, command = WORK[name]
-    file, out = Path(folder) / 'program.nc', Path(folder) / 'out'
-    if text is not None:
-        file.write_text(text, encoding='utf-8')
-    out.write_text('old', encoding='utf-8')
-    arguments = [part.format(file=file, out=out) for part in command]
-    return subprocess.Popen([kadr, *arguments], cwd=folder, stdin=subprocess.PIPE, stdout=stdout, stderr=subprocess.PIPE)
-
-
-def interrupt(kadr, folder, name, sent):
-    process = start(kadr, folder, name)
-    time.sleep(BEGUN_S)
-    if process.poll() is not None:
-        raise Failure(f'ended by itself, status {process.returncode}: {process.stderr.read()[:300]}')
-    begin = time.monotonic()
-    process.send_signal(sent)
-    try:
-        error = process.communicate(timeout=TIME_LIMIT_S)[1].decode(errors='replace')
-    except subprocess.TimeoutExpired:
-        process.kill()
-        raise Failure('does not end') from None
-    took = time.monotonic() - begin
-    expect(process.returncode == 128 + sent, f'exit status {process.returncode}, expected {128 + sent}; {error[:300]}')
-    expect(took < ENDED_S + SLOWNESS_S, f'ended {took:.2f} s after the signal')
-    expect((Path(folder) / 'out').read_text(encoding='utf-8') == 'old', 'what was there was replaced')
-    left = [path.name for path in Path(folder).iterdir() if path.name not in ('program.nc', 'out')]
+def interrupt(kadr, name, sent):
+    process = kadr.begin(name)
+    waits = WORK[name][0] is None   # for standard input, that stays open
+    begun = harness.stands(process) if waits else harness.at_work(process)
+    expect(begun and not harness.ended(process), f'it is not at work: {kadr.said()[:300]}')
+    took = harness.spent_after(process, sent)
+    expect(process.returncode == 128 + sent, f'exit status {process.returncode}, expected {128 + sent}; {kadr.said()[:300]}')
+    expect(took < MOST_S, f'it worked on for {took:.2f} s after the signal')
+    expect((kadr.folder / 'out').read_text(encoding='utf-8') == 'old', 'what was there was replaced')
+    left = [path.name for path in kadr.folder.iterdir() if path.name not in ('program.nc', 'out', 'said')]
     expect(not left, f'left over: {left}')
 
 
-def leave(kadr, folder, command, text):
-    """The reader takes one line and goes."""
-    file = Path(folder) / 'program.nc'
-    file.write_text(text, encoding='utf-8')
-    process = subprocess.Popen([kadr, *(part.format(file=file) for part in command)], cwd=folder, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+def leave(kadr, command, text):
+    """The reader takes one line and goes; the work is endless, so that it ends only because of that."""
+    file = kadr.file('program.nc', text)
+    with open(kadr.folder / 'said', 'wb') as said:
+        process = kadr.start(*(part.format(file=file) for part in command), stderr=said)
     process.stdout.readline()
     process.stdout.close()
-    begin = time.monotonic()
-    try:
-        process.wait(timeout=TIME_LIMIT_S)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        raise Failure('does not end') from None
-    error = process.stderr.read().decode(errors='replace')
-    expect(process.returncode == 2, f'exit status {process.returncode}, expected 2; {error[:300]}')
-    said = [line for line in error.splitlines() if line.startswith('kadr:')]
-    expect(len(said) == 1 and 'reader has gone' in said[0], f'one line should name the pipe: {error!r}')
-    expect(time.monotonic() - begin < ENDED_S + SLOWNESS_S, 'it went on for nobody')
+    before = harness.spent(process)
+    expect(harness.until(lambda: harness.ended(process)), 'it does not end')
+    took = harness.spent(process) - before
+    process.wait()
+    expect(process.returncode == 2, f'exit status {process.returncode}, expected 2; {kadr.said()[:300]}')
+    lines = [line for line in kadr.said().splitlines() if line.startswith('kadr:')]
+    expect(len(lines) == 1 and 'reader has gone' in lines[0], f'one line should name the pipe: {kadr.said()!r}')
+    expect(took < MOST_S, f'it worked on for {took:.2f} s for nobody')
 
 
 def checks():
-    """Name → function of the program and a folder."""
+    """Name → check."""
     for name in WORK:
-        yield f'sigint-{name}', lambda kadr, folder, name=name: interrupt(kadr, folder, name, signal.SIGINT)
+        yield f'sigint-{name}', lambda kadr, name=name: interrupt(kadr, name, signal.SIGINT)
     for name in ('blocks', 'dwell-samples'):
-        yield f'sigterm-{name}', lambda kadr, folder, name=name: interrupt(kadr, folder, name, signal.SIGTERM)
+        yield f'sigterm-{name}', lambda kadr, name=name: interrupt(kadr, name, signal.SIGTERM)
     endless = 'F1000\nG1 X#1\n#1=[1-#1]\nM99\n'
     for option in ('--trace', '--samples'):
-        yield f'pipe{option}', lambda kadr, folder, option=option: leave(kadr, folder, (*RUN, '--control', 'mach3', option, '-'), endless)
-
-
-def main():
-    parser = argparse.ArgumentParser(description='Check that every command ends when it is asked to.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    parser.add_argument('--only', default='*', help='only checks whose name matches, e.g. "sigint*"')
-    options = parser.parse_args()
-    program = os.path.abspath(options.kadr)
-    if not os.access(program, os.X_OK):
-        print(f'{options.kadr}: not a program', file=sys.stderr)
-        return 2
-    chosen = {name: check for name, check in checks() if fnmatch.fnmatch(name, options.only)}
-    if not chosen:
-        print('no check of that name', file=sys.stderr)
-        return 2
-    failed = 0
-    for name, check in chosen.items():
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                check(program, folder)
-            except Failure as failure:
-                print(f'FAILED {name}: {failure}')
-                failed += 1
-    print(f'{len(chosen) - failed} passed, {failed} failed')
-    return 1 if failed else 0
+        yield f'pipe{option}', lambda kadr, option=option: leave(kadr, (*RUN, '--control', 'mach3', option, '-'), endless)
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, dict(checks()), Kadr))

@@ -3,66 +3,33 @@
 
     run_outputs.py --kadr build/kadr [--only 'clash*']
 
-Each check_… function is one; it works in a temporary folder and raises Failure.
+Each check_… function is one; it works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import fnmatch
 import json
 import os
 import re
 import stat
 import subprocess
 import sys
-import tempfile
 import threading
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+from harness import expect
+
 PROGRAM = 'F1000\nG1 X10\nG1 X0\nM30\n'
 STOPS = 'F1000\nG1 X10\nG1 Q0\nM30\n'
 WRITES = "FOPEN2<{}>\nDPRNT[HELLO]\nFCLOS\nM30\n"
 CONTOUR = 'from 0 0\nline 40 0\nline 40 30\nline 0 30\nclose\n'
 
 
-class Failure(Exception):
-    """Why a check failed, for a person."""
+class Kadr(harness.Kadr):
+    language = 'en'
 
-
-def expect(holds, why):
-    if not holds:
-        raise Failure(why)
-
-
-class Kadr:
-    """The program under test in a folder of its own."""
-
-    def __init__(self, program, folder):
-        self.program, self.folder = program, Path(folder)
-
-    def file(self, name, content=''):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(content, encoding='utf-8')
-        return path
-
-    def run(self, *arguments, expected=0, **streams):
-        streams = {'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **streams}
-        done = subprocess.run([self.program, *map(str, arguments), '--lang', 'en'], cwd=self.folder, timeout=TIME_LIMIT_S, **streams)
-        text = (done.stderr or b'').decode(errors='replace')
-        expect(done.returncode == expected, f'{" ".join(map(str, arguments))}: exit status {done.returncode}, expected {expected}; {text[:300]}')
-        return text
-
-    def printed(self, *arguments):
-        """What the program prints on standard output."""
-        done = subprocess.run([self.program, *arguments], cwd=self.folder, timeout=TIME_LIMIT_S, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              env={**os.environ, 'LANG': 'C'}, encoding='utf-8')
-        expect(done.returncode == 0, f'{arguments}: exit status {done.returncode}')
-        return done.stdout
-
-    def left_over(self):
-        """Files of Kadr's own that should have gone."""
-        return [str(path) for path in self.folder.rglob('.kadr-*')]
+    def run(self, *arguments, **more):
+        """What it says on standard error."""
+        return super().run(*arguments, **more).stderr
 
 
 def everything(folder):
@@ -232,8 +199,7 @@ def check_links_and_rights_stay(kadr):
     expect(target.read_text().startswith('{'), 'the trace is not behind the links')
     expect(stat.S_IMODE(target.stat().st_mode) == 0o640, f'rights {target.stat().st_mode:o}')
     kadr.run('run', 'q.nc', '--control', 'mach3', '--trace', 'new')
-    mask = os.umask(0)
-    os.umask(mask)
+    mask = int(re.search(r'^Umask:\s*(\d+)', Path('/proc/self/status').read_text(encoding='ascii'), re.M)[1], 8)
     expect(stat.S_IMODE((kadr.folder / 'new').stat().st_mode) == 0o666 & ~mask, 'rights of a new file')
 
 
@@ -244,7 +210,7 @@ def check_a_fifo_is_written_straight(kadr):
     reader = threading.Thread(target=lambda: got.append((kadr.folder / 'fifo').read_text()))
     reader.start()
     kadr.run('run', 'q.nc', '--control', 'mach3', '--trace', 'fifo')
-    reader.join(TIME_LIMIT_S)
+    reader.join(harness.TIME_LIMIT_S)
     expect(got and got[0].splitlines()[-1].startswith('{"do":"end"'), f'the FIFO had {got}')
     expect(stat.S_ISFIFO((kadr.folder / 'fifo').stat().st_mode), 'the FIFO was replaced')
 
@@ -316,31 +282,5 @@ def check_a_program_cannot_reach_the_run(kadr):
         expect(after['a.db'][1][:6] == b'SQLite', f'{name}: the state is gone')
 
 
-def main():
-    parser = argparse.ArgumentParser(description='Check what kadr writes, and what it does not.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    parser.add_argument('--only', default='*', help='only checks whose name matches, e.g. "clash*"')
-    options = parser.parse_args()
-    program = os.path.abspath(options.kadr)
-    if not os.access(program, os.X_OK):
-        print(f'{options.kadr}: not a program', file=sys.stderr)
-        return 2
-    checks = {name.removeprefix('check_').replace('_', '-'): check for name, check in globals().items() if name.startswith('check_')}
-    chosen = {name: check for name, check in checks.items() if fnmatch.fnmatch(name, options.only)}
-    if not chosen:
-        print('no check of that name', file=sys.stderr)
-        return 2
-    failed = 0
-    for name, check in chosen.items():
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                check(Kadr(program, folder))
-            except (Failure, subprocess.TimeoutExpired) as failure:
-                print(f'FAILED {name}: {failure}')
-                failed += 1
-    print(f'{len(chosen) - failed} passed, {failed} failed')
-    return 1 if failed else 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals(), Kadr))

@@ -4,31 +4,19 @@ apart; nothing of the contour is cut off; strokes tell their lines; any file nam
 
     run_pictures.py --kadr build/kadr [--only 'inch*']
 
-Each check_… function is one; it works in a temporary folder and raises Failure.
+Each check_… function is one; it works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import fnmatch
 import os
 import re
-import subprocess
 import sys
-import tempfile
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
-TIME_LIMIT_S = 30
+import harness
+from harness import Failure, expect
+
 NS = '{http://www.w3.org/2000/svg}'
 HEAD = 'G21 G90 G17 G40 G54\n'
-
-
-class Failure(Exception):
-    """Why a check failed, for a person."""
-
-
-def expect(holds, why):
-    if not holds:
-        raise Failure(why)
 
 
 class Picture:
@@ -64,20 +52,15 @@ def points_of(path):
     return list(zip(numbers[::2], numbers[1::2]))
 
 
-class Kadr:
-    def __init__(self, program, folder):
-        self.program, self.folder = program, Path(folder)
-
+class Kadr(harness.Kadr):
     def run(self, text, *options, control='mach3', name='p.nc', lang='en', status=0, plot='out.svg'):
         """The summary as lines, and the picture."""
         path = os.path.join(os.fsencode(self.folder), os.fsencode(name))
         with open(path, 'wb') as file:
             file.write(text.encode())
-        command = [self.program, 'run', path, '--control', control, '--lang', lang, '--plot', self.folder / plot, *options]
-        done = subprocess.run(command, cwd=self.folder, timeout=TIME_LIMIT_S, capture_output=True)
-        expect(done.returncode == status, f'exit status {done.returncode}, expected {status}: {done.stderr.decode(errors="replace")[:400]}')
+        done = super().run('run', path, '--control', control, '--lang', lang, '--plot', self.folder / plot, *options, expected=status)
         picture = Picture(self.folder / plot) if plot.endswith('.svg') else None
-        return [' '.join(line.split()) for line in done.stdout.decode().splitlines()], picture
+        return [' '.join(line.split()) for line in done.stdout.splitlines()], picture
 
 
 def has_lines(summary, *lines):
@@ -244,26 +227,5 @@ def check_texts_in_both_languages(kadr):
         expect(picture.root.get('{http://www.w3.org/XML/1998/namespace}lang') == lang, 'the language of the page')
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
-    parser.add_argument('--only', default='*')
-    options = parser.parse_args()
-    checks = {name[6:]: f for name, f in sorted(globals().items()) if name.startswith('check_')}
-    passed = failed = 0
-    for name, check in checks.items():
-        if not fnmatch.fnmatch(name, options.only):
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                check(Kadr(str(Path(options.kadr).resolve()), folder))
-                passed += 1
-            except (Failure, OSError, ET.ParseError, StopIteration, subprocess.TimeoutExpired) as why:
-                failed += 1
-                print(f'{name}: {why!r}')
-    print(f'{passed} passed, {failed} failed')
-    return 1 if failed or not passed else 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals(), Kadr))

@@ -18,9 +18,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from cases import reader
+from harness import TIME_LIMIT_S
 
 HERE = Path(__file__).resolve().parent
-TIME_LIMIT_S = 30
 COMMENT = ' (.)'
 COMMANDS = (['run', '--quiet', '--trace', '-'], ['check'])  # checking goes on behind an alarm
 MARK = re.compile(r'^ *\^~*\n', re.MULTILINE)  # below an alarm's characters, which may be the whole block's

@@ -4,67 +4,39 @@
     run_robustness.py --kadr build/kadr             all checks
     run_robustness.py --kadr build/kadr --only 'sig*'
 
-Each check_… function below is one; it makes its program in a temporary folder and raises Failure.
+Each check_… function below is one; it makes its program in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import fnmatch
 import json
 import os
 import random
 import subprocess
 import sys
-import tempfile
-import time
-from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+from harness import Failure, expect
+
 MEMORY_LIMIT_MB = 64
 CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct')
 
 
-class Failure(Exception):
-    """Why a check failed, for a person."""
-
-
-def expect(holds, why):
-    if not holds:
-        raise Failure(why)
-
-
-class Kadr:
-    """The program under test, and a folder for its files."""
-
+class Kadr(harness.Kadr):
     def __init__(self, program, folder):
-        self.program, self.folder = program, Path(folder)
+        super().__init__(program, folder)
         self.sanitized = subprocess.run(['grep', '-q', '__asan_init', program], check=False).returncode == 0   # not read here: a child's memory counts ours
-
-    def file(self, name, content):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return str(path)
-
-    def start(self, *arguments, **pipes):
-        streams = {'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **pipes}
-        return subprocess.Popen([self.program, *arguments], cwd=self.folder, **streams)
 
     def run(self, *arguments, expected=(0, 1)):
         """Runs to the end; exit status and text of stderr. Guards time, memory, signals."""
         with open(self.folder / 'stdout', 'wb') as out, open(self.folder / 'stderr', 'wb') as err:
             process = self.start(*arguments, stdout=out, stderr=err)
-            begin = time.monotonic()
-            while True:
-                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-                if pid:
-                    break
-                if time.monotonic() - begin > TIME_LIMIT_S:
-                    process.kill()
-                    process.wait()
-                    raise Failure(f'{arguments[0]}: no end within {TIME_LIMIT_S} s')
-                time.sleep(0.01)
+        if not harness.until(lambda: harness.ended(process)):
+            process.kill()
+            process.wait()
+            raise Failure(f'{arguments[0]}: no end within {harness.TIME_LIMIT_S} s')
+        _, status, usage = os.wait4(process.pid, 0)
         process.returncode = code = os.waitstatus_to_exitcode(status)
         text = (self.folder / 'stderr').read_bytes().decode(errors='replace')
-        expect(code in expected, f'{" ".join(arguments[:3])}: exit status {code}, expected {expected}; {text[:300]}')
+        expect(code in expected, f'{" ".join(map(str, arguments[:3]))}: exit status {code}, expected {expected}; {text[:300]}')
         megabytes = usage.ru_maxrss / 1024
         expect(self.sanitized or megabytes < MEMORY_LIMIT_MB, f'{arguments[0]} took {megabytes:.0f} MB')
         return code, text
@@ -188,31 +160,5 @@ def check_trace_into_nothing(kadr):
     expect('no/such/folder' in text, f'the message does not name the trace: {text!r}')
 
 
-def main():
-    parser = argparse.ArgumentParser(description='Check that nothing crashes, hangs or breaks off badly.')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    parser.add_argument('--only', help='only checks whose name matches, e.g. "sig*"')
-    options = parser.parse_args()
-    program = os.path.abspath(options.kadr)
-    if not os.access(program, os.X_OK):
-        print(f'{options.kadr}: not a program', file=sys.stderr)
-        return 2
-    checks = {name.removeprefix('check_').replace('_', '-'): check for name, check in globals().items() if name.startswith('check_')}
-    chosen = {name: check for name, check in checks.items() if fnmatch.fnmatch(name, options.only or '*')}
-    if not chosen:
-        print('no check of that name', file=sys.stderr)
-        return 2
-    failed = 0
-    for name, check in chosen.items():
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                check(Kadr(program, folder))
-            except Failure as failure:
-                print(f'FAILED {name}: {failure}')
-                failed += 1
-    print(f'{len(chosen) - failed} passed, {failed} failed')
-    return 1 if failed else 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals(), Kadr))

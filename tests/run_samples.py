@@ -25,6 +25,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from cases import reader
+from harness import TIME_LIMIT_S
 
 HERE = Path(__file__).resolve().parent
 LIMITS = {'speed': 200.0, 'acceleration': 1000.0, 'jerk': 20000.0}  # mm/s, mm/s², mm/s³
@@ -46,7 +47,6 @@ SLOW = 0.15            # of the samples: at corners, the start and the end
 AROUND_NEAR = 15       # points of the exact run, before and behind, where it is looked for,
 AROUND = 150           # and so many if it is not within NEAR of them
 NEAR = 0.01            # mm
-TIME_LIMIT_S = 60
 ROTARY = 'ABC'         # may roll over: they end on the same place of the turn
 MACHINE = '''id = "test"
 tool_change = 0

@@ -5,14 +5,12 @@
 
 Rows are written here by hand from RS-244 and ISO 7-bit, not by `kadr tape`.
 """
-import argparse
 import json
-import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-TIME_LIMIT_S = 60
+import harness
+
+tally = harness.Tally()
 
 # EIA RS-244: holes of tracks 1 to 4, then 5 (parity), 6, 7; the end of a block is track 8 alone.
 EIA = {'\n': 0x80, ' ': 0x10, '%': 0x0B, '.': 0x6B, '/': 0x31, '+': 0x70, '-': 0x40, '(': 0x1A, ')': 0x4A}
@@ -40,27 +38,18 @@ def wrong_side(rows):
     return bytes(int(f'{row:08b}'[::-1], 2) for row in rows)
 
 
-class Runs:
+class Runs(harness.Kadr):
     """Runs kadr in an empty folder and counts what is not as it should be."""
 
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, folder, 0, 0
-
-    def file(self, name, content):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode('utf-8'))
-        return name
+    def file(self, name, content=''):
+        return super().file(name, content).name
 
     def kadr_run(self, *args):
-        done = subprocess.run([self.kadr, *args], cwd=self.folder, capture_output=True, timeout=TIME_LIMIT_S, check=False)
+        done = self.call(*args, binary=True)
         return done.returncode, done.stdout, done.stderr.decode('utf-8')
 
     def expect(self, what, got, wanted):
-        if got == wanted:
-            self.passed += 1
-            return
-        self.failed += 1
-        print(f'{what}:\n  got    {got!r}\n  wanted {wanted!r}')
+        tally.same(what, got, wanted)
 
     def motions(self, *args):
         """Ends of the motions of `kadr run`, by axis; its exit status."""
@@ -246,15 +235,11 @@ def coded_feeds(runs):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument('--kadr', required=True)
-    args, _ = parser.parse_known_args()
-    with tempfile.TemporaryDirectory() as folder:
-        runs = Runs(str(Path(args.kadr).resolve()), Path(folder))
-        for part in (eia_tapes, reversed_tapes, several_programs, permanent_subprograms, coded_feeds):
-            part(runs)
-    print(f'{runs.passed} passed, {runs.failed} failed')
-    return 1 if runs.failed else 0
+    kadr = harness.kadr_of(__doc__)
+    for part in (eia_tapes, reversed_tapes, several_programs, permanent_subprograms, coded_feeds):
+        for fault in harness.in_a_folder(part, kadr, Runs):
+            tally.expect(False, part.__name__, fault)
+    return tally.result()
 
 
 if __name__ == '__main__':

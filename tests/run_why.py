@@ -7,7 +7,6 @@ Expectations are calculated by hand, on machines/linuxcnc-sim: 200 mm/s, 1000 mm
 takes v/a + a/j longer than by its feed where v ≥ a²/j = 50 mm/s, else 2·√(v/j). Its four phases of jerk, a/j each, lose half of their
 time, 0.1 s (less where the speed is not reached); the rest is lost by the acceleration.
 """
-import argparse
 import json
 import re
 import subprocess
@@ -15,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+import harness
+
 
 # line, time, by feed, lost, by, block
 PROGRAM = '''G21 G90 G17 G61
@@ -49,20 +49,16 @@ INK = {'corner': (0xD5, 0x5E, 0x00), 'feed': (0x00, 0x9E, 0x73), 'acceleration':
 
 class Bench:
     def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
+        self.kadr, self.folder, self.tally = kadr, Path(folder), harness.Tally()
 
     def check(self, name, good, why=''):
-        if good:
-            self.passed += 1
-        else:
-            self.failed += 1
-            print(f'FAILED {name}: {why}')
+        self.tally.expect(good, name, why)
 
     def run(self, program, *options, control='mach3', machine='linuxcnc-sim', setup=None):
         (self.folder / 'p.nc').write_text(program, encoding='utf-8')
         (self.folder / 'setup.json').write_text(json.dumps(setup or {}), encoding='utf-8')
         command = [self.kadr, 'run', 'p.nc', '--control', control, '--machine', machine, '--setup', 'setup.json', *options]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=TIME_LIMIT_S)
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=harness.TIME_LIMIT_S)
 
     def svg(self, program, *options):
         """How often each ink stands in the picture; None: there is none."""
@@ -184,15 +180,12 @@ def pictures(bench):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
-    kadr = str(Path(parser.parse_args().kadr).resolve())
+    kadr = harness.kadr_of(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(kadr, folder)
         for part in (tables, mode, overrides, other_files, bad_input, channels, pictures):
             part(bench)
-    print(f'{bench.passed} passed, {bench.failed} failed')
-    return 1 if bench.failed or not bench.passed else 0
+    return bench.tally.result()
 
 
 if __name__ == '__main__':

@@ -15,7 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 60
+from harness import TIME_LIMIT_S
+
 NCT = 'extends = "nct"\nid = "own"\n'
 GOST = 'extends = "gost"\nid = "own"\n'
 MACH3 = 'extends = "mach3"\nid = "own"\n'

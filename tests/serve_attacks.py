@@ -7,12 +7,14 @@ files beyond the folder, a page that takes nothing off.
 import argparse
 import os
 import shutil
+import signal
 import socket
 import struct
 import tempfile
 import time
 from pathlib import Path
 
+import harness
 from page_client.client import PROGRAM, Page, Server, expect, result
 
 SECRET = 'SECRET-7391'
@@ -137,33 +139,39 @@ def requests(server):
     expect(' 101 ' not in server.request(elsewhere), 'a session has one place')
 
 
+def shown_out(one):
+    """The server has closed that connection."""
+    one.setblocking(False)
+    try:
+        return one.recv(1) == b''
+    except BlockingIOError:
+        return False
+    except OSError:
+        return True
+
+
 def sleepers(server):
     """Connections that say nothing, or one byte a second, keep nobody out, and do not stay."""
-    began = time.monotonic()
     asleep = [socket.create_connection(('127.0.0.1', server.port)) for _ in range(100)]
     for one in asleep[50:]:
         one.sendall(b'GET / HT')
-    answered = time.monotonic()
     expect(' 200 ' in server.request(f'GET /health HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n'), 'others are answered beside a hundred that sleep')
-    expect(time.monotonic() - answered < 1, 'at once')
-    while time.monotonic() - began < 12:
-        time.sleep(1)
-        for one in asleep[50:]:
-            try:
-                one.sendall(b'T')
-            except OSError:
-                pass
-    gone = 0
+    left = [one for one in asleep if not shown_out(one)]
+    expect(left, 'at once: before those are shown out')
+    began, spoken = time.monotonic(), time.monotonic()
+    while left and time.monotonic() - began < harness.TIME_LIMIT_S:
+        time.sleep(0.1)
+        if time.monotonic() - spoken >= 1:
+            spoken = time.monotonic()
+            for one in asleep[50:]:
+                try:
+                    one.sendall(b'T')
+                except OSError:
+                    pass
+        left = [one for one in left if not shown_out(one)]
+    expect(not left, f'after ten seconds they are shown out ({len(left)} of 100 are not)')
     for one in asleep:
-        one.settimeout(0.5)
-        try:
-            gone += one.recv(1) == b''
-        except TimeoutError:
-            pass
-        except OSError:
-            gone += 1
         one.close()
-    expect(gone == 100, f'after ten seconds they are shown out ({gone} of 100)')
     half = greeted(server)
     half.socket.shutdown(socket.SHUT_WR)
     expect(closed(half), 'a page that only listens is over')
@@ -253,44 +261,26 @@ def unread(server):
     page = greeted(server)
     page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 16)
     opened = page.begin('open', file='endless.nc', control='linuxcnc')
-    waits = standing(server)
-    expect(waits, 'the run waits for the page')
+    expect(harness.stands(server.process, 2), 'the run waits for the page')
     stop = page.begin('stop')
-    expect(standing(server), 'and is over')
+    expect(harness.stands(server.process, 2), 'and is over')
     page.answer(opened)
-    last, taken = time.monotonic(), None
+    before, taken = server.spent(), None
     while taken is None:  # what had been sent before
         message = page.take()
-        if message is None:
-            last = time.monotonic()
-        elif message.get('event') == 'done':
+        if message is not None and message.get('event') == 'done':
             taken = message
-    expect(time.monotonic() - last < 0.3, f'behind what had been sent it says so at once ({time.monotonic() - last:.2f} s)')
+    took = server.spent() - before
+    expect(took < 0.3, f'behind what had been sent it says so at once, after {took:.2f} s of work')
     page.answer(stop)
     expect(taken['state'] == 'cancelled' and len(page.frames) < 100, f'it is stopped ({len(page.frames)} frames)')
     _, done = page.open('part.nc', control='mach3')
     expect(done['state'] == 'ended', 'and the session goes on')
     for _ in range(3):
         greeted(server).begin('open', file='endless.nc', control='linuxcnc')
-    standing(server)
-    began = time.monotonic()
-    expect(server.end() == 130 and time.monotonic() - began < 0.5, f'Ctrl-C while sessions wait ({time.monotonic() - began:.2f} s)')
-
-
-def standing(server):
-    """It does nothing any more: waits for that, half a minute at most."""
-    def spent():
-        return sum(map(int, Path(f'/proc/{server.process.pid}/stat').read_text().rsplit(')', 1)[1].split()[11:13]))
-
-    before, since = spent(), time.monotonic()
-    for _ in range(60):
-        time.sleep(0.5)
-        now = spent()
-        if now != before:
-            before, since = now, time.monotonic()
-        elif time.monotonic() - since >= 2:
-            return True
-    return False
+    harness.stands(server.process, 2)
+    took = harness.spent_after(server.process, signal.SIGINT)
+    expect(server.process.returncode == 130 and took < 0.5, f'Ctrl-C while sessions wait: status {server.process.returncode}, {took:.2f} s of work')
 
 
 def main():

@@ -6,15 +6,14 @@
 A template is what the program uses, worked out by hand; laid beside the program it is itself a set-up that `kadr run` takes. Prints a
 line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+
 
 # name, control, program, template without notes, pieces of its notes
 TEMPLATES = [
@@ -93,19 +92,14 @@ TOOLS = [
 
 class Runner:
     def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
+        self.kadr, self.folder, self.tally = kadr, Path(folder), harness.Tally()
+        self.judge = self.tally.judge
 
     def run(self, command, program, control, *arguments, lang='en'):
         file = self.folder / 'program.nc'
         file.write_text(program, encoding='utf-8')
         return subprocess.run([self.kadr, command, file, '--control', control, '--lang', lang, *arguments], capture_output=True, text=True,
-                              timeout=TIME_LIMIT_S)
-
-    def judge(self, name, faults):
-        faults = list(faults)
-        for fault in faults:
-            print(f'FAILED {name}: {fault}')
-        self.passed, self.failed = self.passed + (not faults), self.failed + bool(faults)
+                              timeout=harness.TIME_LIMIT_S)
 
     def template(self, control, program, expected, notes):
         done = self.run('setup', program, control)
@@ -182,12 +176,7 @@ class Runner:
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Does kadr setup write what a program uses?')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    kadr = os.path.abspath(parser.parse_args().kadr)
-    if not os.access(kadr, os.X_OK):
-        print(f'{kadr}: not a program', file=sys.stderr)
-        return 2
+    kadr = harness.kadr_of(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(kadr, folder)
         for name, *row in TEMPLATES:
@@ -199,8 +188,7 @@ def main():
         for row in POSITIONS:
             runner.judge(f'{row[0]} {" ".join(row[2])}', runner.position(*row))
         runner.judge('--out', runner.file_that_is_there())
-    print(f'{runner.passed} passed, {runner.failed} failed')
-    return 0 if runner.passed and not runner.failed else 1
+    return runner.tally.result()
 
 
 if __name__ == '__main__':

@@ -6,14 +6,13 @@
 Each row: control, set-up (text of the file, or options), what stderr must be behind the file's name, in English and in Russian. Prints a
 line per failing row, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
-import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 20
+import harness
+
 PROGRAMS = {'s2c42': '%\nN1 G90 ПС\nN2 M2 ПС\n', 'mach3': 'M30\n', 'gost': '%\nN1 G90\nN2 M02\n', 'correctors': '%\nN1 G90\nN2 M02\n', 'nct': 'M30\n'}
 AXES = {'mach3': 'X, Y, Z, A, B, C', 'nct': 'X, Y, Z', 's2c42': 'X, Y, Z', 'gost': 'X, Y, Z, U, V, W, A, B, C'}
 
@@ -131,7 +130,7 @@ def said(kadr, control, arguments, lang, folder):
     program = Path(folder, f'{control}.nc')
     program.write_text(PROGRAMS[control], encoding='utf-8')
     run = subprocess.run([kadr, 'run', program, '--control', control, '-q', '--lang', lang, *arguments], capture_output=True, text=True,
-                         timeout=TIME_LIMIT_S)
+                         timeout=harness.TIME_LIMIT_S)
     return run.returncode, run.stderr
 
 
@@ -145,13 +144,7 @@ def faults_of(kadr, control, arguments, begins, texts, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Are wrong set-ups refused in the right words?')
-    parser.add_argument('--kadr', required=True, help='the program under test')
-    kadr = os.path.abspath(parser.parse_args().kadr)
-    if not os.access(kadr, os.X_OK):
-        print(f'{kadr}: not a program', file=sys.stderr)
-        return 2
-    passed = failed = 0
+    kadr, tally = harness.kadr_of(__doc__), harness.Tally()
     with tempfile.TemporaryDirectory() as folder:
         rows = []
         for number, (control, text, line, texts) in enumerate(FILES):
@@ -160,12 +153,8 @@ def main():
             rows.append((control, text, ['--setup', str(file)], f'{file}:{line}: ' if line else f'{file}: ', texts))
         rows += [(control, ' '.join(options), options, begins, texts) for control, options, begins, texts in OPTIONS]
         for control, name, arguments, begins, texts in rows:
-            faults = list(faults_of(kadr, control, arguments, begins, texts, folder))
-            for fault in faults:
-                print(f'FAILED {control} {name}: {fault}')
-            passed, failed = passed + (not faults), failed + bool(faults)
-    print(f'{passed} passed, {failed} failed')
-    return 0 if passed and not failed else 1
+            tally.judge(f'{control} {name}', faults_of(kadr, control, arguments, begins, texts, folder))
+    return tally.result()
 
 
 if __name__ == '__main__':

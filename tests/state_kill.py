@@ -18,6 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from harness import TIME_LIMIT_S
+
 KILLS = 200
 PROGRAM = """O0001
 WHILE[1EQ1] DO1
@@ -38,7 +40,7 @@ def state_of(kadr, folder):
     empty = folder / "empty.nct"
     empty.write_text("#100=#500\nM30\n")
     done = subprocess.run([kadr, "run", empty, "--control", "nct", "--state", folder / "memory.state", "--trace", "-", "-q"],
-                          capture_output=True, text=True, timeout=30)
+                          capture_output=True, text=True, timeout=TIME_LIMIT_S)
     if done.returncode != 0:
         raise AssertionError(f"the state cannot be read: {done.stderr}")
     return json.loads(done.stdout.splitlines()[-1])

@@ -5,17 +5,15 @@
 
 With the byte order mark and without, both orders of bytes, from a file and from a pipe; called files; folders; damaged texts.
 """
-import argparse
 import re
-import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-TIME_LIMIT_S = 60
+import harness
+
 PROGRAM = '%\r\nO0001 (Карман, сверло 8)\r\nN1 G21 G90 G0 X10 Y20\r\nN2 G1 Z-2 F100 (ход)\r\nN3 X30 M3 S1000\r\nN4 M30\r\n%\r\n'
 FAULTY = 'N1 G90 G0 X10\nN2 (сверло) G1 X20 Q5 F100\nN3 G7777\nN4 Г1 X5\nN5 M30\n'
 LONG = 'N1 G90 G0 X0\n' + ''.join(f'N{n} G1 X{n % 50} F200 (проход {n} 😀)\n' for n in range(2, 6000)) + 'N6000 X\nN6001 M30\n'
+tally = harness.Tally()
 FORMS = {
     'le-mark': lambda text: b'\xff\xfe' + text.encode('utf-16-le'),
     'be-mark': lambda text: b'\xfe\xff' + text.encode('utf-16-be'),
@@ -24,25 +22,16 @@ FORMS = {
 }
 
 
-class Runs:
-    def __init__(self, kadr, folder):
-        self.kadr, self.folder, self.passed, self.failed = kadr, folder, 0, 0
-
+class Runs(harness.Kadr):
     def run(self, *args, stdin=b''):
-        done = subprocess.run([self.kadr, *args], cwd=self.folder, input=stdin, capture_output=True, timeout=TIME_LIMIT_S, check=False)
+        done = self.call(*args, binary=True, input=stdin)
         return done.returncode, done.stdout, done.stderr
 
     def expect(self, what, got, wanted):
-        if got == wanted:
-            self.passed += 1
-            return
-        self.failed += 1
-        print(f'{what}:\n  wanted {wanted!r}\n  got    {got!r}'[:2000])
+        tally.same(what, got, wanted)
 
     def write(self, name, content):
-        path = self.folder / name
-        path.parent.mkdir(exist_ok=True)
-        path.write_bytes(content if isinstance(content, bytes) else content.encode('utf-8'))
+        self.file(name, content)
 
 
 def commands(runs):
@@ -139,15 +128,11 @@ def damaged(runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--kadr', required=True)
-    kadr = Path(parser.parse_args().kadr).resolve()
-    with tempfile.TemporaryDirectory(prefix='kadr-utf16-') as folder:
-        runs = Runs(kadr, Path(folder))
-        for part in (commands, guessed, from_a_pipe, named, called_files, folders, tapes, several_programs, damaged):
-            part(runs)
-    print(f'{runs.passed} passed, {runs.failed} failed')
-    return 1 if runs.failed else 0
+    kadr = harness.kadr_of(__doc__)
+    for part in (commands, guessed, from_a_pipe, named, called_files, folders, tapes, several_programs, damaged):
+        for fault in harness.in_a_folder(part, kadr, Runs):
+            tally.expect(False, part.__name__, fault)
+    return tally.result()
 
 
 if __name__ == '__main__':

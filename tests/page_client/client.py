@@ -12,21 +12,14 @@ from pathlib import Path
 
 import jsonschema
 
+import harness
+
 SCHEMA = json.loads((Path(__file__).resolve().parent.parent.parent / 'docs/panel-protocol.schema.json').read_text(encoding='utf-8'))
 VALIDATORS = {}
 seen = set()  # 'answer.open', 'event.done': definitions of the schema that a message has had the form of
 
-failures = []
-passed = 0
-
-
-def expect(what, name):
-    global passed
-    if what:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED: {name}')
+tally = harness.Tally()
+expect, result = tally.expect, tally.result  # result: the last line of a runner, and its exit status
 
 
 def fault_of(message, form):
@@ -59,7 +52,7 @@ class Server:
         """The answer; what there is of it where the server has closed the connection."""
         got = b''
         try:
-            with socket.create_connection(('127.0.0.1', self.port), timeout=10) as s:
+            with socket.create_connection(('127.0.0.1', self.port), timeout=harness.TIME_LIMIT_S) as s:
                 s.sendall(text.encode('latin-1'))
                 s.shutdown(socket.SHUT_WR)
                 while piece := s.recv(65536):
@@ -70,14 +63,23 @@ class Server:
 
     def end(self):
         self.process.send_signal(signal.SIGINT)
-        return self.process.wait(timeout=5)
+        return self.process.wait(timeout=harness.TIME_LIMIT_S)
+
+    def spent(self):
+        """Processor time, s."""
+        return harness.spent(self.process)
+
+    def works(self, seconds=0.3):
+        """Waits until it has spent so much more processor time; what it is to work at has been asked for.  returns whether it has"""
+        end = self.spent() + seconds
+        return harness.until(lambda: self.spent() >= end)
 
 
 class Page:
     """A WebSocket client: RFC 6455, as much of it as the protocol needs."""
 
     def __init__(self, server, **headers):
-        self.socket = socket.create_connection(('127.0.0.1', server.port), timeout=30)
+        self.socket = socket.create_connection(('127.0.0.1', server.port), timeout=harness.TIME_LIMIT_S)
         fields = {'Host': f'127.0.0.1:{server.port}', 'Upgrade': 'websocket', 'Connection': 'Upgrade',
                   'Sec-WebSocket-Key': base64.b64encode(os.urandom(16)).decode(), 'Sec-WebSocket-Version': '13', **headers}
         self.socket.sendall(('GET /session HTTP/1.1\r\n' + ''.join(f'{k}: {v}\r\n' for k, v in fields.items()) + '\r\n').encode())
@@ -215,9 +217,3 @@ Y0
 G0 Z5
 M30
 """
-
-
-def result():
-    """The last line of a runner, and its exit status."""
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
