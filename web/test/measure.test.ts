@@ -1,8 +1,8 @@
 // Circles through vertices, anchors, distances between points, edges and centres.
 import { describe, expect, it } from "vitest";
 import { circle } from "../src/scene/arc";
-import { anchor_of, distance_between, type Anchor } from "../src/scene/measure";
-import type { Point } from "../src/scene/types";
+import { anchor_of, distance_between } from "../src/scene/measure";
+import type { Anchor, Point } from "../src/scene/types";
 
 const close = (a: readonly number[], b: readonly number[]): void => a.forEach((v, i) => expect(v).toBeCloseTo(b[i]!, 9));
 

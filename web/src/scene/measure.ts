@@ -1,9 +1,6 @@
 // What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre, a straight way an edge.
 import { cross, dot, length, minus, plus, type Circle } from "./arc";
-import type { Point } from "./types";
-
-export interface Anchor { kind: "point" | "edge" | "centre"; place: Point; direction?: Point; radius?: number; line: number } // direction: of an edge, length 1
-export interface Distance { from: Point; to: Point; distance: number; delta: Point; angle: number | null } // angle: degrees between two edges that are not parallel
+import type { Anchor, Distance, Point } from "./types";
 
 /// `part` of the way from `a` to `b` was hit: at its ends it is a point.
 export function anchor_of(a: Point, b: Point, part: number, arc: Circle | null, line: number): Anchor {

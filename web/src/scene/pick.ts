@@ -4,8 +4,8 @@ import { arc_at, minus } from "./arc";
 import type { Eye } from "./camera";
 import type { Piece } from "./frame";
 import type { Drawn } from "./path_view";
-import { anchor_of, type Anchor } from "./measure";
-import { jump, type Point, type SceneVertex } from "./types";
+import { anchor_of } from "./measure";
+import { jump, type Anchor, type Point, type SceneVertex } from "./types";
 
 export interface Hit { vertex: SceneVertex; place: Point; anchor: Anchor } // place: on the segment, at its end where the pointer is near that; from the picture's zero
 

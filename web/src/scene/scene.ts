@@ -9,13 +9,13 @@ import { dark, light, type Ranges, type Theme } from "./colours";
 import { Controls } from "./controls";
 import { bounded, box_lines, goes_beyond } from "./boxes";
 import { axes, empty, lit_points, put_tool, tool_mesh } from "./marks";
-import { distance_between, type Anchor } from "./measure";
+import { distance_between } from "./measure";
 import { part_material, part_mesh } from "./part_view";
 import { carry_of } from "./carry";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
 import type { Joint } from "../protocol/types";
-import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneMode, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
+import { type Anchor, type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneMode, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
 export * from "./types";
 

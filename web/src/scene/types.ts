@@ -1,6 +1,5 @@
 // What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
 import type { Bounds, Box } from "../protocol/types";
-import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
 export type ColourBy = "kind" | "tool" | "feed" | "speed" | "slowed" | "time" | "depth";
@@ -16,6 +15,10 @@ export interface SceneBox { name: string; kind: "stock" | "extents" | "limits" |
 export type SceneBounds = Bounds;
 /// Outlines of [diameter, height over the tip], from below upwards.
 export interface ToolShape { number: number; cutting: [number, number][]; shank: [number, number][]; holder: [number, number][] }
+/// What a click in the view measures from. `direction`: of an edge, length 1.
+export interface Anchor { kind: "point" | "edge" | "centre"; place: Point; direction?: Point; radius?: number; line: number }
+/// `angle`: degrees between two edges that are not parallel.
+export interface Distance { from: Point; to: Point; distance: number; delta: Point; angle: number | null }
 export interface Measured { ends: Anchor[]; distance: Distance | null }
 /// How the eye stands: axes of the screen, and where a point from the picture's zero is on it (null behind the eye).
 export interface View { right: Point; up: Point; towards: Point; place(p: Point): [number, number] | null }
