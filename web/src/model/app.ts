@@ -1,9 +1,8 @@
 // The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call its verbs.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import { head_of, frame_part, frame_path } from "../protocol/frames";
-import { token } from "../protocol/token";
 import type { CutQuestion, CutResult, Done, Finding, Hello, JsonTable, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
-import { language } from "../texts/texts";
+import { greet } from "./greet";
 import { Latest, debounce, spaced } from "./latest";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
@@ -207,11 +206,7 @@ export class App {
   }
 
   private async greet(client: Client): Promise<void> {
-    this.hello = await client.ask("hello", this.greeting());
-  }
-  private greeting(): { token?: string; lang: Language } {
-    const t = token();
-    return t ? { token: t, lang: language() } : { lang: language() };
+    this.hello = await greet(client);
   }
 
   private async line_changed(line: LineState): Promise<void> {

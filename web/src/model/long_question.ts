@@ -1,8 +1,7 @@
 // A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when something else is wanted.
 import { Client, Lost, Refused, type Socket } from "../protocol/client";
-import { token } from "../protocol/token";
 import type { Questions } from "../protocol/types";
-import { language } from "../texts/texts";
+import { greet } from "./greet";
 import { Latest } from "./latest";
 import { Signal } from "./signal";
 
@@ -17,7 +16,7 @@ export class LongQuestion<K extends "mill" | "convert"> {
   private under_way = false;
 
   constructor(make: () => Socket, private what: K) {
-    this.client = new Client(make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
+    this.client = new Client(make, greet);
     this.client.line.on((l) => { if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted); });
     this.client.connect();
   }

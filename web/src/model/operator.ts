@@ -1,8 +1,7 @@
 // A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it shows, as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
-import { token } from "../protocol/token";
 import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
-import { language } from "../texts/texts";
+import { greet } from "./greet";
 import { Signal } from "./signal";
 
 const moving = 30, standing = 250; // ms from what a look has shown to the next one
@@ -40,7 +39,7 @@ export class Operator {
     const { text: _, ...of_disk } = question;
     this.question = of_disk;
     if (!this.client) {
-      this.client = new Client(this.make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
+      this.client = new Client(this.make, greet);
       this.client.line.on((l) => void this.line_changed(l));
       return this.client.connect();
     }

@@ -29,7 +29,7 @@ export class Client {
   private over = false;
 
   /// `greet` runs on every new line before anything else is asked: it says hello.
-  constructor(private make: () => Socket, private greet: (client: Client) => Promise<void>) {}
+  constructor(private make: () => Socket, private greet: (client: Client) => Promise<unknown>) {}
 
   connect(): void {
     clearTimeout(this.timer);
