@@ -4,7 +4,8 @@ import { Matrix4, Vector3 } from "three";
 import type { Joint } from "../src/protocol/types";
 import { Eye } from "../src/scene/camera";
 import { carry_of } from "../src/scene/carry";
-import { decode_path, decode_positions } from "../src/scene/frame";
+import { read_frame, type PathFrame, type RowsFrame } from "../src/protocol/frames";
+import { add_rows, piece_of } from "../src/scene/frame";
 import { place_at } from "../src/scene/place";
 import type { Point } from "../src/scene/types";
 
@@ -63,13 +64,14 @@ describe("positions of the joints", () => {
     return f;
   };
   it("lie between those of two vertices", () => {
-    const piece = decode_path(path)!;
-    piece.positions = decode_positions(frame([10, 0, 30, 90]), piece)!;
+    const piece = piece_of(read_frame(path) as PathFrame);
+    expect(add_rows(piece, read_frame(frame([10, 0, 30, 90])) as RowsFrame)).toBe(true);
     expect(place_at([piece], 1)?.positions).toEqual([20, 45]);
     expect(place_at([piece], 9)?.positions).toEqual([30, 90]);
   });
-  it("are refused where they are not as many for each vertex, or no numbers", () => {
-    const piece = decode_path(path)!;
-    for (const bad of [frame([1, 2, 3]), frame([]), frame([1, 2, 3], 3), frame([1, NaN])]) expect(decode_positions(bad, piece)).toBeNull();
+  it("are refused where they are not as many for each vertex, no numbers, or of another piece", () => {
+    for (const bad of [frame([1, 2, 3]), frame([]), frame([1, NaN])]) expect(read_frame(bad)).toBeNull();
+    const piece = piece_of(read_frame(path) as PathFrame);
+    expect([add_rows(piece, read_frame(frame([1, 2, 3], 3)) as RowsFrame), piece.positions]).toEqual([false, undefined]);
   });
 });

@@ -56,12 +56,13 @@ test("events and frames go to their listeners; what is neither is left alone", a
   const { client, socket } = await connected();
   const got: unknown[] = [];
   client.event.on((e) => got.push(e.name));
-  client.frame.on((f) => got.push(f.byteLength));
+  client.frame.on((f) => got.push(f.kind));
   socket.say({ event: "progress", part: 0.5 });
+  socket.say(new Uint32Array([3, 0, 0, 0]).buffer); // a part of nothing
   socket.say(new ArrayBuffer(20));
-  socket.onmessage?.({ data: "no json" });
+  for (const data of ["no json", "null", "7", "[]", "{}", undefined]) socket.onmessage?.({ data });
   socket.say({ re: 99 });
-  expect(got).toEqual(["progress", 20]);
+  expect(got).toEqual(["progress", "part"]);
 });
 
 test("a lost line fails what waits, and is sought again after a while", async () => {

@@ -6,11 +6,13 @@ import { PathIndex } from "../src/model/path_index";
 import { shape_of } from "../src/model/tool_shape";
 import { box_of, proper, stock_of } from "../src/model/stock";
 import { debounce, Latest } from "../src/model/latest";
-import { head_of, path_columns } from "../src/protocol/frames";
+import { read_frame, type PathFrame } from "../src/protocol/frames";
 import { grouped_problems } from "../src/ui/problems_panel";
 import type { Problem } from "../src/protocol/types";
 // @ts-expect-error plain JavaScript
 import { path_frame } from "./mock-server.mjs";
+
+const path_of = (frame: ArrayBuffer): PathFrame => read_frame(frame) as PathFrame;
 
 test("both tables have the same keys, and the same places to fill in", () => {
   expect(Object.keys(ru)).toEqual(Object.keys(en));
@@ -23,10 +25,10 @@ test("both tables have the same keys, and the same places to fill in", () => {
 
 test("a frame of path: columns, bins, the block at an instant", () => {
   const { frame, seconds, blocks } = path_frame();
-  expect(head_of(frame)?.kind).toBe(1);
-  expect(path_columns(frame.slice(0, 200))).toBeNull();
+  expect(read_frame(frame.slice(0, 200))).toBeNull();
+  expect(path_of(frame)).toMatchObject({ kind: "path", which: 0, channel: 0, start: 0, least: [-20, -20, -15], greatest: [20, 20, 100] });
   const path = new PathIndex();
-  path.add(frame);
+  path.add(path_of(frame));
   expect(path.seconds).toBeCloseTo(seconds, 3);
   expect(path.number_at(seconds)).toBe(blocks);
   expect(path.number_at(0)).toBe(6);
@@ -36,8 +38,8 @@ test("a frame of path: columns, bins, the block at an instant", () => {
 });
 
 test("the strip shows the slowest and the fastest of every stretch, whole runs of vertices taken together or not", () => {
-  const { frame, seconds } = path_frame(), c = path_columns(frame)!, path = new PathIndex();
-  path.add(frame);
+  const { frame, seconds } = path_frame(), c = path_of(frame), path = new PathIndex();
+  path.add(c);
   for (const count of [1, 2, 7, 50, 400, 3000]) {
     const b = path.bins(0, seconds, count), width = seconds / count, least = Array(count).fill(Infinity), greatest = Array(count).fill(-Infinity);
     for (let i = 1; i < c.times.length; i++) {
@@ -50,7 +52,7 @@ test("the strip shows the slowest and the fastest of every stretch, whole runs o
 
 test("the other version's path is not the program's", () => {
   const path = new PathIndex();
-  path.add(path_frame(0, 1).frame);
+  path.add(path_of(path_frame(0, 1).frame));
   expect([path.vertices, path.number_at(1)]).toEqual([0, 0]);
 });
 

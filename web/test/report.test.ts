@@ -2,11 +2,10 @@
 import { describe, expect, it } from "vitest";
 import { Client } from "../src/protocol/client";
 import { WorstLines } from "../src/model/worst";
-import { path_columns } from "../src/protocol/frames";
+import { read_frame, type Frame, type PartFrame, type PathFrame, type RowsFrame } from "../src/protocol/frames";
 import { read, unpack, type ReportData } from "../src/report/data";
 import { ReportPath } from "../src/report/path";
 import { ReportSocket } from "../src/report/socket";
-import { decode_leans, decode_part, decode_path, decode_positions } from "../src/scene/frame";
 
 class Bytes {
   list: number[] = [];
@@ -46,17 +45,21 @@ describe("the data of a report", () => {
   it("gives the frames that the scene reads", () => {
     const r = report();
     expect(r.path.length).toBe(3);
-    const piece = decode_path(r.path[0]!)!;
+    const piece = read_frame(r.path[0]!) as PathFrame, leans = read_frame(r.path[1]!) as RowsFrame, positions = read_frame(r.path[2]!) as RowsFrame;
     expect([...piece.at].map((v) => +v.toFixed(3))).toEqual([1, 2, 3, 11, 2, 3, -1.5, 2, 3, 2147.483, 2, -0.007]);
     expect(piece.start).toBe(0.5);
     expect([...piece.times].map((v) => +v.toFixed(4))).toEqual([0, 1, 2, 4.5]);
     expect([...piece.tools]).toEqual([0, 0, 1, 0, 1, 0, 2, 0]);
-    expect(decode_leans(r.path[1]!, piece)![11]).toBeCloseTo(0.8, 5);
-    expect([...decode_positions(r.path[2]!, piece)!].map((v) => +v.toFixed(3))).toEqual([0, 0, 0, 1, 90, 2, -45.5, 3]);
+    expect([leans.kind, leans.count, positions.kind, positions.count]).toEqual(["directions", 4, "positions", 4]);
+    expect(leans.values[11]).toBeCloseTo(0.8, 5);
+    expect([...positions.values].map((v) => +v.toFixed(3))).toEqual([0, 0, 0, 1, 90, 2, -45.5, 3]);
     expect(piece.kept[0]).toBe(4);
     expect(piece.kept[1]).toBe(2);
     expect(piece.greatest[0]).toBeCloseTo(2147.483, 3);
-    const mesh = decode_part(r.part!)!;
+    const head = new DataView(r.path[0]!); // by the protocol's own offsets
+    expect([0, 4, 8, 12, 48, 52].map((at) => head.getUint32(at, true))).toEqual([1, 0, 4, 0, 0, 1]);
+    expect([head.getFloat32(96 + 12, true), head.getFloat32(96 + 12 * 4 + 4, true), head.getUint8(96 + 36 * 4 + 4)]).toEqual([11, 1, 2]);
+    const mesh = read_frame(r.part!) as PartFrame;
     expect([...mesh.triangles]).toEqual([0, 1, 2]);
     expect(mesh.made_by[0]).toBe(65535);
     expect([...mesh.lines]).toEqual([0, 2, 3]);
@@ -90,7 +93,7 @@ describe("the path of a report", () => {
 describe("slow places", () => {
   it("are the lines that lose most", () => {
     const lines = new WorstLines();
-    for (const f of report().path) if (path_columns(f)) lines.add(f);
+    for (const f of report().path) lines.add(read_frame(f) as PathFrame | RowsFrame);
     const worst = lines.worst(5);
     expect(worst.map((w) => w.line)).toEqual([3]);
     expect(worst[0]!.lost).toBeCloseTo(0.5, 3);
@@ -100,7 +103,7 @@ describe("slow places", () => {
 
 describe("the socket of a report", () => {
   it("answers as a session", async () => {
-    const frames: ArrayBuffer[] = [], events: string[] = [];
+    const frames: Frame[] = [], events: string[] = [];
     const client: Client = new Client(() => new ReportSocket(report()), async (c) => { await c.ask("hello", { lang: "ru" }); });
     client.frame.on((f) => frames.push(f));
     client.event.on((e) => events.push(e.name === "alarm" ? `alarm ${e.body.problem.text}` : e.name));

@@ -1,8 +1,9 @@
 // The 3D view's arithmetic: frames that lie, levels, what is drawn at them, where the tool is.
 import { describe, expect, it } from "vitest";
+import { read_frame, type PartFrame, type PathFrame, type RowsFrame } from "../src/protocol/frames";
 import { Eye } from "../src/scene/camera";
 import { dark, light, packed, ramp, ranges_of, slowed } from "../src/scene/colours";
-import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
+import { add_rows, piece_of, type Piece } from "../src/scene/frame";
 import { every_of, level_for, level_within, segments_at } from "../src/scene/level";
 import { draws_softly, Pace } from "../src/scene/pace";
 import { place_at } from "../src/scene/place";
@@ -28,7 +29,7 @@ function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
   });
   return frame;
 }
-const piece = (vertices: V[], start = 0): Piece => decode_path(path_frame(vertices, start))!;
+const piece = (vertices: V[], start = 0): Piece => piece_of(read_frame(path_frame(vertices, start)) as PathFrame);
 const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true, turned: true };
 const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero_z: 0 });
 const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [...segments_of(p, look(level, filter)).ends];
@@ -36,37 +37,39 @@ const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] 
 describe("frames", () => {
   const good = path_frame([{ x: 0, kind: 0 }, { x: 1, tool: 7 }, { x: 2, kind: 1 }]);
   it("gives the columns", () => {
-    const p = decode_path(good)!;
+    const p = piece_of(read_frame(good) as PathFrame);
     expect([p.count, p.at[3], p.tools[2], p.kinds[8]]).toEqual([3, 1, 7, 1]);
     expect(p.cut).toEqual([[0, 0, 0], [1, 0, 0]]);
   });
   it("refuses what is shorter than it says, at every length", () => {
-    for (let n = 0; n < good.byteLength; n++) expect(decode_path(good.slice(0, n))).toBeNull();
+    for (let n = 0; n < good.byteLength; n++) expect(read_frame(good.slice(0, n))).toBeNull();
   });
   it("refuses counts out of bounds, and places that are no numbers", () => {
     for (const count of [0, 8193, 0xffffffff]) {
       const f = good.slice(0);
       new DataView(f).setUint32(8, count, true);
-      expect(decode_path(f)).toBeNull();
+      expect(read_frame(f)).toBeNull();
     }
-    expect(decode_path(path_frame([{ x: NaN }]))).toBeNull();
+    expect(read_frame(path_frame([{ x: NaN }]))).toBeNull();
+    expect(read_frame(path_frame([{ x: 0 }], Infinity))).toBeNull();
   });
   it("takes directions only for as many vertices as the piece has", () => {
     const f = new ArrayBuffer(16 + 36), v = new DataView(f);
     [2, 0, 3, 0].forEach((x, i) => v.setUint32(4 * i, x, true));
     v.setFloat32(16 + 8, 1, true);
-    expect(decode_leans(f, decode_path(good)!)?.[2]).toBe(1);
-    expect(decode_leans(f, piece([{ x: 0 }]))).toBeNull();
-    expect(decode_leans(f.slice(0, 40), decode_path(good)!)).toBeNull();
+    const rows = read_frame(f) as RowsFrame, p = piece_of(read_frame(good) as PathFrame), other = piece([{ x: 0 }]);
+    expect([add_rows(p, rows), p.leans?.[2], p.positions]).toEqual([true, 1, undefined]);
+    expect([add_rows(other, rows), other.leans]).toEqual([false, undefined]);
+    expect(read_frame(f.slice(0, 40))).toBeNull();
   });
   it("refuses a part whose triangle names no point", () => {
     const f = new ArrayBuffer(16 + 3 * 20 + 12), v = new DataView(f);
     [3, 0, 3, 1].forEach((x, i) => v.setUint32(4 * i, x, true));
     [0, 1, 2].forEach((x, i) => v.setUint32(16 + 36 + 4 * i, x, true));
-    expect(decode_part(f)?.triangles.length).toBe(3);
-    expect(decode_part(f.slice(0, f.byteLength - 1))).toBeNull();
+    expect((read_frame(f) as PartFrame).triangles.length).toBe(3);
+    expect(read_frame(f.slice(0, f.byteLength - 1))).toBeNull();
     v.setUint32(16 + 36, 3, true);
-    expect(decode_part(f)).toBeNull();
+    expect(read_frame(f)).toBeNull();
   });
 });
 

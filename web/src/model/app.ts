@@ -1,6 +1,6 @@
 // The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call its verbs.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
-import { head_of, frame_part, frame_path } from "../protocol/frames";
+import type { Frame, OfPathFrame, PartFrame } from "../protocol/frames";
 import type { CutQuestion, CutResult, Done, Finding, Hello, JsonTable, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
 import { greet } from "./greet";
 import { Latest, debounce, spaced } from "./latest";
@@ -44,8 +44,8 @@ export class App {
   readonly on_instant = new Signal<number>();
   readonly on_state = new Signal<State | null>();
   readonly on_problems = new Signal<void>();
-  readonly on_path = new Signal<ArrayBuffer>();
-  readonly on_part = new Signal<ArrayBuffer | null>();
+  readonly on_path = new Signal<OfPathFrame>();
+  readonly on_part = new Signal<PartFrame | null>();
   readonly on_part_told = new Signal<PartAnswer | null>();
   readonly on_cut = new Signal<number | null>(); // part done, null: something else of the cut changed
   readonly on_text = new Signal<void>();
@@ -252,11 +252,10 @@ export class App {
     this.on_cut.emit(null);
   }
 
-  private take_frame(frame: ArrayBuffer): void {
+  private take_frame(frame: Frame): void {
     if (this.opening) return;
-    const kind = head_of(frame)?.kind;
-    if (kind === frame_part) return this.on_part.emit(frame);
-    if (kind === frame_path) this.path.add(frame);
+    if (frame.kind === "part") return this.on_part.emit(frame);
+    if (frame.kind === "path") this.path.add(frame);
     this.on_path.emit(frame);
   }
 

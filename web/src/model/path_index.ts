@@ -1,5 +1,5 @@
 // What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as they came.
-import { path_columns, head_of } from "../protocol/frames";
+import type { PathFrame } from "../protocol/frames";
 
 interface Piece { start: number; end: number; times: Float32Array; numbers: Uint32Array; speeds: Float32Array; feeds: Float32Array; runs: Runs }
 
@@ -16,13 +16,11 @@ export class PathIndex {
   clear(): void { this.pieces = []; this.vertices = 0; }
 
   /// Takes pieces of the program itself (`which` 0, channel 0); all else is for the picture only.
-  add(frame: ArrayBuffer): void {
-    const head = head_of(frame);
-    if (!head || head.which !== 0 || head.more !== 0) return;
-    const c = path_columns(frame);
-    if (!c || head.count === 0) return;
-    this.vertices += head.count;
-    this.pieces.push({ start: c.start, end: c.start + c.times[head.count - 1]!, times: c.times, numbers: c.numbers, speeds: c.speeds, feeds: c.feeds, runs: runs_of(c.times, c.speeds, c.feeds) });
+  add(frame: PathFrame): void {
+    if (frame.which !== 0 || frame.channel !== 0) return;
+    const { start, count, times, numbers, speeds, feeds } = frame;
+    this.vertices += count;
+    this.pieces.push({ start, end: start + times[count - 1]!, times, numbers, speeds, feeds, runs: runs_of(times, speeds, feeds) });
   }
 
   get seconds(): number { return this.pieces.length ? this.pieces[this.pieces.length - 1]!.end : 0; }

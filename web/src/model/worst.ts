@@ -1,7 +1,5 @@
 // Where the machine loses most time against the programmed feed: by line, from the path as it came. Starts, corners, short motions.
-import { head_of, path_columns } from "../protocol/frames";
-
-const jump = 0;
+import { jump, type OfPathFrame } from "../protocol/frames";
 
 export interface WorstLine { line: number; file: number; lost: number; seconds: number; feed: number; least: number; at: number } // s, mm/min; `at`: the instant of the greatest single loss
 
@@ -11,10 +9,9 @@ export class WorstLines {
   clear(): void { this.by_line.clear(); }
 
   /// Takes a piece of the program's own path.
-  add(frame: ArrayBuffer): void {
-    const head = head_of(frame), c = path_columns(frame);
-    if (!head || !c || head.which !== 0 || head.more !== 0) return;
-    for (let i = 1; i < head.count; i++) {
+  add(c: OfPathFrame): void {
+    if (c.kind !== "path" || c.which !== 0 || c.channel !== 0) return;
+    for (let i = 1; i < c.count; i++) {
       const feed = c.feeds[i]!, speed = c.speeds[i]!, seconds = c.times[i]! - c.times[i - 1]!;
       if (!(feed > 0) || !(seconds > 0) || c.kinds[4 * i] === jump || !(speed < feed)) continue;
       this.take(c.lines[i]!, c.tools[2 * i + 1]!, { seconds, lost: seconds * (1 - speed / feed), feed, least: speed, at: c.start + c.times[i - 1]! });

@@ -1,10 +1,8 @@
 // The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line was carried out.
-import { path_columns, head_of, type PathColumns } from "../protocol/frames";
+import { jump, read_frame, type PathFrame } from "../protocol/frames";
 import type { Pass } from "../protocol/types";
 
-const jump = 0;
-
-interface Piece extends PathColumns { places: Float32Array; end: number }
+interface Piece extends PathFrame { end: number }
 
 export interface PathState {
   at: number; number: number; line: number; file: number; tool: number; feed: number; speed: number; kind: number;
@@ -16,9 +14,8 @@ export class ReportPath {
 
   constructor(frames: ArrayBuffer[]) {
     for (const frame of frames) {
-      const head = head_of(frame), c = path_columns(frame);
-      if (!head || !c || head.count === 0 || head.which !== 0) continue;
-      this.pieces.push({ ...c, places: new Float32Array(frame, 96, 3 * head.count), end: c.start + c.times[head.count - 1]! });
+      const piece = read_frame(frame);
+      if (piece?.kind === "path" && piece.which === 0) this.pieces.push({ ...piece, end: piece.start + piece.times[piece.count - 1]! });
     }
   }
 
@@ -65,7 +62,7 @@ export class ReportPath {
   }
 
   private state(p: Piece, i: number, instant: number): PathState {
-    const to = p.places.subarray(3 * i, 3 * i + 3), from = i > 0 && p.kinds[4 * i] !== jump ? p.places.subarray(3 * i - 3, 3 * i) : to;
+    const to = p.at.subarray(3 * i, 3 * i + 3), from = i > 0 && p.kinds[4 * i] !== jump ? p.at.subarray(3 * i - 3, 3 * i) : to;
     const begins = p.start + (i > 0 ? p.times[i - 1]! : p.times[i]!), ends = p.start + p.times[i]!;
     const part = ends > begins ? Math.min(1, Math.max(0, (instant - begins) / (ends - begins))) : 1;
     const place = [0, 1, 2].map((a) => from[a]! + part * (to[a]! - from[a]!)) as [number, number, number];

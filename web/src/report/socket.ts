@@ -1,11 +1,14 @@
 // A session without a server: what the page asks is answered from the report that lies in the page itself.
 import type { Socket } from "../protocol/client";
-import type { Axes, Language, State } from "../protocol/types";
+import { read_frame, type PartFrame } from "../protocol/frames";
+import { read_question, write_answer, write_event, type Question } from "../protocol/messages";
+import type { Axes, Language, PartAnswer, Questions, State } from "../protocol/types";
 import type { Report, Told } from "./data";
 import { ReportPath } from "./path";
 
 const most_passes = 1000, most_lines = 5000;
-type Question = Record<string, unknown>;
+interface Refusal { error: { text: string } }
+type Answers = { [K in keyof Questions]?: (q: Question) => Questions[K][1] | Refusal };
 
 export class ReportSocket implements Socket {
   binaryType = "arraybuffer";
@@ -16,8 +19,9 @@ export class ReportSocket implements Socket {
   private language: Language;
   private path: ReportPath;
   private lines = new Map<number, string[]>();
+  private part_frame: PartFrame | null;
   private part_is_shown = false;
-  private answers: Record<string, (q: Question) => object> = {
+  private answers: Answers = {
     hello: (q) => this.speak(q, { version: this.report.data.version, folder: "", may_change: false, last: this.report.data.file, controls: [], machines: [] }),
     language: (q) => this.speak(q, {}),
     open: () => { this.part_is_shown = false; setTimeout(() => this.run()); return this.told.opened; }, // after the answer, when it has been taken
@@ -32,21 +36,23 @@ export class ReportSocket implements Socket {
   constructor(private report: Report) {
     this.language = report.data.language;
     this.path = new ReportPath(report.path);
+    const part = report.part && read_frame(report.part);
+    this.part_frame = part?.kind === "part" ? part : null;
     queueMicrotask(() => { this.readyState = 1; this.onopen?.({}); });
   }
 
   send(text: string): void {
-    const q = JSON.parse(text) as Question;
-    const answer = this.answers[String(q.do)];
+    const q = read_question(text);
+    const answer = this.answers[q.do as keyof Questions];
     const body = answer ? answer(q) : { error: { text: "a report answers nothing of the kind" } };
-    queueMicrotask(() => this.say({ re: q.id, ...body }));
+    queueMicrotask(() => this.say(write_answer(q.id, body)));
   }
   close(): void { this.readyState = 3; }
 
   private get told(): Told { return this.report.data[this.language]; }
-  private say(message: object): void { this.onmessage?.({ data: JSON.stringify(message) }); }
+  private say(text: string): void { this.onmessage?.({ data: text }); }
 
-  private speak(q: Question, answer: object): object {
+  private speak<T>(q: Question, answer: T): T {
     this.language = q.lang === "ru" ? "ru" : "en";
     return answer;
   }
@@ -55,19 +61,19 @@ export class ReportSocket implements Socket {
   private run(): void {
     const { told } = this;
     for (const frame of this.report.path) this.onmessage?.({ data: frame.slice(0) });
-    for (const problem of told.problems) this.say({ event: "alarm", at: problem.at ?? 0, problem });
-    this.say({ event: "done", ...told.done });
-    for (const finding of told.findings) this.say({ event: "finding", ...finding });
-    if (told.cut) this.say({ event: "cut", ...told.cut });
+    for (const problem of told.problems) this.say(write_event("alarm", { at: problem.at ?? 0, problem }));
+    this.say(write_event("done", told.done));
+    for (const finding of told.findings) this.say(write_event("finding", finding));
+    if (told.cut) this.say(write_event("cut", told.cut));
   }
 
   /// What is left at the end, at every instant: sent once.
-  private part(): object {
+  private part(): PartAnswer | Refusal {
     const { part, data } = this.report, cut = this.told.cut;
-    if (!part || !cut) return { error: { text: "no part" } };
+    if (!part || !this.part_frame || !cut) return { error: { text: "no part" } };
     if (!this.part_is_shown) this.onmessage?.({ data: part.slice(0) });
     this.part_is_shown = true;
-    return { stock: cut.stock, left: cut.left, triangles: new DataView(part).getUint32(12, true), seconds: 0, cell: data.part?.cell ?? cut.resolution ?? 0 };
+    return { stock: cut.stock, left: cut.left, triangles: this.part_frame.triangles.length / 3, seconds: 0, cell: data.part?.cell ?? cut.resolution ?? 0 };
   }
 
   private source(file: number): string[] {
@@ -77,7 +83,7 @@ export class ReportSocket implements Socket {
   }
 
   /// What the path tells: codes in force, variables and calls are known to a session alone.
-  private state(q: Question): State | { error: { text: string } } {
+  private state(q: Question): State | Refusal {
     const { done, opened } = this.told;
     const s = q.number === undefined ? this.path.at(Number(q.at)) : this.path.of_block(Number(q.number));
     if (!s) return { error: { text: "no path" } };

@@ -1,4 +1,5 @@
 // The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the circle it is seen as along its axis.
+import { is_arc } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { Point } from "./types";
 
@@ -15,7 +16,7 @@ const along_axis = 0.94; // cosine: a helix' three points lie in a plane a littl
 /// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or hardly bent.
 export function arc_at(p: Piece, i: number): Circle | null {
   const kind = p.kinds[4 * i]!;
-  if (kind !== 3 && kind !== 4) return null;
+  if (!is_arc(kind)) return null;
   const same = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
   let first = i, last = i;
   while (same(first)) first--;

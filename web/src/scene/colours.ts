@@ -1,6 +1,7 @@
 // The colour of each motion, as four bytes. Rapids are dim in every colouring: what cuts is what is looked at.
+import { is_rapid } from "../protocol/frames";
 import type { Piece } from "./frame";
-import { home, rapid, type ColourBy } from "./types";
+import type { ColourBy } from "./types";
 
 export type Rgba = [number, number, number, number];
 export interface Theme { ground: number; rapid: Rgba; kinds: Rgba[]; other: Rgba; programmed: Rgba; bright: number; stock: number; extents: number; limits: number; zone: number; over: number; part: number; cut_part: number; tool: number; holder: number }
@@ -43,7 +44,7 @@ export function widen_ranges(r: Ranges, p: Piece): void {
 /// The colour of the motion that ends at a vertex of `p`: red in the lowest byte.
 export function painter(p: Piece, by: ColourBy, r: Ranges, theme: Theme): (i: number) => number {
   const dim = packed(theme.rapid), cuts = cutting_painter(p, by, r, theme);
-  return (i) => { const kind = p.kinds[4 * i]!; return kind === rapid || kind === home ? dim : cuts(i); };
+  return (i) => (is_rapid(p.kinds[4 * i]!) ? dim : cuts(i));
 }
 
 function cutting_painter(p: Piece, by: ColourBy, r: Ranges, theme: Theme): (i: number) => number {

@@ -1,5 +1,6 @@
 // How finely the path is drawn: no finer than the screen shows, and never more than the budget of segments.
-import { levels, type Piece } from "./frame";
+import { levels } from "../protocol/frames";
+import type { Piece } from "./frame";
 
 const finest = 0.001;        // mm: how far level 0 may be off; each level doubles it
 const unseen_pixels = 0.5;   // what is off by less is not seen

@@ -1,7 +1,8 @@
 // What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector2, Vector3, type Material, type Object3D } from "three";
+import { jump } from "../protocol/frames";
 import type { Theme } from "./colours";
-import { jump, type Point, type ToolShape } from "./types";
+import type { Point, ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
 const around = 64, up = new Vector3(0, 0, 1);

@@ -1,16 +1,14 @@
 // The part as it is cut: what each tool made in the colour of that tool, the blank's own surface grey.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from "three";
+import type { PartFrame } from "../protocol/frames";
 import { by_tool, type Theme } from "./colours";
-import { decode_part } from "./frame";
 import type { Point } from "./types";
 
 const blank = 65535; // "made by" of what no tool has touched
 const pale = 0.55;   // how far a tool's colour goes towards that of the blank: the path, in full colour, stays to be seen on it
 
-/// Both sides are drawn, so that a section is not open. Null where the frame is none.
-export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes: Plane[]): Mesh | null {
-  const part = decode_part(frame);
-  if (!part) return null;
+/// Both sides are drawn, so that a section is not open.
+export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Plane[]): Mesh {
   const g = new BufferGeometry(), n = part.points.length / 3, points = new Float32Array(3 * n), colours = new Uint8Array(3 * n);
   const of = new Map<number, [number, number, number]>();
   for (let i = 0; i < n; i++) {

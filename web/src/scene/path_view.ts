@@ -1,9 +1,10 @@
 // The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a few milliseconds' worth in a picture.
 import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMaterial, LineDashedMaterial, LineSegments, Matrix4, Vector3, type Material } from "three";
+import type { OfPathFrame } from "../protocol/frames";
 import { Bundle, most_pieces, type Part } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
-import { decode_leans, decode_path, decode_positions, type Piece } from "./frame";
+import { add_rows, piece_of, type Piece } from "./frame";
 import { every_of, level_of, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
 import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
@@ -46,13 +47,18 @@ export class PathView {
     return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
   }
 
-  add(frame: ArrayBuffer): boolean {
-    const piece = decode_path(frame);
-    if (!piece) return this.add_to_last(frame);
+  /// Directions of the tool and positions of what turns the part are of the piece that came before; false where there is none that they fit.
+  add(frame: OfPathFrame): boolean {
+    const whose = `${frame.which} ${frame.channel}`;
+    if (frame.kind !== "path") {
+      const last = this.last.get(whose);
+      return last !== undefined && add_rows(last, frame);
+    }
+    const piece = piece_of(frame);
     const d: Drawn = { piece, ordinal: this.drawn.length, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
     this.drawn.push(d);
     this.bundle_for(piece).parts.push(d);
-    this.last.set(`${piece.which} ${piece.channel}`, piece);
+    this.last.set(whose, piece);
     if (piece.which === 0 && piece.channel === 0) this.main.push(piece);
     if (!(piece.which & 1)) { widen_ranges(this.ranges, piece); for (const k of piece.kinds_seen) this.kinds.add(k); }
     this.widen(piece);
@@ -67,17 +73,6 @@ export class PathView {
     this.open.set(whose, bundle);
     this.group.add(bundle.lines);
     return bundle;
-  }
-
-  /// Directions of the tool, positions of what turns the part: of the piece that came before.
-  private add_to_last(frame: ArrayBuffer): boolean {
-    const head = frame.byteLength >= 16 ? new Uint32Array(frame, 0, 4) : null;
-    const last = head && this.last.get(`${head[1]} ${head[3]}`);
-    if (!last) return false;
-    const leans = decode_leans(frame, last), positions = leans ? null : decode_positions(frame, last);
-    if (leans) last.leans = leans;
-    if (positions) last.positions = positions;
-    return Boolean(leans ?? positions);
   }
 
   /// Without `which` all goes; 1: the path that the program was compared with.

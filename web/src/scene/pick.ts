@@ -1,11 +1,12 @@
 // The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn line stands for. Of two as near, the one in front.
 import { Box3, Matrix4, Vector3 } from "three";
+import { is_arc, jump, spline } from "../protocol/frames";
 import { arc_at, minus } from "./arc";
 import type { Eye } from "./camera";
 import type { Piece } from "./frame";
 import type { Drawn } from "./path_view";
 import { anchor_of } from "./measure";
-import { jump, type Anchor, type Point, type SceneVertex } from "./types";
+import type { Anchor, Point, SceneVertex } from "./types";
 
 export interface Hit { vertex: SceneVertex; place: Point; anchor: Anchor } // place: on the segment, at its end where the pointer is near that; from the picture's zero
 
@@ -83,13 +84,14 @@ export function vertex_of(p: Piece, i: number, zero: Point): SceneVertex {
 /// Vertices within an arc are no corners: only its own ends are points to measure from.
 function end_of_arc(p: Piece, i: number, part: number): number {
   const kind = p.kinds[4 * i]!, joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
-  const inside = (kind === 3 || kind === 4) && ((part === 1 && joins(i + 1)) || (part === 0 && joins(i - 1)));
+  const inside = is_arc(kind) && ((part === 1 && joins(i + 1)) || (part === 0 && joins(i - 1)));
   return inside ? 0.5 : part;
 }
 
 /// Of the whole motion that a vertex belongs to, as far as this piece has it.
 function length_of(p: Piece, i: number): number {
-  const joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === p.kinds[4 * i] && (p.kinds[4 * i] === 3 || p.kinds[4 * i] === 4 || p.kinds[4 * i] === 8);
+  const kind = p.kinds[4 * i]!, bent = is_arc(kind) || kind === spline;
+  const joins = (k: number): boolean => bent && k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
   let first = i, last = i, sum = 0;
   while (joins(first - 1)) first--;
   while (joins(last + 1)) last++;

@@ -1,6 +1,7 @@
 // Where the tool is at an instant: the piece by its start, the motion by its time, the place in between.
+import { jump } from "../protocol/frames";
 import type { Piece } from "./frame";
-import { jump, type Point } from "./types";
+import type { Point } from "./types";
 
 export interface Place { at: Point; tool: number; lean: Point | null; positions: number[] | null } // positions: of the joints that turn the part
 

@@ -14,6 +14,7 @@ import { part_material, part_mesh } from "./part_view";
 import { carry_of } from "./carry";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
+import type { OfPathFrame, PartFrame } from "../protocol/frames";
 import type { Joint } from "../protocol/types";
 import { type Anchor, type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneMode, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
@@ -47,7 +48,7 @@ export class Scene {
   private shown_boxes: SceneBox[] = [];
   private bounds: SceneBounds | null = null;
   private reach = new Box3();        // of the machine's limits and zones as they are drawn, from the zero
-  private part_frame: ArrayBuffer | null = null;
+  private part_shown: PartFrame | null = null;
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
   private mode: SceneMode = "orbit";
@@ -84,7 +85,7 @@ export class Scene {
   }
 
   /// A path that is run anew takes the place of the old one with its first piece, so that the view does not go blank.
-  addPath(frame: ArrayBuffer): void {
+  addPath(frame: OfPathFrame): void {
     if (this.old) this.clearPath();
     if (!this.path.add(frame)) return;
     this.touch();
@@ -98,7 +99,7 @@ export class Scene {
   setZero(zero: Point): void {
     this.path.set_zero(zero);
     this.draw_machine();
-    this.setPart(this.part_frame);
+    this.setPart(this.part_shown);
     this.relight();
     this.setInstant(this.path.instant);
   }
@@ -117,7 +118,7 @@ export class Scene {
     this.tool_drawn = "";
     this.draw_machine();
     this.setBoxes(this.shown_boxes);
-    this.setPart(this.part_frame);
+    this.setPart(this.part_shown);
     this.setInstant(this.path.instant);
   }
 
@@ -196,11 +197,10 @@ export class Scene {
     this.refit();
   }
 
-  setPart(frame: ArrayBuffer | null): void {
-    this.part_frame = frame;
+  setPart(part: PartFrame | null): void {
+    this.part_shown = part;
     empty(this.part);
-    const mesh = frame && part_mesh(frame, this.path.zero, this.theme, this.planes);
-    if (mesh) this.part.add(mesh);
+    if (part) this.part.add(part_mesh(part, this.path.zero, this.theme, this.planes));
     this.touch();
   }
 

@@ -1,7 +1,8 @@
 // What of one piece is drawn at a level: each segment with both its ends and one colour, in machine coordinates. Only what is drawn is copied, so the graphics card holds no more than the budget.
+import { is_rapid, jump, most_vertices } from "../protocol/frames";
 import { painter, type Ranges, type Theme } from "./colours";
-import { most_vertices, type Piece } from "./frame";
-import { is_rapid, jump, type ColourBy, type SceneFilter } from "./types";
+import type { Piece } from "./frame";
+import type { ColourBy, SceneFilter } from "./types";
 
 export interface Look { level: number; filter: SceneFilter; by: ColourBy; ranges: Ranges; theme: Theme; zero_z: number; every?: number; runs_before?: number } // `every`: of the runs only each so manieth; how many runs are before the piece
 export interface Segments { points: Float32Array; colours: Uint32Array; starts: Uint32Array; ends: Uint32Array } // colours: of both ends; starts, ends: vertices

@@ -33,6 +33,3 @@ export interface SceneEvents {
 
 /// Thrown where the browser gives no WebGL: the page goes on without this view.
 export class NoWebGl extends Error {}
-
-export const jump = 0, rapid = 1, home = 6;
-export const is_rapid = (kind: number): boolean => kind === rapid || kind === home;

@@ -1,4 +1,5 @@
 // What the colours of the path mean: a ramp with its figures, or one line a kind of motion or a tool.
+import { is_rapid, spline } from "../protocol/frames";
 import { colour_of_tool, is_ramp, ramp, type Range, type Rgba, type Theme } from "../scene/colours";
 import type { ColourBy } from "../scene/types";
 import { t, type TextKey } from "../texts/texts";
@@ -12,7 +13,7 @@ const ticks = 5, most_tools = 12;
 
 export function legend(c: Coloured): HTMLElement | null {
   if (is_ramp(c.by)) return ramp_legend(c.by, c.range);
-  const rows = c.by === "kind" ? c.kinds.map((k) => swatch(css(k === 1 || k === 6 ? c.theme.rapid : c.theme.kinds[Math.min(k, c.theme.kinds.length - 1)]!), t(`motion_${Math.min(8, k)}` as TextKey)))
+  const rows = c.by === "kind" ? c.kinds.map((k) => swatch(css(is_rapid(k) ? c.theme.rapid : c.theme.kinds[Math.min(k, c.theme.kinds.length - 1)]!), t(`motion_${Math.min(spline, k)}` as TextKey)))
     : c.tools.slice(0, most_tools).map((x) => swatch(css(colour_of_tool(x.tool)), `T${x.tool} ${x.name ?? ""}`));
   return rows.length ? h("div", { class: "legend" }, ...rows, c.by === "tool" && c.tools.length > most_tools && h("div", { class: "dim" }, `… +${c.tools.length - most_tools}`)) : null;
 }
