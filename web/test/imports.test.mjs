@@ -9,12 +9,15 @@ const src = fileURLToPath(new URL("../src", import.meta.url));
 /// Our own files that a text names in `import … from "…"`, `export … from "…"`, `import "…"` and `import("…")`.
 function imported(file, text) {
   const names = [...text.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*"(\.[^"]*)"/g)].map((m) => m[1]);
-  return names.filter((name) => !name.endsWith(".css")).map((name) => normalize(join(dirname(file), `${name.replace(/\.ts$/, "")}.ts`)));
+  return names
+    .filter((name) => !name.endsWith(".css"))
+    .map((name) => normalize(join(dirname(file), `${name.replace(/\.ts$/, "")}.ts`)));
 }
 
 /// `files`: texts by name. A circle as the names along it, the first one once more at the end; null where there is none.
 function circle_in(files) {
-  const over = new Set(), way = [];
+  const over = new Set(),
+    way = [];
   const visit = (file) => {
     if (way.includes(file)) return [...way.slice(way.indexOf(file)), file];
     if (over.has(file)) return null;
@@ -36,7 +39,9 @@ function circle_in(files) {
 }
 
 test("no file of src comes back to itself by its imports", () => {
-  const names = readdirSync(src, { recursive: true }).map(String).filter((name) => name.endsWith(".ts"));
+  const names = readdirSync(src, { recursive: true })
+    .map(String)
+    .filter((name) => name.endsWith(".ts"));
   expect(names.length).toBeGreaterThan(80);
   const files = new Map(names.map((name) => [normalize(name), readFileSync(join(src, name), "utf8")]));
   expect([...files].flatMap(([name, text]) => imported(name, text)).length).toBeGreaterThan(300);
@@ -44,9 +49,27 @@ test("no file of src comes back to itself by its imports", () => {
 });
 
 test("a circle is found, whatever form its imports have", () => {
-  const chain = [["a.ts", 'import { b } from "./in/b";'], ["in/b.ts", 'import type { c } from "../c";\nimport "../style.css";'], ["c.ts", "export const c = 1;"]];
+  const chain = [
+    ["a.ts", 'import { b } from "./in/b";'],
+    ["in/b.ts", 'import type { c } from "../c";\nimport "../style.css";'],
+    ["c.ts", "export const c = 1;"],
+  ];
   expect(circle_in(new Map(chain))).toBeNull();
-  const back = ['import { a } from "./a";', 'import {\n  type A,\n} from "./a";', 'export { a } from "./a";', 'import "./a";', 'const a = await import("./a");', 'let a: import("./a").A;', 'import { a } from "./a.ts";'];
-  for (const text of back) expect(circle_in(new Map([...chain.slice(0, 2), ["c.ts", text]])), text).toEqual(["a.ts", "in/b.ts", "c.ts", "a.ts"]);
+  const back = [
+    'import { a } from "./a";',
+    'import {\n  type A,\n} from "./a";',
+    'export { a } from "./a";',
+    'import "./a";',
+    'const a = await import("./a");',
+    'let a: import("./a").A;',
+    'import { a } from "./a.ts";',
+  ];
+  for (const text of back)
+    expect(circle_in(new Map([...chain.slice(0, 2), ["c.ts", text]])), text).toEqual([
+      "a.ts",
+      "in/b.ts",
+      "c.ts",
+      "a.ts",
+    ]);
   expect(circle_in(new Map([["a.ts", 'import type { A } from "./a";']]))).toEqual(["a.ts", "a.ts"]);
 });

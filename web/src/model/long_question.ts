@@ -15,9 +15,14 @@ export class LongQuestion<K extends "mill" | "convert"> {
   private wishes = new Latest<Questions[K][0]>((q) => this.fetch(q));
   private under_way = false;
 
-  constructor(make: () => Socket, private what: K) {
+  constructor(
+    make: () => Socket,
+    private what: K,
+  ) {
     this.client = new Client(make, greet);
-    this.client.line.on((l) => { if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted); });
+    this.client.line.on((l) => {
+      if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted);
+    });
     this.client.connect();
   }
 
@@ -33,7 +38,9 @@ export class LongQuestion<K extends "mill" | "convert"> {
     if (question) this.wishes.want(question);
   }
 
-  close(): void { this.client.close(); }
+  close(): void {
+    this.client.close();
+  }
 
   private async fetch(question: Questions[K][0]): Promise<void> {
     if (question !== this.wanted) return;
@@ -42,8 +49,11 @@ export class LongQuestion<K extends "mill" | "convert"> {
       const answer = await this.client.ask(this.what, question);
       if (question === this.wanted) this.take(answer, "");
     } catch (e) {
-      if (question === this.wanted && !(e instanceof Lost)) this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
-    } finally { this.under_way = false; }
+      if (question === this.wanted && !(e instanceof Lost))
+        this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
+    } finally {
+      this.under_way = false;
+    }
   }
 
   private take(answer: Questions[K][1] | null, refusal: string): void {

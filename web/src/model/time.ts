@@ -35,7 +35,11 @@ export const times_of = (slider: number): number => Number((10 ** (slider * 4 - 
 export const slider_of = (times: number): number => (Math.log10(times) + 1) / 4;
 
 /// Marks that would stand on the same pixels become one, the gravest kind of them.
-export interface Cluster { at: number; marks: Mark[]; kind: Mark["kind"] }
+export interface Cluster {
+  at: number;
+  marks: Mark[];
+  kind: Mark["kind"];
+}
 const grave: Mark["kind"][] = ["alarm", "warning", "stop", "tool", "end", "optional_stop", "zero", "message", "dwell"];
 export function clusters(marks: Mark[], seconds: number, width: number, apart = 5): Cluster[] {
   const out: Cluster[] = [];

@@ -6,18 +6,29 @@ import type { Questions } from "./types";
 
 /// An answer that says no. `changed` tells that a file was changed by somebody else since it was opened.
 export class Refused extends Error {
-  constructor(text: string, readonly changed = false) { super(text); }
+  constructor(
+    text: string,
+    readonly changed = false,
+  ) {
+    super(text);
+  }
 }
 /// The line was lost before the answer came.
 export class Lost extends Error {}
 
 export interface Socket {
-  binaryType: string; readonly readyState: number; send(text: string): void; close(): void;
-  onopen: ((e: unknown) => void) | null; onclose: ((e: unknown) => void) | null; onmessage: ((e: { data: unknown }) => void) | null;
+  binaryType: string;
+  readonly readyState: number;
+  send(text: string): void;
+  close(): void;
+  onopen: ((e: unknown) => void) | null;
+  onclose: ((e: unknown) => void) | null;
+  onmessage: ((e: { data: unknown }) => void) | null;
 }
 export type LineState = "connecting" | "open" | "lost" | "refused";
 
-const first_wait = 250, longest_wait = 8000; // ms between tries: soon after a hiccup, seldom while the server is gone
+const first_wait = 250,
+  longest_wait = 8000; // ms between tries: soon after a hiccup, seldom while the server is gone
 
 export class Client {
   readonly line = new Signal<LineState>();
@@ -31,7 +42,10 @@ export class Client {
   private over = false;
 
   /// `greet` runs on every new line before anything else is asked: it says hello.
-  constructor(private make: () => Socket, private greet: (client: Client) => Promise<unknown>) {}
+  constructor(
+    private make: () => Socket,
+    private greet: (client: Client) => Promise<unknown>,
+  ) {}
 
   connect(): void {
     clearTimeout(this.timer);
@@ -40,8 +54,12 @@ export class Client {
     this.socket = socket;
     socket.binaryType = "arraybuffer";
     socket.onopen = () => this.opened(socket);
-    socket.onclose = () => { if (socket === this.socket) this.lost(); };
-    socket.onmessage = (e) => { if (socket === this.socket) this.take(e.data); };
+    socket.onclose = () => {
+      if (socket === this.socket) this.lost();
+    };
+    socket.onmessage = (e) => {
+      if (socket === this.socket) this.take(e.data);
+    };
   }
 
   ask<K extends keyof Questions>(what: K, body: Questions[K][0]): Promise<Questions[K][1]> {
@@ -62,12 +80,16 @@ export class Client {
 
   private opened(socket: Socket): void {
     this.greet(this).then(
-      () => { this.tries = 0; this.line.emit("open"); },
+      () => {
+        this.tries = 0;
+        this.line.emit("open");
+      },
       (e) => {
         if (!(e instanceof Refused)) return socket.close();
         this.over = true; // trying again with the same token would be refused again
         this.line.emit("refused");
-      });
+      },
+    );
   }
 
   private lost(): void {

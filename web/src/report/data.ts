@@ -4,15 +4,35 @@ import { write_part, write_path, write_rows } from "../protocol/frames";
 import type { CutResult, Done, Finding, Language, Opened, Problem, Sheet } from "../protocol/types";
 
 /// Texts in one language.
-export interface Told { opened: Opened; done: Done; problems: Problem[]; sheet: Sheet; findings: Finding[]; cut: CutResult | null }
+export interface Told {
+  opened: Opened;
+  done: Done;
+  problems: Problem[];
+  sheet: Sheet;
+  findings: Finding[];
+  cut: CutResult | null;
+}
 export interface ReportData {
-  version: string; made: string; file: string; language: Language; quanta: { length: number; time: number; feed: number; direction: number; position: number };
-  sources: { file: number; name: string; text: string }[]; thinned: number; licences: string; en: Told; ru: Told;
+  version: string;
+  made: string;
+  file: string;
+  language: Language;
+  quanta: { length: number; time: number; feed: number; direction: number; position: number };
+  sources: { file: number; name: string; text: string }[];
+  thinned: number;
+  licences: string;
+  en: Told;
+  ru: Told;
   part: { cell: number; off: number } | null;
 }
-export interface Report { data: ReportData; path: ArrayBuffer[]; part: ArrayBuffer | null }
+export interface Report {
+  data: ReportData;
+  path: ArrayBuffer[];
+  part: ArrayBuffer | null;
+}
 
-const path_kind = 1, part_kind = 3;
+const path_kind = 1,
+  part_kind = 3;
 
 /// `text`: base64 of a zlib stream.
 export async function unpack(text: string): Promise<Report> {
@@ -27,7 +47,8 @@ export function read(bytes: ArrayBuffer): Report {
   const data = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as ReportData;
   const report: Report = { data, path: [], part: null };
   for (let at = 4 + length; at + 8 <= bytes.byteLength;) {
-    const kind = view.getUint32(at, true), size = view.getUint32(at + 4, true);
+    const kind = view.getUint32(at, true),
+      size = view.getUint32(at + 4, true);
     const piece = new Columns(bytes, at + 8);
     if (kind === path_kind) report.path.push(...path_frames(piece, data));
     else if (kind === part_kind) report.part = part_frame(piece, data);
@@ -40,17 +61,29 @@ export function read(bytes: ArrayBuffer): Report {
 class Columns {
   private bytes: Uint8Array;
   private view: DataView;
-  constructor(buffer: ArrayBuffer, private at: number) {
+  constructor(
+    buffer: ArrayBuffer,
+    private at: number,
+  ) {
     this.bytes = new Uint8Array(buffer);
     this.view = new DataView(buffer);
   }
-  u32(): number { this.at += 4; return this.view.getUint32(this.at - 4, true); }
-  f64(): number { this.at += 8; return this.view.getFloat64(this.at - 8, true); }
+  u32(): number {
+    this.at += 4;
+    return this.view.getUint32(this.at - 4, true);
+  }
+  f64(): number {
+    this.at += 8;
+    return this.view.getFloat64(this.at - 8, true);
+  }
   ints(count: number): Int32Array {
-    const out = new Int32Array(count), b = this.bytes, at = this.at;
+    const out = new Int32Array(count),
+      b = this.bytes,
+      at = this.at;
     let value = 0;
     for (let i = 0; i < count; i++) {
-      const z = b[at + i]! | (b[at + count + i]! << 8) | (b[at + 2 * count + i]! << 16) | (b[at + 3 * count + i]! << 24);
+      const z =
+        b[at + i]! | (b[at + count + i]! << 8) | (b[at + 2 * count + i]! << 16) | (b[at + 3 * count + i]! << 24);
       value = (value + ((z >>> 1) ^ -(z & 1))) | 0;
       out[i] = value;
     }
@@ -60,25 +93,36 @@ class Columns {
 }
 
 function path_frames(c: Columns, data: ReportData): ArrayBuffer[] {
-  const q = data.quanta, count = c.u32(), which = c.u32(), channel = c.u32(), besides = c.u32(), first = c.u32(), start = c.f64(), of = { which, channel, count };
-  const frames = [write_path({ ...of, start, first }, (p) => {
-    put(c, p.at, 3, q.length);
-    put(c, p.times, 1, q.time);
-    put(c, p.lines, 1);
-    put(c, p.numbers, 1);
-    put(c, p.feeds, 1, q.feed);
-    put(c, p.speeds, 1, q.feed);
-    put(c, p.tools, 2);
-    put(c, p.kinds, 2, 1, 4);
-  })];
-  const leans = besides & 1, joints = besides >>> 1; // the directions first
+  const q = data.quanta,
+    count = c.u32(),
+    which = c.u32(),
+    channel = c.u32(),
+    besides = c.u32(),
+    first = c.u32(),
+    start = c.f64(),
+    of = { which, channel, count };
+  const frames = [
+    write_path({ ...of, start, first }, (p) => {
+      put(c, p.at, 3, q.length);
+      put(c, p.times, 1, q.time);
+      put(c, p.lines, 1);
+      put(c, p.numbers, 1);
+      put(c, p.feeds, 1, q.feed);
+      put(c, p.speeds, 1, q.feed);
+      put(c, p.tools, 2);
+      put(c, p.kinds, 2, 1, 4);
+    }),
+  ];
+  const leans = besides & 1,
+    joints = besides >>> 1; // the directions first
   if (leans) frames.push(write_rows("directions", of, 3, (values) => put(c, values, 3, q.direction)));
   if (joints) frames.push(write_rows("positions", of, joints, (values) => put(c, values, joints, q.position)));
   return frames;
 }
 
 function part_frame(c: Columns, data: ReportData): ArrayBuffer {
-  const points = c.u32(), triangles = c.u32();
+  const points = c.u32(),
+    triangles = c.u32();
   return write_part(points, triangles, (part) => {
     put(c, part.points, 3, data.quanta.length);
     part.triangles.set(c.ints(3 * triangles));
@@ -88,6 +132,15 @@ function part_frame(c: Columns, data: ReportData): ArrayBuffer {
 }
 
 /// The next `columns` become rows: of `each` values in `to` the first ones.
-function put(c: Columns, to: Float32Array | Uint32Array | Uint16Array | Uint8Array, columns: number, unit = 1, each = columns): void {
-  for (let k = 0; k < columns; k++) c.ints(to.length / each).forEach((value, i) => { to[each * i + k] = value * unit; });
+function put(
+  c: Columns,
+  to: Float32Array | Uint32Array | Uint16Array | Uint8Array,
+  columns: number,
+  unit = 1,
+  each = columns,
+): void {
+  for (let k = 0; k < columns; k++)
+    c.ints(to.length / each).forEach((value, i) => {
+      to[each * i + k] = value * unit;
+    });
 }

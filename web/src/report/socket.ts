@@ -6,8 +6,11 @@ import type { Axes, Language, PartAnswer, Questions, State } from "../protocol/t
 import type { Report, Told } from "./data";
 import { ReportPath } from "./path";
 
-const most_passes = 1000, most_lines = 5000;
-interface Refusal { error: { text: string } }
+const most_passes = 1000,
+  most_lines = 5000;
+interface Refusal {
+  error: { text: string };
+}
 type Answers = { [K in keyof Questions]?: (q: Question) => Questions[K][1] | Refusal };
 
 export class ReportSocket implements Socket {
@@ -22,10 +25,27 @@ export class ReportSocket implements Socket {
   private part_frame: PartFrame | null;
   private part_is_shown = false;
   private answers: Answers = {
-    hello: (q) => this.speak(q, { version: this.report.data.version, folder: "", may_change: false, last: this.report.data.file, controls: [], machines: [] }),
+    hello: (q) =>
+      this.speak(q, {
+        version: this.report.data.version,
+        folder: "",
+        may_change: false,
+        last: this.report.data.file,
+        controls: [],
+        machines: [],
+      }),
     language: (q) => this.speak(q, {}),
-    open: () => { this.part_is_shown = false; setTimeout(() => this.run()); return this.told.opened; }, // after the answer, when it has been taken
-    source: (q) => ({ lines: this.source(Number(q.file ?? 0)).slice(Number(q.from) - 1, Number(q.from) - 1 + Math.min(most_lines, Number(q.count))) }),
+    open: () => {
+      this.part_is_shown = false;
+      setTimeout(() => this.run());
+      return this.told.opened;
+    }, // after the answer, when it has been taken
+    source: (q) => ({
+      lines: this.source(Number(q.file ?? 0)).slice(
+        Number(q.from) - 1,
+        Number(q.from) - 1 + Math.min(most_lines, Number(q.count)),
+      ),
+    }),
     state: (q) => this.state(q),
     passes: (q) => this.path.passes(Number(q.line), Number(q.file ?? 0), most_passes),
     sheet: () => this.told.sheet,
@@ -38,7 +58,10 @@ export class ReportSocket implements Socket {
     this.path = new ReportPath(report.path);
     const part = report.part && read_frame(report.part);
     this.part_frame = part?.kind === "part" ? part : null;
-    queueMicrotask(() => { this.readyState = 1; this.onopen?.({}); });
+    queueMicrotask(() => {
+      this.readyState = 1;
+      this.onopen?.({});
+    });
   }
 
   send(text: string): void {
@@ -47,10 +70,16 @@ export class ReportSocket implements Socket {
     const body = answer ? answer(q) : { error: { text: "a report answers nothing of the kind" } };
     queueMicrotask(() => this.say(write_answer(q.id, body)));
   }
-  close(): void { this.readyState = 3; }
+  close(): void {
+    this.readyState = 3;
+  }
 
-  private get told(): Told { return this.report.data[this.language]; }
-  private say(text: string): void { this.onmessage?.({ data: text }); }
+  private get told(): Told {
+    return this.report.data[this.language];
+  }
+  private say(text: string): void {
+    this.onmessage?.({ data: text });
+  }
 
   private speak<T>(q: Question, answer: T): T {
     this.language = q.lang === "ru" ? "ru" : "en";
@@ -69,16 +98,24 @@ export class ReportSocket implements Socket {
 
   /// What is left at the end, at every instant: sent once.
   private part(): PartAnswer | Refusal {
-    const { part, data } = this.report, cut = this.told.cut;
+    const { part, data } = this.report,
+      cut = this.told.cut;
     if (!part || !this.part_frame || !cut) return { error: { text: "no part" } };
     if (!this.part_is_shown) this.onmessage?.({ data: part.slice(0) });
     this.part_is_shown = true;
-    return { stock: cut.stock, left: cut.left, triangles: this.part_frame.triangles.length / 3, seconds: 0, cell: data.part?.cell ?? cut.resolution ?? 0 };
+    return {
+      stock: cut.stock,
+      left: cut.left,
+      triangles: this.part_frame.triangles.length / 3,
+      seconds: 0,
+      cell: data.part?.cell ?? cut.resolution ?? 0,
+    };
   }
 
   private source(file: number): string[] {
     let lines = this.lines.get(file);
-    if (!lines) this.lines.set(file, lines = (this.report.data.sources.find((s) => s.file === file)?.text ?? "").split("\n"));
+    if (!lines)
+      this.lines.set(file, (lines = (this.report.data.sources.find((s) => s.file === file)?.text ?? "").split("\n")));
     return lines;
   }
 
@@ -88,12 +125,32 @@ export class ReportSocket implements Socket {
     const s = q.number === undefined ? this.path.at(Number(q.at)) : this.path.of_block(Number(q.number));
     if (!s) return { error: { text: "no path" } };
     const axes = done.axes.length >= 3 ? done.axes.slice(0, 3) : ["X", "Y", "Z"];
-    const of_axes = (v: number[], zero: number[]): Axes => Object.fromEntries(axes.map((name, i) => [name, v[i]! - zero[i]!]));
-    const file_name = s.file === 0 ? "" : this.report.data.sources.find((x) => x.file === s.file)?.name ?? "";
+    const of_axes = (v: number[], zero: number[]): Axes =>
+      Object.fromEntries(axes.map((name, i) => [name, v[i]! - zero[i]!]));
+    const file_name = s.file === 0 ? "" : (this.report.data.sources.find((x) => x.file === s.file)?.name ?? "");
     return {
-      at: s.at, number: s.number, line: s.line, column: 1, file: s.file, file_name: file_name || opened.file, block: "", text: this.source(s.file)[s.line - 1] ?? "",
-      position: of_axes(s.place, done.zero), machine: {}, togo: of_axes(s.left, [0, 0, 0]), feed: s.feed, speed: s.speed, rpm: null, tool: s.tool,
-      modal: [], offsets: {}, zero: {}, variables: [], calls: [], seconds: s.at, left: Math.max(0, done.seconds - s.at),
+      at: s.at,
+      number: s.number,
+      line: s.line,
+      column: 1,
+      file: s.file,
+      file_name: file_name || opened.file,
+      block: "",
+      text: this.source(s.file)[s.line - 1] ?? "",
+      position: of_axes(s.place, done.zero),
+      machine: {},
+      togo: of_axes(s.left, [0, 0, 0]),
+      feed: s.feed,
+      speed: s.speed,
+      rpm: null,
+      tool: s.tool,
+      modal: [],
+      offsets: {},
+      zero: {},
+      variables: [],
+      calls: [],
+      seconds: s.at,
+      left: Math.max(0, done.seconds - s.at),
     };
   }
 }

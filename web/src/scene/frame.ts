@@ -3,18 +3,25 @@ import { is_rapid, jump, type PathFrame, type RowsFrame } from "../protocol/fram
 import type { Point } from "./types";
 
 export interface Piece extends PathFrame {
-  cut: [Point, Point] | null;      // of the ways that are no rapids
-  length: number;                  // of what is drawn of it, mm
-  line_range: [number, number]; feed_range: [number, number]; speed_range: [number, number];
+  cut: [Point, Point] | null; // of the ways that are no rapids
+  length: number; // of what is drawn of it, mm
+  line_range: [number, number];
+  feed_range: [number, number];
+  speed_range: [number, number];
   kinds_seen: Set<number>;
-  leans?: Float32Array;            // from the tip into the tool, where it leans
-  positions?: Float32Array;        // of the joints that turn the part, vertex by vertex
+  leans?: Float32Array; // from the tip into the tool, where it leans
+  positions?: Float32Array; // of the joints that turn the part, vertex by vertex
 }
 
 export function piece_of(frame: PathFrame): Piece {
   const piece: Piece = {
-    ...frame, cut: null, length: 0,
-    line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity], kinds_seen: new Set(),
+    ...frame,
+    cut: null,
+    length: 0,
+    line_range: [Infinity, -Infinity],
+    feed_range: [Infinity, -Infinity],
+    speed_range: [Infinity, -Infinity],
+    kinds_seen: new Set(),
   };
   measure(piece);
   return piece;
@@ -29,25 +36,32 @@ export function add_rows(piece: Piece, rows: RowsFrame): boolean {
 }
 
 function measure(p: Piece): void {
-  const { kinds, at } = p, least: Point = [Infinity, Infinity, Infinity], greatest: Point = [-Infinity, -Infinity, -Infinity];
+  const { kinds, at } = p,
+    least: Point = [Infinity, Infinity, Infinity],
+    greatest: Point = [-Infinity, -Infinity, -Infinity];
   const [lines, feeds, speeds] = [p.line_range, p.feed_range, p.speed_range];
   let last_kind = jump;
   for (let i = 1; i < p.count; i++) {
-    const kind = kinds[4 * i]!, line = p.lines[i]!;
+    const kind = kinds[4 * i]!,
+      line = p.lines[i]!;
     if (kind === jump) continue;
     if (kind !== last_kind) p.kinds_seen.add((last_kind = kind));
     if (line < lines[0]) lines[0] = line;
     if (line > lines[1]) lines[1] = line;
-    const x = at[3 * i]! - at[3 * i - 3]!, y = at[3 * i + 1]! - at[3 * i - 2]!, z = at[3 * i + 2]! - at[3 * i - 1]!;
+    const x = at[3 * i]! - at[3 * i - 3]!,
+      y = at[3 * i + 1]! - at[3 * i - 2]!,
+      z = at[3 * i + 2]! - at[3 * i - 1]!;
     p.length += Math.sqrt(x * x + y * y + z * z);
     if (is_rapid(kind)) continue;
-    const feed = p.feeds[i]!, speed = p.speeds[i]!;
+    const feed = p.feeds[i]!,
+      speed = p.speeds[i]!;
     if (feed < feeds[0]) feeds[0] = feed;
     if (feed > feeds[1]) feeds[1] = feed;
     if (speed < speeds[0]) speeds[0] = speed;
     if (speed > speeds[1]) speeds[1] = speed;
     for (let k = 0; k < 3; k++) {
-      const a = at[3 * i - 3 + k]!, b = at[3 * i + k]!;
+      const a = at[3 * i - 3 + k]!,
+        b = at[3 * i + k]!;
       if (a < least[k]!) least[k] = a;
       if (b < least[k]!) least[k] = b;
       if (a > greatest[k]!) greatest[k] = a;

@@ -16,7 +16,8 @@ function colours(view: EditorView): DecorationSet {
   const out = new RangeSetBuilder<Decoration>();
   for (const { from, to } of view.visibleRanges) {
     for (let at = from; at <= to;) {
-      const line = view.state.doc.lineAt(at), text = line.text.slice(0, longest);
+      const line = view.state.doc.lineAt(at),
+        text = line.text.slice(0, longest);
       for (let i = 0; i < text.length;) {
         const { kind, length } = token_at(text, i);
         if (kind) out.add(line.from + i, line.from + Math.min(text.length, i + length), mark(kind));
@@ -28,8 +29,15 @@ function colours(view: EditorView): DecorationSet {
   return out.finish();
 }
 
-export const gcode = ViewPlugin.fromClass(class {
-  decorations: DecorationSet;
-  constructor(view: EditorView) { this.decorations = colours(view); }
-  update(u: ViewUpdate): void { if (u.docChanged || u.viewportChanged) this.decorations = colours(u.view); }
-}, { decorations: (v) => v.decorations });
+export const gcode = ViewPlugin.fromClass(
+  class {
+    decorations: DecorationSet;
+    constructor(view: EditorView) {
+      this.decorations = colours(view);
+    }
+    update(u: ViewUpdate): void {
+      if (u.docChanged || u.viewportChanged) this.decorations = colours(u.view);
+    }
+  },
+  { decorations: (v) => v.decorations },
+);

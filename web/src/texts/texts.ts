@@ -7,7 +7,10 @@ import { ru } from "./ru";
 
 const tables: Record<Language, Record<TextKey, string>> = { en, ru };
 const changed = new Signal<Language>();
-let current: Language = remembered<Language>("language", (globalThis.navigator?.language ?? "en").startsWith("ru") ? "ru" : "en");
+let current: Language = remembered<Language>(
+  "language",
+  (globalThis.navigator?.language ?? "en").startsWith("ru") ? "ru" : "en",
+);
 
 export const language = (): Language => current;
 export function set_language(lang: Language): void {
