@@ -1,4 +1,5 @@
-// Puts script and style of a built page into its HTML, and says by their hashes that nothing else may run: the file is opened from anywhere.
+// Puts script and style of a built page into its HTML, and says by their hashes that nothing else may run: the file is
+// opened from anywhere.
 import { createHash } from "node:crypto";
 import type { Plugin } from "vite";
 
@@ -29,7 +30,8 @@ export function inlined(page: string): Plugin {
           : text.replace("</head>", () => `<style>${inside}</style>\n</head>`);
         delete bundle[name];
       }
-      const policy = `default-src 'none'; script-src ${hashes.script.join(" ")}; style-src ${hashes.style.join(" ")}; img-src blob:; base-uri 'none'; form-action 'none'`;
+      const own = `script-src ${hashes.script.join(" ")}; style-src ${hashes.style.join(" ")}`;
+      const policy = `default-src 'none'; ${own}; img-src blob:; base-uri 'none'; form-action 'none'`;
       html.source = text.replace(
         '<meta charset="utf-8">',
         `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`,

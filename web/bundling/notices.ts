@@ -1,5 +1,5 @@
-// Which packages are really in a bundle, with their licences and notices: by the modules that the bundler took in. A licence that may not be
-// embedded stops the build.
+// Which packages are really in a bundle, with their licences and notices: by the modules that the bundler took in. A
+// licence that may not be embedded stops the build.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import type { Plugin } from "vite";

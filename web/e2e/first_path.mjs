@@ -1,4 +1,5 @@
-// How soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…]. From the question `open` to a picture that has some of the path in it.
+// How soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…]. From the
+// question `open` to a picture that has some of the path in it.
 import { closeSync, mkdtempSync, openSync, rmSync, writeSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -24,7 +25,8 @@ function write_program(name, blocks) {
   closeSync(file);
 }
 
-/// In the page, before its own script: when `open` was asked, its answer came, frames came, lines were first drawn; and each long task.
+/// In the page, before its own script: when `open` was asked, its answer came, frames came, lines were first drawn; and
+/// each long task.
 function listen() {
   const w = (window.first = { tasks: [] }),
     send = WebSocket.prototype.send,
@@ -77,7 +79,8 @@ try {
       after = (t) => `${((t - f.asked) / 1000).toFixed(2)} s`,
       long = Math.max(0, ...f.tasks.map((x) => x[1]));
     console.log(
-      `${blocks} blocks: answered ${after(f.answered)}, first frame ${after(f.frame)}, first path on the screen ${after(f.shown)}, all ${after(f.done)}; tasks above 50 ms: ${f.tasks.length}, longest ${long.toFixed(0)} ms`,
+      `${blocks} blocks: answered ${after(f.answered)}, first frame ${after(f.frame)}, first path on the screen ${after(f.shown)}, ` +
+        `all ${after(f.done)}; tasks above 50 ms: ${f.tasks.length}, longest ${long.toFixed(0)} ms`,
     );
     if (f.shown - f.asked > (blocks <= 100_000 ? 1000 : 3000)) bad++;
   }

@@ -1,4 +1,5 @@
-// How many pictures a second while a long path is turned, moved and zoomed: node e2e/frames.mjs [SEGMENTS] [PICTURES]. The path comes from a made-up session.
+// How many pictures a second while a long path is turned, moved and zoomed: node e2e/frames.mjs [SEGMENTS] [PICTURES].
+// The path comes from a made-up session.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { browser, until } from "./browser.mjs";
@@ -46,7 +47,8 @@ const watched = (name) =>
   }, name);
 const tell = (r) =>
   console.log(
-    `${r.what.padEnd(18)} ${r.per_second.toFixed(1).padStart(6)} pictures/s, median ${r.median.toFixed(0)} ms, longest ${r.most.toFixed(0)} ms; tasks above 50 ms: ${r.tasks}, longest ${r.longest_task.toFixed(0)} ms`,
+    `${r.what.padEnd(18)} ${r.per_second.toFixed(1).padStart(6)} pictures/s, median ${r.median.toFixed(0)} ms, longest ${r.most.toFixed(0)} ms; ` +
+      `tasks above 50 ms: ${r.tasks}, longest ${r.longest_task.toFixed(0)} ms`,
   );
 const thinned = () => page.locator(".scene-thinned").textContent();
 

@@ -1,4 +1,5 @@
-// A path of any number of segments as frames of the protocol: a surface milled line by line, 256 motions a line, heights that no level leaves out alike.
+// A path of any number of segments as frames of the protocol: a surface milled line by line, 256 motions a line,
+// heights that no level leaves out alike.
 const most = 8192,
   row = 256,
   step = 0.25,

@@ -1,5 +1,6 @@
-// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit status 1 when a step fails.
-// Waits are for conditions, and long: a busy machine is slow, not wrong. What the server does not serve is skipped, which is said.
+// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit
+// status 1 when a step fails. Waits are for conditions, and long: a busy machine is slow, not wrong. What the server
+// does not serve is skipped, which is said.
 import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -19,7 +20,8 @@ const { count, text, ended, toasts, line_shown } = looks_at(() => page);
 const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
 const line = () => text(".state .block-told .dim");
 const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
-/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way: then once more.
+/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way:
+/// then once more.
 async function click_line(begins) {
   await page.locator(".slider").focus();
   await page.keyboard.press("Home");

@@ -1,7 +1,8 @@
-// From a press to its effect on the screen: KADR=…/kadr node e2e/press.mjs [PRESSES=40]. Hold and Start in turn on a long motion, in Chromium.
+// From a press to its effect on the screen: KADR=…/kadr node e2e/press.mjs [PRESSES=40]. Hold and Start in turn on a
+// long motion, in Chromium.
 // Told stage by stage, so that what the page does is not taken for what the browser's drawing takes:
 //   answer   of the server to the press          told    the first state that shows it has come
-//   page     the page shows it (its DOM)         frame   the animation frame after that begins: the figure of docs/benchmarks.md
+//   page     the page shows it (its DOM)         frame   the animation frame after that begins (docs/benchmarks.md)
 //   painted  that frame has been handed to the compositor
 import { mkdtempSync, writeFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,4 +1,5 @@
-// Opens reports of `kadr report` as a file, without a network: node e2e/report.mjs SMALL WRONG LONG (tests/report.py makes them).
+// Opens reports of `kadr report` as a file, without a network: node e2e/report.mjs SMALL WRONG LONG (tests/report.py
+// makes them).
 import { pathToFileURL } from "node:url";
 import { browser, until } from "./browser.mjs";
 

@@ -1,4 +1,5 @@
-// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers. DIST: a built page in place of the one inside the program.
+// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session
+// answers. DIST: a built page in place of the one inside the program.
 import { spawn } from "node:child_process";
 import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

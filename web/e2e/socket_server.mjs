@@ -1,11 +1,13 @@
-// A page's server made up for measurements: the built page by HTTP and a session over a real WebSocket, so that binary frames come as fast as from `kadr serve`.
+// A page's server made up for measurements: the built page by HTTP and a session over a real WebSocket, so that binary
+// frames come as fast as from `kadr serve`.
 import { createHash } from "node:crypto";
 import { fileURLToPath } from "node:url";
 import { serve_page } from "../test/mock-server.mjs";
 
 const magic = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"; // RFC 6455, 1.3
 
-/// `answer_with(send, drained)` gives the function that takes each message; `drained()` waits until what was sent has gone.
+/// `answer_with(send, drained)` gives the function that takes each message; `drained()` waits until what was sent has
+/// gone.
 export async function serve_session(answer_with) {
   const server = await serve_page(fileURLToPath(new URL("../dist", import.meta.url)));
   server.http.on("upgrade", (request, socket) => {

@@ -19,7 +19,8 @@ describe("the file in one piece", () => {
       "r.html": {
         type: "asset",
         source:
-          '<html><head><meta charset="utf-8"><script type="module" crossorigin src="./a.js"></script><link rel="stylesheet" crossorigin href="./a.css"></head><body></body></html>',
+          '<html><head><meta charset="utf-8"><script type="module" crossorigin src="./a.js"></script>' +
+          '<link rel="stylesheet" crossorigin href="./a.css"></head><body></body></html>',
       },
       "a.js": { type: "chunk", code: "let $ = '$&';" },
       "a.css": { type: "asset", source: "p{}" },

@@ -1,4 +1,5 @@
-// The files of src import one another without a circle, also not by their types: each can be read and tested with what stands beneath it alone.
+// The files of src import one another without a circle, also not by their types: each can be read and tested with what
+// stands beneath it alone.
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -14,7 +15,8 @@ function imported(file, text) {
     .map((name) => normalize(join(dirname(file), `${name.replace(/\.ts$/, "")}.ts`)));
 }
 
-/// `files`: texts by name. A circle as the names along it, the first one once more at the end; null where there is none.
+/// `files`: texts by name. A circle as the names along it, the first one once more at the end; null where there is
+/// none.
 function circle_in(files) {
   const over = new Set(),
     way = [];

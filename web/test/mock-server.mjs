@@ -1,4 +1,5 @@
-// A session made up for looking at the page without the server: answers by the protocol about a program it makes itself. For development and page tests only.
+// A session made up for looking at the page without the server: answers by the protocol about a program it makes
+// itself. For development and page tests only.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
 import { join, normalize } from "node:path";
@@ -10,7 +11,8 @@ const types = {
   ".svg": "image/svg+xml",
 };
 const policy =
-  "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self' ws:; frame-ancestors 'none'; base-uri 'none'";
+  "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; " +
+  "img-src 'self' blob:; connect-src 'self' ws:; frame-ancestors 'none'; base-uri 'none'";
 
 /// Serves the built page with the headers the server will have.
 export function serve_page(dist) {

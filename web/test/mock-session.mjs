@@ -4,7 +4,9 @@ import { part_frame, path_frame, program } from "./mock-server.mjs";
 const long_lines = 3_000_000;
 const saved = new Map(); // new files of the folder: bytes of tapes
 const svg =
-  '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300" height="200"><rect x="20" y="20" width="260" height="160" fill="none" stroke="#20262e" stroke-width="3"/><circle cx="150" cy="100" r="60" fill="none" stroke="#1f6feb"/></svg>';
+  '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300" height="200">' +
+  '<rect x="20" y="20" width="260" height="160" fill="none" stroke="#20262e" stroke-width="3"/>' +
+  '<circle cx="150" cy="100" r="60" fill="none" stroke="#1f6feb"/></svg>';
 const problem = (line, more) => ({
   id: "feed_missing",
   severity: "alarm",
@@ -39,26 +41,24 @@ export function session(send) {
     { at: path.seconds, kind: "end", line: 20, text: "" },
   ];
   const check = (t) =>
-    t
-      .split("\n")
-      .flatMap((l, i) =>
-        /G1\b(?!.*F)/.test(l)
-          ? [
-              problem(i + 1, {
-                text: lang === "ru" ? "Не задана подача" : "No feed for motion at feed",
-                hint: lang === "ru" ? "Задайте F в этом кадре или раньше" : undefined,
-                ...(lang === "en" ? { hint: "Give F in this block or before" } : {}),
-                fix: {
-                  text: lang === "ru" ? "Добавить F400" : "Add F400",
-                  line: i + 1,
-                  from: l.length + 1,
-                  to: l.length + 1,
-                  insert: " F400",
-                },
-              }),
-            ]
-          : [],
-      );
+    t.split("\n").flatMap((l, i) =>
+      /G1\b(?!.*F)/.test(l)
+        ? [
+            problem(i + 1, {
+              text: lang === "ru" ? "Не задана подача" : "No feed for motion at feed",
+              hint: lang === "ru" ? "Задайте F в этом кадре или раньше" : undefined,
+              ...(lang === "en" ? { hint: "Give F in this block or before" } : {}),
+              fix: {
+                text: lang === "ru" ? "Добавить F400" : "Add F400",
+                line: i + 1,
+                from: l.length + 1,
+                to: l.length + 1,
+                insert: " F400",
+              },
+            }),
+          ]
+        : [],
+    );
 
   async function run() {
     stopped = false;

@@ -1,4 +1,5 @@
-// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call its verbs.
+// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call
+// its verbs.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import type { Frame, OfPathFrame, PartFrame } from "../protocol/frames";
 import type {

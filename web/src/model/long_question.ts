@@ -1,4 +1,5 @@
-// A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when something else is wanted.
+// A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when
+// something else is wanted.
 import { Client, Lost, Refused, type Socket } from "../protocol/client";
 import type { Questions } from "../protocol/types";
 import { greet } from "./greet";

@@ -1,4 +1,5 @@
-// What outlives a reload: choices of the user in localStorage, what this tab had open in sessionStorage. Both may be forbidden; then nothing is remembered.
+// What outlives a reload: choices of the user in localStorage, what this tab had open in sessionStorage. Both may be
+// forbidden; then nothing is remembered.
 let tab_is_kept = true;
 /// Of a page that is a file: what one tab opens one after another has nothing to do with each other.
 export function keep_nothing_of_tab(): void {

@@ -1,4 +1,5 @@
-// What is to be milled, as it is typed: texts by the names of the options of kadr mill, and the question that they make.
+// What is to be milled, as it is typed: texts by the names of the options of kadr mill, and the question that they
+// make.
 import type { MillQuestion, MillTask } from "../protocol/types";
 
 export const tasks = ["pocket", "face", "slot"] as const satisfies readonly MillTask[];

@@ -36,7 +36,8 @@ export async function save_new(
   }
 }
 
-/// Files beneath the served folder that `wanted` likes, those of `first` in front: as many folders as can be asked for while somebody waits.
+/// Files beneath the served folder that `wanted` likes, those of `first` in front: as many folders as can be asked for
+/// while somebody waits.
 export async function files_beneath(app: App, first: string, wanted: (name: string) => boolean): Promise<string[]> {
   const most_folders = 100,
     found: string[] = [],

@@ -1,4 +1,5 @@
-// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it shows, as often as pictures are drawn.
+// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it
+// shows, as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
 import { greet } from "./greet";
@@ -10,7 +11,8 @@ const after_act = 15,
   act_lasts = 400; // ms: what a press does shows at once
 const most_drawn = 200; // ms that a picture may take, or a page that is not seen
 
-/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept waiting by one look after another.
+/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept
+/// waiting by one look after another.
 const drawn = (): Promise<void> =>
   new Promise((yes) => {
     if (typeof requestAnimationFrame === "undefined" || document.hidden) return yes();

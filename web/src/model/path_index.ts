@@ -1,4 +1,5 @@
-// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as they came.
+// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as
+// they came.
 import type { PathFrame } from "../protocol/frames";
 
 interface Piece {
@@ -11,7 +12,8 @@ interface Piece {
   runs: Runs;
 }
 
-/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of the whole program looks at these.
+/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of
+/// the whole program looks at these.
 interface Runs {
   ends: Float32Array;
   least: Float32Array;
@@ -63,7 +65,8 @@ export class PathIndex {
     return p.numbers[first_not_before(p.times, at - p.start)] ?? 0;
   }
 
-  /// The speed in `count` equal stretches of time, least and greatest of each, so that no slow corner is lost between two pixels.
+  /// The speed in `count` equal stretches of time, least and greatest of each, so that no slow corner is lost between
+  /// two pixels.
   bins(from: number, to: number, count: number): Bins {
     const out: Bins = {
       at: new Float64Array(count),

@@ -23,7 +23,8 @@ export function next_mark(marks: Mark[], kinds: string[], at: number, way: 1 | -
   return best;
 }
 
-/// One picture of playing: where it stands after `ms` of the clock on the wall. In a loop it begins anew behind its end.
+/// One picture of playing: where it stands after `ms` of the clock on the wall. In a loop it begins anew behind its
+/// end.
 export function played(at: number, ms: number, times: number, seconds: number, loop: [number, number] | null): number {
   const next = at + (ms / 1000) * times;
   if (loop && next >= loop[1]) return loop[0];

@@ -1,4 +1,5 @@
-// From the sizes of a tool to its outline: [diameter, height above the tip], of cutting part, shank and holder (docs/commands/cut.md, Tools).
+// From the sizes of a tool to its outline: [diameter, height above the tip], of cutting part, shank and holder
+// (docs/commands/cut.md, Tools).
 import type { Tool } from "../protocol/types";
 
 export type Outline = [number, number][];

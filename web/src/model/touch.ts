@@ -1,11 +1,13 @@
-// Touching the part with a probe at a place that was clicked on: along the axis that its surface looks to, over a way that keeps clear of it.
+// Touching the part with a probe at a place that was clicked on: along the axis that its surface looks to, over a way
+// that keeps clear of it.
 import type { Axes, Panel, WayPoint } from "../protocol/types";
 
 type Point = readonly [number, number, number];
 export const touch_axes = ["X", "Y", "Z"] as const;
 export type TouchAxis = (typeof touch_axes)[number];
 
-/// Lengths mm, feed mm/min. `clearance`: work coordinate of Z over which the way goes; `away`: before the surface, from where on it goes at `feed`; `radius` of the ball.
+/// Lengths mm, feed mm/min. `clearance`: work coordinate of Z over which the way goes; `away`: before the surface, from
+/// where on it goes at `feed`; `radius` of the ball.
 export interface TouchRules {
   clearance: number;
   away: number;
@@ -22,7 +24,8 @@ export interface Touch {
 
 const enough = 0.7; // of the surface's direction along one axis: else a touch along it would slip off
 
-/// `place`, `normal`: of the surface, as the view has them; `zero` of the picture. Null: no axis can touch there (from below, or aslant).
+/// `place`, `normal`: of the surface, as the view has them; `zero` of the picture. Null: no axis can touch there (from
+/// below, or aslant).
 export function touch_at(
   place: Point,
   normal: Point,

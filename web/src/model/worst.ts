@@ -1,4 +1,5 @@
-// Where the machine loses most time against the programmed feed: by line, from the path as it came. Starts, corners, short motions.
+// Where the machine loses most time against the programmed feed: by line, from the path as it came. Starts, corners,
+// short motions.
 import { jump, type OfPathFrame } from "../protocol/frames";
 
 export interface WorstLine {

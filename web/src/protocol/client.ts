@@ -1,4 +1,5 @@
-// One WebSocket to the session: numbered questions with promises, events, binary frames; it comes back by itself when the line is lost.
+// One WebSocket to the session: numbered questions with promises, events, binary frames; it comes back by itself when
+// the line is lost.
 import { Signal } from "../model/signal";
 import type { Frame } from "./frames";
 import { read_message, write_question, type SessionEvent } from "./messages";

@@ -1,5 +1,6 @@
-// The one place that knows how binary frames are laid out (docs/panel-protocol.md, Frames): views into the frame, nothing is copied, and each length is
-// checked before it is believed. Whoever writes frames (a report) fills the same views.
+// The one place that knows how binary frames are laid out (docs/panel-protocol.md, Frames): views into the frame,
+// nothing is copied, and each length is checked before it is believed. Whoever writes frames (a report) fills the same
+// views.
 
 export const levels = 16,
   most_vertices = 8192;
@@ -39,7 +40,8 @@ export interface PathFrame extends OfPath, PathColumns {
   least: Triple;
   greatest: Triple;
 }
-/// Of each vertex of the piece before: directions from the tip into the tool, or positions of the joints that turn the part.
+/// Of each vertex of the piece before: directions from the tip into the tool, or positions of the joints that turn the
+/// part.
 export interface RowsFrame extends OfPath {
   kind: "directions" | "positions";
   values: Float32Array;
@@ -149,7 +151,8 @@ function begun(kind: keyof typeof kinds, bytes: number, which: number, count: nu
   return frame;
 }
 
-/// `first`: number of its first vertex in the path. `fill` writes the columns but `kept`, which with the corners follows from them.
+/// `first`: number of its first vertex in the path. `fill` writes the columns but `kept`, which with the corners
+/// follows from them.
 export function write_path(
   of: OfPath & { start: number; first: number },
   fill: (columns: PathColumns) => void,

@@ -1,4 +1,5 @@
-// The one reader of what page and session say to each other (docs/panel-protocol.md): a text is a question, an answer or an event, bytes are a frame.
+// The one reader of what page and session say to each other (docs/panel-protocol.md): a text is a question, an answer
+// or an event, bytes are a frame.
 import { read_frame, type Frame } from "./frames";
 import type { Events, Questions } from "./types";
 

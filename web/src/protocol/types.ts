@@ -159,7 +159,8 @@ export interface ToolTime {
   radius?: number;
   length?: number;
 }
-/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it lies at `from`.
+/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it
+/// lies at `from`.
 export interface Joint {
   axis: string;
   turns: boolean;
@@ -432,7 +433,8 @@ export interface RestartSheet {
   number: number;
   beside: BesideSheet[];
 }
-/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own channel's.
+/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own
+/// channel's.
 export interface BesideSheet {
   number: number;
   line: number;
@@ -450,7 +452,8 @@ export interface ChannelWay {
   way: WayPoint[];
 }
 
-/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set them (0: none of the program).
+/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set
+/// them (0: none of the program).
 export interface Tables {
   sections: string[];
   setup: string;
@@ -535,7 +538,8 @@ export interface TapeRead {
 
 /// A program with what goes with it as of `open`; `to` the control that it is to be for.
 export type ConvertQuestion = OpenQuestion & { to: string; flat?: boolean; force?: boolean };
-/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself; `written_line` of what was written for the other control, 0: of none.
+/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself;
+/// `written_line` of what was written for the other control, 0: of none.
 export interface ConversionTry {
   as: string;
   way: string;

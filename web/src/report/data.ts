@@ -1,5 +1,5 @@
-// What a report holds (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns. Here they become the frames that
-// a session would have sent.
+// What a report holds (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns. Here
+// they become the frames that a session would have sent.
 import { write_part, write_path, write_rows } from "../protocol/frames";
 import type { CutResult, Done, Finding, Language, Opened, Problem, Sheet } from "../protocol/types";
 
@@ -57,7 +57,8 @@ export function read(bytes: ArrayBuffer): Report {
   return report;
 }
 
-/// Columns of differences: of each the least bytes of all values, then the next ones. The sign stands in the lowest bit.
+/// Columns of differences: of each the least bytes of all values, then the next ones. The sign stands in the lowest
+/// bit.
 class Columns {
   private bytes: Uint8Array;
   private view: DataView;

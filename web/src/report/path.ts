@@ -1,4 +1,5 @@
-// The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line was carried out.
+// The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line
+// was carried out.
 import { jump, read_frame, type PathFrame } from "../protocol/frames";
 import type { Pass } from "../protocol/types";
 

@@ -1,4 +1,5 @@
-// The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the circle it is seen as along its axis.
+// The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the
+// circle it is seen as along its axis.
 import { is_arc } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { Point } from "./types";
@@ -20,7 +21,8 @@ export const length = (a: Point): number => Math.hypot(...a);
 
 const along_axis = 0.94; // cosine: a helix' three points lie in a plane a little off its circle's
 
-/// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or hardly bent.
+/// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or
+/// hardly bent.
 export function arc_at(p: Piece, i: number): Circle | null {
   const kind = p.kinds[4 * i]!;
   if (!is_arc(kind)) return null;

@@ -88,7 +88,8 @@ export function goes_beyond(
   );
 }
 
-/// Of the four edges along each axis the one that is lowest on the screen, for its figure: its middle. `height` of a point on the screen, downwards.
+/// Of the four edges along each axis the one that is lowest on the screen, for its figure: its middle. `height` of a
+/// point on the screen, downwards.
 export function figure_places(box: readonly [Point, Point], height: (p: Point) => number): Point[] {
   return [0, 1, 2].map((axis) => {
     const middles = edges.slice(4 * axis, 4 * axis + 4).map(([a, b]) => {

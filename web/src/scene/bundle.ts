@@ -1,4 +1,5 @@
-// Pieces of the path that are drawn together: each call to the graphics card costs as much as thousands of segments, and a long path has hundreds of pieces.
+// Pieces of the path that are drawn together: each call to the graphics card costs as much as thousands of segments,
+// and a long path has hundreds of pieces.
 import { BufferAttribute, BufferGeometry, LineSegments, type Material } from "three";
 import type { Segments } from "./segments";
 
@@ -26,7 +27,8 @@ export class Bundle<P extends Part> {
     this.lines.visible = false;
   }
 
-  /// After the parts were changed: the lines show them. What is left out is at the beginning: the parts are in the order of time.
+  /// After the parts were changed: the lines show them. What is left out is at the beginning: the parts are in the
+  /// order of time.
   refresh(): void {
     const shown = this.parts.filter((p) => p.visible && p.segments.ends.length > 0);
     this.lines.visible = shown.length > 0;

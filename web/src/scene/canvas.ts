@@ -1,4 +1,5 @@
-// The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that costs three times the time.
+// The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that
+// costs three times the time.
 import {
   LinearSRGBColorSpace,
   Mesh,
@@ -39,7 +40,8 @@ export class Canvas {
 
   constructor() {
     this.element = document.createElement("canvas");
-    const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" }); // edges are smoothed in `smooth`, where there is time
+    // Edges are smoothed in `smooth`, where there is time.
+    const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" });
     if (!context) throw new NoWebGl("this browser gives no WebGL");
     this.soft = draws_softly(renderer_name(context));
     this.renderer = new WebGLRenderer({ canvas: this.element, context });

@@ -1,4 +1,5 @@
-// Pointer and wheel: left turns about what is under it, right or Shift moves, the wheel zooms to the pointer; two fingers move and zoom.
+// Pointer and wheel: left turns about what is under it, right or Shift moves, the wheel zooms to the pointer; two
+// fingers move and zoom.
 import { Vector3 } from "three";
 import type { Eye } from "./camera";
 

@@ -28,8 +28,8 @@ export function level_within(pieces: readonly Piece[], wanted: number, budget: n
   return levels - 1;
 }
 
-/// Where lines lie so thick upon each other that drawing them all costs more than the budget: of the runs of a piece only each so manieth is drawn. Odd,
-/// as ways there and back take turns.
+/// Where lines lie so thick upon each other that drawing them all costs more than the budget: of the runs of a piece
+/// only each so manieth is drawn. Odd, as ways there and back take turns.
 export function every_of(cost: number, budget: number): number {
   if (cost <= budget) return 1;
   return Math.min(most_apart, 2 ** Math.ceil(Math.log2(cost / budget)) + 1);

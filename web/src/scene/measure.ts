@@ -1,4 +1,5 @@
-// What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre, a straight way an edge.
+// What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre,
+// a straight way an edge.
 import { cross, dot, length, minus, plus, type Circle } from "./arc";
 import type { Anchor, Distance, Point } from "./types";
 

@@ -1,4 +1,5 @@
-// How many segments this browser draws in a picture without a stall: measured by the graphics card's own fences. Fewer while something moves, more at rest.
+// How many segments this browser draws in a picture without a stall: measured by the graphics card's own fences. Fewer
+// while something moves, more at rest.
 export interface Bounds {
   least: number;
   first: number;
@@ -19,7 +20,8 @@ export class Pace {
     this.budget = b.first;
   }
 
-  /// A picture of `segments` took `ms`. The budget follows: down at once, up by little, and only where it was what held the picture back.
+  /// A picture of `segments` took `ms`. The budget follows: down at once, up by little, and only where it was what held
+  /// the picture back.
   took(ms: number, segments: number): void {
     const { least, most, wanted } = this.b;
     if (ms > 1.4 * wanted && segments > least)

@@ -1,4 +1,5 @@
-// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a few milliseconds' worth in a picture.
+// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a
+// few milliseconds' worth in a picture.
 import {
   Box3,
   BufferAttribute,
@@ -90,11 +91,13 @@ export class PathView {
 
   /// Lines of its materials, for whoever makes shaders ready.
   samples(): LineSegments[] {
-    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true)); // colours with an alpha have a shader of their own
+    // Colours with an alpha have a shader of their own.
+    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true));
     return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
   }
 
-  /// Directions of the tool and positions of what turns the part are of the piece that came before; false where there is none that they fit.
+  /// Directions of the tool and positions of what turns the part are of the piece that came before; false where there
+  /// is none that they fit.
   add(frame: OfPathFrame): boolean {
     const whose = `${frame.which} ${frame.channel}`;
     if (frame.kind !== "path") {
@@ -191,8 +194,8 @@ export class PathView {
     return box.isEmpty() ? new Box3() : box.clone().translate(new Vector3(...this.zero).negate());
   }
 
-  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how many there are.
-  /// `pixels`: of a line that cost as much as a segment.
+  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how
+  /// many there are. `pixels`: of a line that cost as much as a segment.
   refresh(eye: Eye, budget: number, pixels: number, deadline = Infinity): Refreshed {
     const seen = this.seen(eye),
       pieces = seen.map((d) => d.piece);

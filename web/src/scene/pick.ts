@@ -1,4 +1,5 @@
-// The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn line stands for. Of two as near, the one in front.
+// The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn
+// line stands for. Of two as near, the one in front.
 import { Box3, Matrix4, Vector3 } from "three";
 import { is_arc, jump, spline } from "../protocol/frames";
 import { arc_at, minus } from "./arc";

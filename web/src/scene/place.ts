@@ -22,7 +22,8 @@ export function first_from(count: number, value: (i: number) => number, wanted: 
   return low;
 }
 
-/// Machine coordinates at `time`; before the first vertex and after the last one the tool stands there. `pieces` are in order of time.
+/// Machine coordinates at `time`; before the first vertex and after the last one the tool stands there. `pieces` are in
+/// order of time.
 export function place_at(pieces: readonly Piece[], time: number): Place | null {
   if (!pieces.length) return null;
   const p = pieces[Math.max(0, first_from(pieces.length, (i) => pieces[i]!.start, time) - 1)]!;

@@ -1,4 +1,5 @@
-// What of one piece is drawn at a level: each segment with both its ends and one colour, in machine coordinates. Only what is drawn is copied, so the graphics card holds no more than the budget.
+// What of one piece is drawn at a level: each segment with both its ends and one colour, in machine coordinates. Only
+// what is drawn is copied, so the graphics card holds no more than the budget.
 import { is_rapid, jump, most_vertices } from "../protocol/frames";
 import { painter, type Ranges, type Theme } from "./colours";
 import type { Piece } from "./frame";

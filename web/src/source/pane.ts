@@ -1,4 +1,5 @@
-// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead each other.
+// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead
+// each other.
 import type { App } from "../model/app";
 import { t, on_language } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";

@@ -1,4 +1,5 @@
-// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while somebody types.
+// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while
+// somebody types.
 import { linter, lintGutter, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import type { EditorState, Text } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";

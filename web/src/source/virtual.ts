@@ -1,4 +1,5 @@
-// A program too long to be held here: only the lines that are seen are asked for and drawn. The number of elements stays the same for any length.
+// A program too long to be held here: only the lines that are seen are asked for and drawn. The number of elements
+// stays the same for any length.
 import { debounce } from "../model/latest";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";

@@ -1,4 +1,5 @@
-// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element be.
+// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element
+// be.
 export const greatest_height = 8_000_000; // px: Firefox stops at some 17.9 million, Chromium at 33.5; both halved by zooming in
 
 export class ScrollMap {

@@ -88,7 +88,8 @@ export const en = {
   distance: "Distance",
   thinned: "{drawn} of {all} segments drawn",
   thinned_long:
-    "Far away, motions that differ by less than half a pixel are drawn as one; while the view moves, more of them. A click finds each of them all the same.",
+    "Far away, motions that differ by less than half a pixel are drawn as one; while the view moves, more of them. " +
+    "A click finds each of them all the same.",
   beyond_limits: "The path leaves the machine's limits",
   no_webgl: "This browser has no WebGL: the view is left out, all else works.",
   save_picture: "Save the picture as PNG",
@@ -509,7 +510,8 @@ export const en = {
   convert_force: "Written even if it is not proven",
   convert_go: "Convert",
   convert_long:
-    "It is written in several ways, the one that keeps most first. The first that the other control carries out as the original is taken; where none is, nothing is.",
+    "It is written in several ways, the one that keeps most first. " +
+    "The first that the other control carries out as the original is taken; where none is, nothing is.",
   convert_working: "It is written, carried out and held against the original…",
   convert_written: "Written: {way}. Held against the original within {by} mm.",
   convert_unproven: "Written all the same, {way}: this program is NOT proven to do the same.",

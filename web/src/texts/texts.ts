@@ -21,7 +21,8 @@ export function set_language(lang: Language): void {
 }
 export const on_language = (f: () => void): (() => void) => changed.on(f);
 
-/// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session knows: it stands for itself.
+/// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session
+/// knows: it stands for itself.
 export function t(key: TextKey, with_?: Record<string, string | number>): string {
   return (tables[current][key] ?? key).replace(/\{(\w+)\}/g, (all, name: string) => String(with_?.[name] ?? all));
 }

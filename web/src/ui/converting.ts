@@ -1,4 +1,5 @@
-// The open program for another control: asked for, then proven and kept, or refused with the places; beside it the source is still to be seen.
+// The open program for another control: asked for, then proven and kept, or refused with the places; beside it the
+// source is still to be seen.
 import type { App } from "../model/app";
 import {
   beginning_of,

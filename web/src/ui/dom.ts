@@ -2,7 +2,8 @@
 type Child = Node | string | number | null | undefined | false;
 type Attributes = Record<string, unknown>;
 
-/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the attribute out.
+/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the
+/// attribute out.
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes?: Attributes | null,
@@ -53,7 +54,8 @@ export function option(value: string, text: string, chosen: boolean): HTMLOption
   return o;
 }
 
-/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by their names.
+/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by
+/// their names.
 export function redraw(root: HTMLElement, draw: () => void): void {
   const name = (i: Element): string => i.getAttribute("aria-label") ?? "",
     active = document.activeElement;
@@ -75,7 +77,8 @@ export function redraw(root: HTMLElement, draw: () => void): void {
       ?.focus();
 }
 
-/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is left or Enter is pressed.
+/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is
+/// left or Enter is pressed.
 function keep_change(input: HTMLInputElement): void {
   let told = false;
   const tell = (): void => {

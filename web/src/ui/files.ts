@@ -1,4 +1,5 @@
-// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs from; tape, other controls.
+// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs
+// from; tape, other controls.
 import type { App } from "../model/app";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";

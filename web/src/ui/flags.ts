@@ -1,4 +1,5 @@
-// What is marked in the view over the picture: start, end, alarms, stops, dwells, where they happen; figures of the extents, names of zones.
+// What is marked in the view over the picture: start, end, alarms, stops, dwells, where they happen; figures of the
+// extents, names of zones.
 import type { Mark } from "../protocol/types";
 import type { Point, View } from "../scene/types";
 import { t, type TextKey } from "../texts/texts";
@@ -14,7 +15,8 @@ export interface Flag {
 }
 
 const most_flags = 150;
-const grave: FlagKind[] = ["alarm", "start", "end", "stop", "warning", "optional_stop", "tool", "dwell"]; // what is shown first, where there are too many
+// What is shown first, where there are too many.
+const grave: FlagKind[] = ["alarm", "start", "end", "stop", "warning", "optional_stop", "tool", "dwell"];
 const signs: Partial<Record<FlagKind, string>> = {
   start: "M3 2 11 7 3 12Z",
   end: "M3 3h8v8H3Z",
@@ -26,7 +28,8 @@ const signs: Partial<Record<FlagKind, string>> = {
   dwell: "M3 1h8L7.8 7 11 13H3l3.2-6Z",
 };
 
-/// The flags of a program, of which the gravest are kept where there are too many. `place` gives where the tool is at an instant.
+/// The flags of a program, of which the gravest are kept where there are too many. `place` gives where the tool is at
+/// an instant.
 export function flags_of(marks: readonly Mark[], seconds: number, place: (at: number) => Point | null): Flag[] {
   const all: Flag[] = [];
   const add = (kind: FlagKind, time: number, text: string): void => {

@@ -1,4 +1,6 @@
-// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its corners.
+// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its
+// corners.
+import { spline } from "../protocol/frames";
 import { figure_places } from "../scene/boxes";
 import { dark, is_ramp, light } from "../scene/colours";
 import {
@@ -203,14 +205,22 @@ export class ScenePane {
     const at = (p: Point): string => `X ${coordinate(p[0])}  Y ${coordinate(p[1])}  Z ${coordinate(p[2])}`;
     if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
     const d = distance.delta.map(Math.abs) as Point;
-    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}${distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`}`;
+    const parts = `ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}`;
+    const angle = distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`;
+    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ${parts}${angle}`;
   }
 
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
-    const kind = t(`motion_${Math.min(8, v.kind)}` as TextKey);
-    this.tip.textContent = `${t("line_n", { line: v.line })} · ${kind}${v.radius ? ` · R ${coordinate(v.radius)}` : ""}${v.length ? ` · L ${coordinate(v.length)}` : ""} · T${v.tool}\nX ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}\n${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`;
+    const kind = t(`motion_${Math.min(spline, v.kind)}` as TextKey);
+    const radius = v.radius ? ` · R ${coordinate(v.radius)}` : "",
+      length = v.length ? ` · L ${coordinate(v.length)}` : "";
+    this.tip.textContent = [
+      `${t("line_n", { line: v.line })} · ${kind}${radius}${length} · T${v.tool}`,
+      `X ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}`,
+      `${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`,
+    ].join("\n");
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
     this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;

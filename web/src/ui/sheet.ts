@@ -1,4 +1,5 @@
-// The set-up sheet: tools with their shapes, zeros, extents, stops and the programmer's notes, with the picture; printed by the browser.
+// The set-up sheet: tools with their shapes, zeros, extents, stops and the programmer's notes, with the picture;
+// printed by the browser.
 import type { App } from "../model/app";
 import type { Sheet, SheetTool } from "../protocol/types";
 import type { Shape } from "../model/tool_shape";

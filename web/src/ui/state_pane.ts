@@ -1,4 +1,5 @@
-// The control's screen at the instant of the slider: positions, feed, spindle, tool, modal codes, variables, calls, passes.
+// The control's screen at the instant of the slider: positions, feed, spindle, tool, modal codes, variables, calls,
+// passes.
 import type { App } from "../model/app";
 import type { Axes, Passes, State } from "../protocol/types";
 import { on_language, t } from "../texts/texts";

@@ -1,4 +1,5 @@
-// Tables of a machine: what the set-up file says, what was edited here, what the program has made of it. Edits are in force at once.
+// Tables of a machine: what the set-up file says, what was edited here, what the program has made of it. Edits are in
+// force at once.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import type { Json, JsonTable, Tables } from "../protocol/types";
