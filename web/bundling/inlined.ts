@@ -1,4 +1,5 @@
-// Puts script and style of a built page into its HTML, and says by their hashes that nothing else may run: the file is opened from anywhere.
+// Puts script and style of a built page into its HTML, and says by their hashes that nothing else may run: the file is
+// opened from anywhere.
 import { createHash } from "node:crypto";
 import type { Plugin } from "vite";
 
@@ -18,15 +19,23 @@ export function inlined(page: string): Plugin {
         const inside = script ? safe_script(file.code) : safe_style(String(file.source));
         const kind = script ? "script" : "style";
         hashes[kind].push(`'sha256-${createHash("sha256").update(inside).digest("base64")}'`);
-        const place = script ? new RegExp(`<script type="module"[^>]*src="\\./${escaped(name)}"[^>]*></script>`) : new RegExp(`<link rel="stylesheet"[^>]*href="\\./${escaped(name)}"[^>]*>`);
+        const place = script
+          ? new RegExp(`<script type="module"[^>]*src="\\./${escaped(name)}"[^>]*></script>`)
+          : new RegExp(`<link rel="stylesheet"[^>]*href="\\./${escaped(name)}"[^>]*>`);
         if (!place.test(text)) throw new Error(`${name} has no place in ${page}`);
         text = text.replace(place, "");
         // A script waits for the data above it: at the end of the body.
-        text = script ? text.replace("</body>", () => `<script type="module">${inside}</script>\n</body>`) : text.replace("</head>", () => `<style>${inside}</style>\n</head>`);
+        text = script
+          ? text.replace("</body>", () => `<script type="module">${inside}</script>\n</body>`)
+          : text.replace("</head>", () => `<style>${inside}</style>\n</head>`);
         delete bundle[name];
       }
-      const policy = `default-src 'none'; script-src ${hashes.script.join(" ")}; style-src ${hashes.style.join(" ")}; img-src blob:; base-uri 'none'; form-action 'none'`;
-      html.source = text.replace('<meta charset="utf-8">', `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`);
+      const own = `script-src ${hashes.script.join(" ")}; style-src ${hashes.style.join(" ")}`;
+      const policy = `default-src 'none'; ${own}; img-src blob:; base-uri 'none'; form-action 'none'`;
+      html.source = text.replace(
+        '<meta charset="utf-8">',
+        `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`,
+      );
     },
   };
 }

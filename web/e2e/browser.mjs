@@ -4,17 +4,39 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const flags = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-features=LocalNetworkAccessChecks,BlockInsecurePrivateNetworkRequests", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const flags = [
+  "--no-sandbox",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-features=LocalNetworkAccessChecks,BlockInsecurePrivateNetworkRequests",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+];
 
 export async function browser(size = { width: 1600, height: 1000 }) {
   const profile = mkdtempSync(join(tmpdir(), "kadr-browser-"));
-  const context = await chromium.launchPersistentContext(profile, { executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, args: flags, viewport: size, locale: "en-GB", acceptDownloads: true });
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    headless: true,
+    args: flags,
+    viewport: size,
+    locale: "en-GB",
+    acceptDownloads: true,
+  });
   const page = context.pages()[0] ?? (await context.newPage());
   page.setDefaultTimeout(60_000);
   const errors = [];
   page.on("pageerror", (e) => errors.push(e.message));
-  page.on("console", (m) => { if (m.type() === "error" && !/WebSocket connection|ERR_CONNECTION/.test(m.text())) errors.push(m.text()); });
-  const close = async () => { await context.close(); rmSync(profile, { recursive: true, force: true }); };
+  page.on("console", (m) => {
+    if (m.type() === "error" && !/WebSocket connection|ERR_CONNECTION/.test(m.text())) errors.push(m.text());
+  });
+  const close = async () => {
+    await context.close();
+    rmSync(profile, { recursive: true, force: true });
+  };
   return { context, page, errors, close };
 }
 
@@ -29,13 +51,21 @@ export async function until(name, what, ms = 25000) {
   }
 }
 
-export const must = (yes, what) => { if (!yes) throw new Error(what); };
+export const must = (yes, what) => {
+  if (!yes) throw new Error(what);
+};
 /// Of the page that `of` gives at the moment.
 export function looks_at(of) {
   const count = (what) => of().locator(what).count();
   const text = (what) => of().locator(what).first().textContent();
   const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"), 60000);
   const toasts = async () => (await of().locator(".toast").allTextContents()).join(" | ");
-  const line_shown = () => of().evaluate(() => { const e = document.querySelector(".cm-running"), box = document.querySelector(".source-host").getBoundingClientRect(), b = e?.getBoundingClientRect(); return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : ""; });
+  const line_shown = () =>
+    of().evaluate(() => {
+      const e = document.querySelector(".cm-running"),
+        box = document.querySelector(".source-host").getBoundingClientRect(),
+        b = e?.getBoundingClientRect();
+      return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : "";
+    });
   return { count, text, ended, toasts, line_shown };
 }

@@ -8,7 +8,11 @@ export function convert_steps({ kadr, page, pictures }) {
   const begin = async (to) => {
     await page.selectOption(".convert [name=to]", to);
     await page.click(".convert form button.main");
-    await until(`an answer for ${to}`, async () => (await count(".convert-told .good, .convert-told .error")) === 1 && !(await count(".convert-clock")), 60_000);
+    await until(
+      `an answer for ${to}`,
+      async () => (await count(".convert-told .good, .convert-told .error")) === 1 && !(await count(".convert-clock")),
+      60_000,
+    );
   };
   const open_with_dialog = async (path) => {
     await page.goto(kadr.address());
@@ -23,19 +27,39 @@ export function convert_steps({ kadr, page, pictures }) {
     await ended();
     await page.locator(".files-verbs button").last().focus();
     await page.keyboard.press("Enter");
-    await until("the choice of a control has the focus", () => page.evaluate(() => document.activeElement?.name === "to"));
+    await until("the choice of a control has the focus", () =>
+      page.evaluate(() => document.activeElement?.name === "to"),
+    );
   };
   return {
     async "convert: refused with the places, a click shows the line"() {
       await open_with_dialog(["gost", "plate.nc"]);
       await begin("correctors");
       must(/not converted/.test(await told()), `told: ${await told()}`);
-      must((await count(".convert-tries b")) >= 4 && (await count(".convert-tries li")) >= 1 && !(await count(".convert-written")), "not all ways are told");
-      const link = page.locator(".convert-tries .link").last(), line = /(\d+)/.exec(await link.textContent())[1];
+      must(
+        (await count(".convert-tries b")) >= 4 &&
+          (await count(".convert-tries li")) >= 1 &&
+          !(await count(".convert-written")),
+        "not all ways are told",
+      );
+      const link = page.locator(".convert-tries .link").last(),
+        line = /(\d+)/.exec(await link.textContent())[1];
       const wanted = await page.locator(".convert-tries li").last().locator("p code").first().textContent();
       await link.click();
-      await until(`line ${line} in the source`, async () => (await page.locator(".cm-content").textContent()).includes(wanted) && (await page.locator(".cm-activeLine, .cm-running").allTextContents()).some((t) => t.trim() === wanted.trim()));
-      must(await page.evaluate(() => { const s = document.querySelector(".source-host").getBoundingClientRect(), d = document.querySelector("dialog.docked").getBoundingClientRect(); return d.left >= s.left + 100; }), "the dialogue hides the source");
+      await until(
+        `line ${line} in the source`,
+        async () =>
+          (await page.locator(".cm-content").textContent()).includes(wanted) &&
+          (await page.locator(".cm-activeLine, .cm-running").allTextContents()).some((t) => t.trim() === wanted.trim()),
+      );
+      must(
+        await page.evaluate(() => {
+          const s = document.querySelector(".source-host").getBoundingClientRect(),
+            d = document.querySelector("dialog.docked").getBoundingClientRect();
+          return d.left >= s.left + 100;
+        }),
+        "the dialogue hides the source",
+      );
       await page.screenshot({ path: join(pictures, "convert_refused.png") });
       await page.check(".convert [name=force]");
       await until("the answer to another wish goes", async () => !(await count(".convert-tries")));

@@ -1,4 +1,5 @@
-// How soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…]. From the question `open` to a picture that has some of the path in it.
+// How soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…]. From the
+// question `open` to a picture that has some of the path in it.
 import { closeSync, mkdtempSync, openSync, rmSync, writeSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -10,19 +11,28 @@ const folder = mkdtempSync(join(tmpdir(), "kadr-long-"));
 
 function write_program(name, blocks) {
   const file = openSync(join(folder, name), "w");
-  let text = "G21 G90 G17\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F500\n", seed = 1;
+  let text = "G21 G90 G17\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F500\n",
+    seed = 1;
   for (let n = 0; n < blocks; n++) {
     seed = (seed * 16807) % 2147483647;
     text += `G1 X${((n % 1000) / 10).toFixed(3)} Y${(Math.floor(n / 1000) / 10).toFixed(3)} Z${(-1 + (0.3 * seed) / 2147483647).toFixed(3)}\n`;
-    if (text.length > 1e6) { writeSync(file, text); text = ""; }
+    if (text.length > 1e6) {
+      writeSync(file, text);
+      text = "";
+    }
   }
   writeSync(file, `${text}M30\n`);
   closeSync(file);
 }
 
-/// In the page, before its own script: when `open` was asked, its answer came, frames came, lines were first drawn; and each long task.
+/// In the page, before its own script: when `open` was asked, its answer came, frames came, lines were first drawn; and
+/// each long task.
 function listen() {
-  const w = (window.first = { tasks: [] }), send = WebSocket.prototype.send, mark = (name) => { w[name] ??= performance.now(); };
+  const w = (window.first = { tasks: [] }),
+    send = WebSocket.prototype.send,
+    mark = (name) => {
+      w[name] ??= performance.now();
+    };
   WebSocket.prototype.send = function (text) {
     if (typeof text === "string" && text.includes('"do":"open"')) {
       w.asked = performance.now();
@@ -41,7 +51,9 @@ function listen() {
     w.drawn = performance.now();
     requestAnimationFrame(() => setTimeout(() => mark("shown"), 0)); // the picture has been handed to the compositor
   };
-  new PerformanceObserver((l) => { for (const e of l.getEntries()) w.tasks.push([e.startTime, e.duration]); }).observe({ type: "longtask" });
+  new PerformanceObserver((l) => {
+    for (const e of l.getEntries()) w.tasks.push([e.startTime, e.duration]);
+  }).observe({ type: "longtask" });
 }
 
 let bad = 0;
@@ -54,14 +66,22 @@ try {
   await page.addInitScript(listen);
   await page.goto(kadr.address());
   for (const blocks of sizes) {
-    await page.evaluate(() => { for (const k of Object.keys(window.first)) if (k !== "tasks") delete window.first[k]; window.first.tasks.length = 0; });
+    await page.evaluate(() => {
+      for (const k of Object.keys(window.first)) if (k !== "tasks") delete window.first[k];
+      window.first.tasks.length = 0;
+    });
     await page.locator(`.file-name:text-is("long_${blocks}.nc")`).click();
     await until("the path", () => page.evaluate(() => window.first.shown), 120_000);
     await until("the end", () => page.evaluate(() => window.first.done), 180_000);
     await until("the end on the page", () => page.locator(".run-told.ended").count(), 60_000);
     await page.waitForTimeout(800);
-    const f = await page.evaluate(() => window.first), after = (t) => `${((t - f.asked) / 1000).toFixed(2)} s`, long = Math.max(0, ...f.tasks.map((x) => x[1]));
-    console.log(`${blocks} blocks: answered ${after(f.answered)}, first frame ${after(f.frame)}, first path on the screen ${after(f.shown)}, all ${after(f.done)}; tasks above 50 ms: ${f.tasks.length}, longest ${long.toFixed(0)} ms`);
+    const f = await page.evaluate(() => window.first),
+      after = (t) => `${((t - f.asked) / 1000).toFixed(2)} s`,
+      long = Math.max(0, ...f.tasks.map((x) => x[1]));
+    console.log(
+      `${blocks} blocks: answered ${after(f.answered)}, first frame ${after(f.frame)}, first path on the screen ${after(f.shown)}, ` +
+        `all ${after(f.done)}; tasks above 50 ms: ${f.tasks.length}, longest ${long.toFixed(0)} ms`,
+    );
     if (f.shown - f.asked > (blocks <= 100_000 ? 1000 : 3000)) bad++;
   }
 } finally {

@@ -10,7 +10,10 @@ const folder = process.argv[2] ?? "/tmp/kadr-look";
 mkdirSync(folder, { recursive: true });
 const server = await serve_page(fileURLToPath(new URL("../dist", import.meta.url)));
 const { page, errors, close } = await browser();
-await page.routeWebSocket(/\/session$/, (ws) => { const answer = session((m) => ws.send(typeof m === "string" ? m : Buffer.from(m))); ws.onMessage(answer); });
+await page.routeWebSocket(/\/session$/, (ws) => {
+  const answer = session((m) => ws.send(typeof m === "string" ? m : Buffer.from(m)));
+  ws.onMessage(answer);
+});
 const shot = (name) => page.screenshot({ path: join(folder, `${name}.png`) });
 try {
   await page.goto(`${server.address}#token=abc`);
@@ -51,11 +54,18 @@ try {
   await until("long lines", async () => /N1 G1/.test((await page.locator(".virtual-row").first().textContent()) ?? ""));
   await until("its end", () => page.locator(".run-told.ended").count());
   await page.waitForTimeout(300);
-  await page.locator(".virtual").evaluate((e) => { e.scrollTop = e.scrollHeight; });
+  await page.locator(".virtual").evaluate((e) => {
+    e.scrollTop = e.scrollHeight;
+  });
   await page.waitForTimeout(300);
   await page.click("[data-tab=summary]");
   await shot("long");
-  console.log("rows", await page.locator(".virtual-row").count(), "last", await page.locator(".virtual-row").last().textContent());
+  console.log(
+    "rows",
+    await page.locator(".virtual-row").count(),
+    "last",
+    await page.locator(".virtual-row").last().textContent(),
+  );
   await page.setViewportSize({ width: 1280, height: 800 });
   await page.waitForTimeout(300);
   await shot("small");

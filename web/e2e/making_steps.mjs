@@ -19,12 +19,16 @@ export function making_steps({ kadr, page, pictures }) {
       await until("the drawings", () => count("dialog option[value$='cover.txt']"));
       await until("the list of drawings has the focus", async () => (await focused()) === "drawing");
       const chosen = () => page.locator("[name=drawing]").inputValue();
-      await until("the drawing", async () => {
-        await page.keyboard.type(`${folder}cover.txt`);
-        if ((await chosen()) === `${folder}cover.txt`) return true;
-        await page.waitForTimeout(1200); // what was typed is forgotten: a busy browser had taken too long over it
-        return false;
-      }, 60_000);
+      await until(
+        "the drawing",
+        async () => {
+          await page.keyboard.type(`${folder}cover.txt`);
+          if ((await chosen()) === `${folder}cover.txt`) return true;
+          await page.waitForTimeout(1200); // what was typed is forgotten: a busy browser had taken too long over it
+          return false;
+        },
+        60_000,
+      );
       const field = async (name, value) => {
         for (let i = 0; i < 30 && (await focused()) !== name; i++) await page.keyboard.press("Tab");
         must((await focused()) === name, `Tab does not reach ${name}`);
@@ -36,18 +40,39 @@ export function making_steps({ kadr, page, pictures }) {
       await field("depth", "8");
       await field("pass", "4");
       await until("the picture", () => count(".mill-picture:not([hidden])"), 30_000);
-      await until("two layers", async () => (await text(".mill-summary")).includes("2 × Z") && (await text(".mill-summary")).includes("islands: 2"), 20_000);
-      must(await page.evaluate(() => { const i = document.querySelector(".mill-picture"); return i.complete && i.naturalWidth > 200; }), "the picture is none");
+      await until(
+        "two layers",
+        async () =>
+          (await text(".mill-summary")).includes("2 × Z") && (await text(".mill-summary")).includes("islands: 2"),
+        20_000,
+      );
+      must(
+        await page.evaluate(() => {
+          const i = document.querySelector(".mill-picture");
+          return i.complete && i.naturalWidth > 200;
+        }),
+        "the picture is none",
+      );
       await page.keyboard.press("Shift+Tab");
       await page.keyboard.type("0"); // all of it is chosen by Tab
-      await until("it is out of range", async () => (await told()).includes("Depth: out of range") && (await count("[name=depth][aria-invalid=true]")) === 1, 20_000);
+      await until(
+        "it is out of range",
+        async () =>
+          (await told()).includes("Depth: out of range") && (await count("[name=depth][aria-invalid=true]")) === 1,
+        20_000,
+      );
       must(await page.locator(".mill-result button.main").isDisabled(), "what is no program can be saved");
       await field("depth", "8");
       await field("pass", "2,5");
       await until("four layers", async () => (await text(".mill-summary")).includes("4 × Z"), 20_000);
       await until("not dimmed", async () => !(await count("dialog.making")));
       await page.locator("dialog").screenshot({ path: join(pictures, "making.png") });
-      for (let i = 0; i < 30 && !(await page.evaluate(() => document.activeElement?.matches(".mill-result button.main"))); i++) await page.keyboard.press("Tab");
+      for (
+        let i = 0;
+        i < 30 && !(await page.evaluate(() => document.activeElement?.matches(".mill-result button.main")));
+        i++
+      )
+        await page.keyboard.press("Tab");
       await page.keyboard.press("Enter");
       await until("its name", async () => (await text(".topbar .file")) === `${folder}cover.nc`, 20_000);
       await until("the dialogue is gone", async () => !(await count("dialog")));
@@ -57,7 +82,13 @@ export function making_steps({ kadr, page, pictures }) {
     },
     async "making: what is there is replaced only when told"() {
       await page.locator(".files-verbs button >> nth=0").click();
-      await until("what was given last is there", async () => (await page.locator("[name=depth]").inputValue()) === "8" && (await page.locator(".mill-result input").inputValue()).endsWith("cover_2.nc"), 30_000);
+      await until(
+        "what was given last is there",
+        async () =>
+          (await page.locator("[name=depth]").inputValue()) === "8" &&
+          (await page.locator(".mill-result input").inputValue()).endsWith("cover_2.nc"),
+        30_000,
+      );
       await page.fill(".mill-result input", (await page.locator(".mill-result input").inputValue()).replace("_2", ""));
       await page.click(".mill-result button.main");
       await until("it is asked", () => count("dialog:has-text('Replace it') button.main:has-text('Replace it')"));
@@ -66,12 +97,17 @@ export function making_steps({ kadr, page, pictures }) {
       must(await count("dialog .mill"), "the dialogue has gone");
       await page.click(".mill-result button.main");
       await page.click("button.main:has-text('Replace it')");
-      await until("it is open", async () => !(await count("dialog")) && (await text(".topbar .file")).endsWith("cover.nc"), 20_000);
+      await until(
+        "it is open",
+        async () => !(await count("dialog")) && (await text(".topbar .file")).endsWith("cover.nc"),
+        20_000,
+      );
       await ended();
     },
     async "making: tape out and in gives the same text"() {
       const source = () => page.locator(".cm-content").textContent();
-      const before = await source(), verbs = page.locator(".files-verbs button");
+      const before = await source(),
+        verbs = page.locator(".files-verbs button");
       await verbs.nth(1).click();
       await until("rows", async () => /\d rows/.test((await text(".tape [role=status]")) ?? ""), 20_000);
       const tape = await page.locator(".tape input[aria-label='Name of the file']").inputValue();
@@ -85,7 +121,11 @@ export function making_steps({ kadr, page, pictures }) {
       await until("its text", async () => !(await page.locator(".tape-text").isHidden()), 20_000);
       await page.screenshot({ path: join(pictures, "from_tape.png") });
       await page.click(".tape button.main");
-      await until("it is open", async () => !(await count("dialog")) && /cover_\d.nc$/.test(await text(".topbar .file")), 20_000);
+      await until(
+        "it is open",
+        async () => !(await count("dialog")) && /cover_\d.nc$/.test(await text(".topbar .file")),
+        20_000,
+      );
       await ended();
       await until("the same text", async () => (await source()) === before);
     },

@@ -1,5 +1,6 @@
-// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit status 1 when a step fails.
-// Waits are for conditions, and long: a busy machine is slow, not wrong. What the server does not serve is skipped, which is said.
+// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit
+// status 1 when a step fails. Waits are for conditions, and long: a busy machine is slow, not wrong. What the server
+// does not serve is skipped, which is said.
 import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -19,13 +20,18 @@ const { count, text, ended, toasts, line_shown } = looks_at(() => page);
 const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
 const line = () => text(".state .block-told .dim");
 const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
-/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way: then once more.
+/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way:
+/// then once more.
 async function click_line(begins) {
   await page.locator(".slider").focus();
   await page.keyboard.press("Home");
   await until("the start", async () => (await now()) === 0 && (await line_shown()) !== "");
   await until(`the cursor in ${begins}`, async () => {
-    await page.locator(".cm-line", { hasText: begins }).first().click({ position: { x: 30, y: 8 }, timeout: 5000 }).catch(() => {});
+    await page
+      .locator(".cm-line", { hasText: begins })
+      .first()
+      .click({ position: { x: 30, y: 8 }, timeout: 5000 })
+      .catch(() => {});
     return ((await page.locator(".cm-activeLine").first().textContent()) ?? "").startsWith(begins);
   });
 }
@@ -39,12 +45,17 @@ async function add_line(told) {
 /// Moves the mouse over the view until it is over a motion that `wanted` likes; gives where.
 async function find_motion(wanted = () => true) {
   const box = await page.locator(".scene-host canvas").boundingBox();
-  for (let y = 0.15; y < 0.85; y += 0.03) for (let x = 0.2; x < 0.8; x += 0.02) {
-    const at = [box.x + x * box.width, box.y + y * box.height];
-    await page.mouse.move(...at);
-    await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))));
-    if (!(await page.locator(".scene-tip").isHidden()) && wanted((await page.locator(".scene-tip").textContent()) ?? "")) return at;
-  }
+  for (let y = 0.15; y < 0.85; y += 0.03)
+    for (let x = 0.2; x < 0.8; x += 0.02) {
+      const at = [box.x + x * box.width, box.y + y * box.height];
+      await page.mouse.move(...at);
+      await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))));
+      if (
+        !(await page.locator(".scene-tip").isHidden()) &&
+        wanted((await page.locator(".scene-tip").textContent()) ?? "")
+      )
+        return at;
+    }
   throw new Error("no such motion found under the mouse");
 }
 
@@ -76,7 +87,10 @@ const steps = {
     await ended();
     await until("its text", async () => (await page.locator(".cm-content").textContent()).includes("onerror=boom()"));
     await page.click("[data-tab=problems]");
-    must(await page.evaluate(() => !document.querySelector("img") && window.boomed === undefined), "the comment has become an element");
+    must(
+      await page.evaluate(() => !document.querySelector("img") && window.boomed === undefined),
+      "the comment has become an element",
+    );
     await page.locator(`.file-name:text-is("plate.nc")`).click();
     await until("the plate again", async () => (await text(".source .pane-title"))?.includes("plate.nc"));
     await ended();
@@ -87,7 +101,9 @@ const steps = {
     await page.keyboard.press("Home");
     await until("the start", async () => (await now()) === 0);
     await page.keyboard.press("1");
-    const at = await find_motion((told) => !/rapid/.test(told)), told = await page.locator(".scene-tip").textContent(), wanted = /line (\d+)/.exec(told)[1];
+    const at = await find_motion((told) => !/rapid/.test(told)),
+      told = await page.locator(".scene-tip").textContent(),
+      wanted = /line (\d+)/.exec(told)[1];
     must(/L \d/.test(told), `no length: ${told}`);
     await page.mouse.click(...at);
     await until("the clicked segment's instant", async () => (await now()) > 0);
@@ -96,7 +112,9 @@ const steps = {
   },
   async "a long block does not push the figures out of the pane"() {
     const wide = await page.evaluate(() => {
-      const block = document.querySelector(".block-text"), pane = block.closest(".pane-body"), was = block.textContent;
+      const block = document.querySelector(".block-text"),
+        pane = block.closest(".pane-body"),
+        was = block.textContent;
       block.textContent = "G1 X[#5*COS[#121]-#101*#2] Y[#5*SIN[#121]-#101*#3] ".repeat(4);
       const over = pane.scrollWidth - pane.clientWidth;
       block.textContent = was;
@@ -110,9 +128,18 @@ const steps = {
     await page.locator(".cube-face", { hasText: "Top" }).first().click();
     await until("the cube has turned", async () => (await count(".cube-face")) === 1);
     await page.keyboard.press("6");
-    for (const [value, told] of [["speed", /mm\/min/], ["depth", /mm/], ["slowed", /100/], ["time", /\d:\d\d/], ["tool", /T1/], ["kind", /feed/]]) {
+    for (const [value, told] of [
+      ["speed", /mm\/min/],
+      ["depth", /mm/],
+      ["slowed", /100/],
+      ["time", /\d:\d\d/],
+      ["tool", /T1/],
+      ["kind", /feed/],
+    ]) {
       await page.selectOption(".scene-bar:not(.below) select", value);
-      await until(`the legend of ${value}`, async () => told.test((await page.locator(".scene-legend").textContent()) ?? ""));
+      await until(`the legend of ${value}`, async () =>
+        told.test((await page.locator(".scene-legend").textContent()) ?? ""),
+      );
     }
     await page.click(".scene-bar button:has-text('Ortho')");
     await until("perspective", () => count(".scene-bar button:has-text('Persp')"));
@@ -122,30 +149,71 @@ const steps = {
     must(await count(".flag-end"), "no flag at the end");
   },
   async "turns, moves and zooms with the mouse and with two fingers"() {
-    const canvas = page.locator(".scene-host canvas"), box = await canvas.boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    const seen = async () => page.evaluate(() => [...document.querySelectorAll(".flag-sign")].map((e) => e.style.transform + e.style.visibility).join());
-    const changes = async (name, act) => { const before = await seen(); await act(); await until(name, async () => (await seen()) !== before); };
-    await changes("turned", async () => { await page.mouse.move(x, y); await page.mouse.down(); await page.mouse.move(x + 60, y + 30, { steps: 4 }); await page.mouse.up(); });
-    await changes("moved", async () => { await page.mouse.move(x, y); await page.mouse.down({ button: "right" }); await page.mouse.move(x + 60, y, { steps: 4 }); await page.mouse.up({ button: "right" }); });
+    const canvas = page.locator(".scene-host canvas"),
+      box = await canvas.boundingBox(),
+      [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const seen = async () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll(".flag-sign")].map((e) => e.style.transform + e.style.visibility).join(),
+      );
+    const changes = async (name, act) => {
+      const before = await seen();
+      await act();
+      await until(name, async () => (await seen()) !== before);
+    };
+    await changes("turned", async () => {
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 60, y + 30, { steps: 4 });
+      await page.mouse.up();
+    });
+    await changes("moved", async () => {
+      await page.mouse.move(x, y);
+      await page.mouse.down({ button: "right" });
+      await page.mouse.move(x + 60, y, { steps: 4 });
+      await page.mouse.up({ button: "right" });
+    });
     await changes("zoomed", () => page.mouse.wheel(0, -240));
-    const cdp = await page.context().newCDPSession(page), fingers = (type, points) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+    const cdp = await page.context().newCDPSession(page),
+      fingers = (type, points) =>
+        cdp.send("Input.dispatchTouchEvent", {
+          type,
+          touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })),
+        });
     await changes("pinched", async () => {
       await fingers("touchStart", [[x - 40, y]]);
-      await fingers("touchStart", [[x - 40, y], [x + 40, y]]);
-      for (let i = 1; i <= 5; i++) await fingers("touchMove", [[x - 40 - 12 * i, y], [x + 40 + 12 * i, y]]);
+      await fingers("touchStart", [
+        [x - 40, y],
+        [x + 40, y],
+      ]);
+      for (let i = 1; i <= 5; i++)
+        await fingers("touchMove", [
+          [x - 40 - 12 * i, y],
+          [x + 40 + 12 * i, y],
+        ]);
       await fingers("touchEnd", []);
     });
     await changes("moved by two fingers", async () => {
       await fingers("touchStart", [[x - 40, y]]);
-      await fingers("touchStart", [[x - 40, y], [x + 40, y]]);
-      for (let i = 1; i <= 5; i++) await fingers("touchMove", [[x - 40, y + 10 * i], [x + 40, y + 10 * i]]);
+      await fingers("touchStart", [
+        [x - 40, y],
+        [x + 40, y],
+      ]);
+      for (let i = 1; i <= 5; i++)
+        await fingers("touchMove", [
+          [x - 40, y + 10 * i],
+          [x + 40, y + 10 * i],
+        ]);
       await fingers("touchEnd", []);
     });
     await page.locator(".slider").focus();
     await page.keyboard.press("f");
   },
   async "a picture as PNG"() {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click(".scene-bar.below button:has-text('PNG')")]);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.click(".scene-bar.below button:has-text('PNG')"),
+    ]);
     const file = join(pictures, "view.png");
     await download.saveAs(file);
     must(statSync(file).size > 3000, "the picture is empty");
@@ -188,7 +256,10 @@ const steps = {
     if (await count("details.problem-group.alarm:not([open])")) await page.click("details.problem-group.alarm summary");
     await until("its hint", async () => (await text(".problems .alarm .hint")).length > 5);
     await page.screenshot({ path: join(pictures, "alarm.png") });
-    for (let i = 0; i < 5 && (await count(".dirty")); i++) { await page.locator(".cm-content").focus(); await page.keyboard.press("Control+z"); }
+    for (let i = 0; i < 5 && (await count(".dirty")); i++) {
+      await page.locator(".cm-content").focus();
+      await page.keyboard.press("Control+z");
+    }
     await until("the old text", async () => !(await count(".dirty")));
     await until("no alarm any more", async () => !(await count(".problems .alarm")));
   },
@@ -201,10 +272,18 @@ const steps = {
     await page.keyboard.press("Escape");
     await page.locator(".slider").focus();
     await page.keyboard.press("End");
-    await until("the part at the end", async () => /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")), 60_000);
+    await until(
+      "the part at the end",
+      async () => /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")),
+      60_000,
+    );
     const whole = (await page.locator(".cut .note").allTextContents()).join(" ");
     await page.keyboard.press("Home");
-    await until("another part at the start", async () => (await page.locator(".cut .note").allTextContents()).join(" ") !== whole, 60_000);
+    await until(
+      "another part at the start",
+      async () => (await page.locator(".cut .note").allTextContents()).join(" ") !== whole,
+      60_000,
+    );
     await page.screenshot({ path: join(pictures, "cut.png") });
   },
   async "section and measuring"() {
@@ -219,7 +298,8 @@ const steps = {
     await page.keyboard.press("1");
     await page.keyboard.press("m");
     must((await text(".scene-told")).length > 5, "measuring does not say how");
-    const first = await find_motion((t) => /feed/.test(t)), line_of = async () => /line (\d+)/.exec((await page.locator(".scene-tip").textContent()) ?? "")?.[1];
+    const first = await find_motion((t) => /feed/.test(t)),
+      line_of = async () => /line (\d+)/.exec((await page.locator(".scene-tip").textContent()) ?? "")?.[1];
     const here = await line_of();
     await page.mouse.click(...first);
     await until("the first end", async () => /now the second/.test(await text(".scene-told")));
@@ -241,16 +321,24 @@ const steps = {
     await page.keyboard.press("3");
     await page.selectOption(".scene-bar:not(.below) select", "depth");
     await until("its state", async () => (await text(".state")).includes("left 0:00.0"));
-    const stood = await now(), where = await text(".block-text"), seen = () => page.evaluate(() => document.querySelector(".view-cube polygon")?.getAttribute("points")), eye = await seen();
+    const stood = await now(),
+      where = await text(".block-text"),
+      seen = () => page.evaluate(() => document.querySelector(".view-cube polygon")?.getAttribute("points")),
+      eye = await seen();
     await page.click(".switch [lang=ru]");
     await until("Russian", async () => (await text("[data-tab=summary]")) === "Сводка");
     await ended();
     await page.screenshot({ path: join(pictures, "ru.png") });
     must((await page.getAttribute("html", "lang")) === "ru", "html lang");
-    await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2 && (await text(".block-text")) === where);
+    await until(
+      "the same instant",
+      async () => Math.abs((await now()) - stood) < 0.2 && (await text(".block-text")) === where,
+    );
     must((await seen()) === eye, "the view has turned");
     must((await page.locator(".scene-bar:not(.below) select").inputValue()) === "depth", "the colouring has changed");
-    await until("controls in Russian", async () => /[а-яё]/i.test((await page.locator(".choices select").first().textContent()) ?? ""));
+    await until("controls in Russian", async () =>
+      /[а-яё]/i.test((await page.locator(".choices select").first().textContent()) ?? ""),
+    );
     await page.click(".switch [lang=en]");
     await until("English", async () => (await text("[data-tab=summary]")) === "Summary");
     await ended();
@@ -260,7 +348,8 @@ const steps = {
     await page.keyboard.press("End");
     await until("the end", async () => (await now()) > 1);
     await page.waitForTimeout(500);
-    const stood = await now(), where = await line();
+    const stood = await now(),
+      where = await line();
     await kadr.lose();
     await until("the banner", () => page.locator(".banner").isVisible());
     await kadr.regain();
@@ -295,7 +384,10 @@ const steps = {
     await until("the question", () => count("dialog button.main"));
     await page.screenshot({ path: join(pictures, "conflict.png") });
     await page.click("dialog button.main");
-    await until("the one on the disk", async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"));
+    await until(
+      "the one on the disk",
+      async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"),
+    );
     await ended();
   },
   async "a reload keeps what was not saved"() {
@@ -304,19 +396,32 @@ const steps = {
     await page.waitForTimeout(600); // it is kept a little after the last key
     await page.reload();
     await ended();
-    await until("the text and its mark", async () => (await page.locator(".cm-content").textContent()).includes("NOT SAVED") && (await count(".dirty")));
+    await until(
+      "the text and its mark",
+      async () => (await page.locator(".cm-content").textContent()).includes("NOT SAVED") && (await count(".dirty")),
+    );
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+End");
     for (let i = 0; i <= "(NOT SAVED)".length; i++) await page.keyboard.press("Backspace");
-    await until("the saved text again", async () => !(await page.locator(".cm-content").textContent()).includes("NOT") && !(await count(".dirty")));
+    await until(
+      "the saved text again",
+      async () => !(await page.locator(".cm-content").textContent()).includes("NOT") && !(await count(".dirty")),
+    );
   },
   async "two versions side by side"() {
     await page.click(".topbar button:has-text('Compare')");
     await until("the other programs", () => count(".compare option"));
     await page.selectOption(".compare select", { index: 0 });
     await page.click(".compare button.main");
-    await until("what differs", async () => (await not_served()) || !["", "Comparing…"].includes(((await text(".compare .note")) ?? "").trim()), 60_000);
-    if (await not_served()) { await page.click("dialog.docked .dialog-head button"); return "skipped: not served yet"; }
+    await until(
+      "what differs",
+      async () => (await not_served()) || !["", "Comparing…"].includes(((await text(".compare .note")) ?? "").trim()),
+      60_000,
+    );
+    if (await not_served()) {
+      await page.click("dialog.docked .dialog-head button");
+      return "skipped: not served yet";
+    }
     await page.screenshot({ path: join(pictures, "compare.png") });
     await page.click("dialog.docked .dialog-head button");
     await until("it closes", async () => !(await count("dialog")));
@@ -324,10 +429,21 @@ const steps = {
   async "shop mode: targets of 44 pixels, everything has a name"() {
     await page.click(".topbar button:has-text('Shop')");
     await page.waitForTimeout(200);
-    const bad = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]), summary")].filter((e) => e.checkVisibility() && !e.closest(".cm-editor")).flatMap((e) => {
-      const box = e.getBoundingClientRect(), name = (e.getAttribute("aria-label") ?? e.textContent ?? "").trim() || e.closest("label")?.textContent?.trim() || e.title;
-      return [...(box.height < 43.5 ? [`${Math.round(box.height)} px: ${e.className} ${name}`] : []), ...(name ? [] : [`no name: ${e.outerHTML.slice(0, 80)}`])];
-    }));
+    const bad = await page.evaluate(() =>
+      [...document.querySelectorAll("button, select, input:not([type=checkbox]), summary")]
+        .filter((e) => e.checkVisibility() && !e.closest(".cm-editor"))
+        .flatMap((e) => {
+          const box = e.getBoundingClientRect(),
+            name =
+              (e.getAttribute("aria-label") ?? e.textContent ?? "").trim() ||
+              e.closest("label")?.textContent?.trim() ||
+              e.title;
+          return [
+            ...(box.height < 43.5 ? [`${Math.round(box.height)} px: ${e.className} ${name}`] : []),
+            ...(name ? [] : [`no name: ${e.outerHTML.slice(0, 80)}`]),
+          ];
+        }),
+    );
     await page.screenshot({ path: join(pictures, "shop.png") });
     await page.click(".topbar button:has-text('Shop')");
     must(!bad.length, bad.slice(0, 5).join("; "));
@@ -351,7 +467,10 @@ const steps = {
     await page.click(".crumbs button >> nth=0");
     for (const name of ["five-axes", "trunnion_drilling.nct"]) await page.click(`.file-row:has-text('${name}')`);
     await ended();
-    for (const [which, value] of [["control", "nct"], ["machine", "table-table"]]) {
+    for (const [which, value] of [
+      ["control", "nct"],
+      ["machine", "table-table"],
+    ]) {
       await page.selectOption(`.choices select[aria-label='${which === "control" ? "Control" : "Machine"}']`, value);
       await page.waitForTimeout(300);
       await ended();
@@ -364,7 +483,13 @@ const steps = {
     const slider = await page.locator(".slider").boundingBox();
     await page.mouse.click(slider.x + 0.62 * slider.width, slider.y + slider.height / 2);
     await page.waitForTimeout(800);
-    const picture = () => page.locator(".scene-host canvas").evaluate((c) => new Promise((yes) => requestAnimationFrame(() => requestAnimationFrame(() => yes(c.width)))).then(() => 0)).then(() => page.locator(".scene-host").screenshot());
+    const picture = () =>
+      page
+        .locator(".scene-host canvas")
+        .evaluate((c) =>
+          new Promise((yes) => requestAnimationFrame(() => requestAnimationFrame(() => yes(c.width)))).then(() => 0),
+        )
+        .then(() => page.locator(".scene-host").screenshot());
     const turned = await picture();
     await page.screenshot({ path: join(pictures, "turned.png") });
     await page.click(".filters label:has-text('The part turns')");
@@ -387,13 +512,16 @@ const steps = {
   ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
 };
 
-let passed = 0, failed = 0, skipped = 0;
+let passed = 0,
+  failed = 0,
+  skipped = 0;
 for (const [name, step] of Object.entries(steps)) {
   if (only && !only.split("|").some((part) => name.includes(part)) && !name.startsWith("opens")) continue;
   const begin = Date.now();
   try {
     const note = await step();
-    if (/^skipped/.test(note ?? "")) skipped++; else passed++;
+    if (/^skipped/.test(note ?? "")) skipped++;
+    else passed++;
     console.log(`ok    ${name}${note ? ` (${note})` : ""}  ${Date.now() - begin} ms`);
   } catch (e) {
     failed++;
@@ -401,7 +529,10 @@ for (const [name, step] of Object.entries(steps)) {
     await page.screenshot({ path: join(pictures, `fail_${failed}.png`) }).catch(() => {});
   }
 }
-if (errors.length) { failed++; console.log("errors on the page:", errors); }
+if (errors.length) {
+  failed++;
+  console.log("errors on the page:", errors);
+}
 await close();
 await kadr.close();
 console.log(`${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ""}`);

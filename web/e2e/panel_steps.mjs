@@ -17,7 +17,13 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await ended();
       await page.click("[data-tab=panel]");
       await page.click(".operator button:has-text('Switch on')");
-      const x = async () => Number((await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()).replace("\u2212", "-"));
+      const x = async () =>
+        Number(
+          (await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()).replace(
+            "\u2212",
+            "-",
+          ),
+        );
       await mode("standing");
       await page.fill(".operator .mdi", "G0 X17.5");
       await page.press(".operator .mdi", "Enter");
@@ -59,7 +65,11 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await field("line").fill("20");
       await field("line").press("Enter"); // keyboard alone
       await until("the sheet", () => count(".restart-sheet"), 20_000);
-      await until("a clearance over all that is gone through", async () => (await field("Clearance").inputValue()) !== "", 20_000);
+      await until(
+        "a clearance over all that is gone through",
+        async () => (await field("Clearance").inputValue()) !== "",
+        20_000,
+      );
       must(await count(".restart-rows tr.differs"), "nothing differs");
       await page.locator(".restart").evaluate((e) => e.scrollIntoView());
       await page.screenshot({ path: join(pictures, "restart.png") });
@@ -70,11 +80,19 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.selectOption(".restart-rows select >> nth=0", "set");
       await field("Clearance").fill("55");
       await field("Clearance").press("Enter");
-      await until("the way over it", async () => (await page.locator(".restart-way input >> nth=0").inputValue()) === "55.000", 20_000);
+      await until(
+        "the way over it",
+        async () => (await page.locator(".restart-way input >> nth=0").inputValue()) === "55.000",
+        20_000,
+      );
       await page.click(".restart summary:has-text('As blocks')");
       must((await text(".restart-blocks")).includes("G"), "no blocks");
       await page.click(".restart button:has-text('Go there')");
-      await until("it stands there", async () => ((await text(".operator-head")) ?? "").includes("At the place"), 90_000);
+      await until(
+        "it stands there",
+        async () => ((await text(".operator-head")) ?? "").includes("At the place"),
+        90_000,
+      );
       must((await text(".operator-head")).includes("line 20"), `elsewhere: ${await text(".operator-head")}`);
       await page.click(".operator-keys button:has-text('Start')");
       await mode("running");
@@ -110,18 +128,44 @@ export function panel_steps({ kadr, page, pictures, only }) {
       const was = await scene();
       await page.fill(".tables tr:has-text('G54') input >> nth=0", "123");
       await page.press(".tables tr:has-text('G54') input >> nth=0", "Tab");
-      await until("the zero at the panel", async () => Math.abs(Number((await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()).replace("\u2212", "-")) + 123) < 1e-6, 20_000);
+      await until(
+        "the zero at the panel",
+        async () =>
+          Math.abs(
+            Number(
+              (
+                await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()
+              ).replace("\u2212", "-"),
+            ) + 123,
+          ) < 1e-6,
+        20_000,
+      );
       await ended();
       await page.waitForTimeout(500);
       must(!was.equals(await scene()), "the path has not moved");
       await page.locator(".tables").evaluate((e) => e.scrollIntoView());
       await page.screenshot({ path: join(pictures, "tables.png") });
       await page.click(".tables button:has-text('As in the set-up')");
-      await until("the zero as before", async () => Math.abs(Number((await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()).replace("\u2212", "-"))) < 1e-6, 20_000);
+      await until(
+        "the zero as before",
+        async () =>
+          Math.abs(
+            Number(
+              (
+                await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()
+              ).replace("\u2212", "-"),
+            ),
+          ) < 1e-6,
+        20_000,
+      );
       await page.click(".watches > summary");
       await page.fill(".watches input[aria-label='Expression']", "#5221+2");
       await page.press(".watches input[aria-label='Expression']", "Enter");
-      await until("its value", async () => ((await text(".watches .stop-points >> nth=1")) ?? "").includes("2"), 20_000);
+      await until(
+        "its value",
+        async () => ((await text(".watches .stop-points >> nth=1")) ?? "").includes("2"),
+        20_000,
+      );
       await page.fill(".watches input[aria-label='line']", "25");
       await page.click(".watches button:has-text('Add') >> nth=0");
       await until("the stop point", () => count(".watches .stop-points li:has-text('line 25')"));
@@ -134,7 +178,13 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await until("held by the condition", () => count(".watches .stop-points li.hit:has-text('#5220')"), 20_000);
       await page.locator(".watches .stop-points li:has-text('#5220') button.icon").click();
       await page.click(".topbar button:has-text('РУ')");
-      await until("the panel in Russian", async () => (await text(".operator-keys")).includes("Пуск") && (await text(".tables > summary")).includes("Таблицы") && (await text(".restart > summary")).includes("Продолжить"));
+      await until(
+        "the panel in Russian",
+        async () =>
+          (await text(".operator-keys")).includes("Пуск") &&
+          (await text(".tables > summary")).includes("Таблицы") &&
+          (await text(".restart > summary")).includes("Продолжить"),
+      );
       await page.screenshot({ path: join(pictures, "panel_ru.png") });
       await page.click(".topbar button:has-text('EN')");
       await until("and in English", async () => (await text(".operator-keys")).includes("Start"));
@@ -160,12 +210,16 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.goto(`${new URL(kadr.address()).origin}/`);
       await until("the files", () => count(".file-row"));
       await page.click(".crumbs button >> nth=0");
-      for (const name of ["two-channels", "milling.nct"]) await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
+      for (const name of ["two-channels", "milling.nct"])
+        await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
       await ended();
       await page.fill(".choices input", "milling.json"); // of another folder
       await page.press(".choices input", "Enter");
       await until("that it is not there", async () => (await toasts()) !== "");
-      await until("what could be opened stays", async () => (await count(".choices input")) && (await page.locator(".choices input").inputValue()) === "");
+      await until(
+        "what could be opened stays",
+        async () => (await count(".choices input")) && (await page.locator(".choices input").inputValue()) === "",
+      );
       await ended();
       await page.fill(".choices input", "two-channels/milling.json");
       await page.press(".choices input", "Enter");
@@ -176,10 +230,18 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await until("both channels", async () => (await count(".channels .channel")) === 2);
       must(await count("button[aria-label='2:X −']"), "no keys for the axes of channel 2");
       await page.click("button[aria-label='2:X +']");
-      await until("its axis has moved", async () => ((await page.locator(".channels .channel >> nth=1").textContent()) ?? "").includes("X 1.000"), 60_000);
+      await until(
+        "its axis has moved",
+        async () => ((await page.locator(".channels .channel >> nth=1").textContent()) ?? "").includes("X 1.000"),
+        60_000,
+      );
       await mode("standing");
       await page.click(".operator-keys button:has-text('Start')");
-      await until("one waits for the other", async () => /M50\d: waits for [12]/.test((await text(".channels")) ?? ""), 60_000);
+      await until(
+        "one waits for the other",
+        async () => /M50\d: waits for [12]/.test((await text(".channels")) ?? ""),
+        60_000,
+      );
       await page.screenshot({ path: join(pictures, "channels.png") });
       const found = ((await text(".channels .channel.waits")) ?? "").match(/Channel (\d).*waits for (\d)/);
       must(found && found[1] !== found[2], `who waits for whom: ${await text(".channels")}`);
@@ -195,7 +257,11 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.locator(".restart-beside").evaluate((e) => e.scrollIntoView({ block: "center" }));
       await page.screenshot({ path: join(pictures, "channels_restart.png") });
       await page.click(".restart button:has-text('Go there')");
-      await until("both stand there", async () => ((await text(".operator-head")) ?? "").includes("At the place"), 90_000);
+      await until(
+        "both stand there",
+        async () => ((await text(".operator-head")) ?? "").includes("At the place"),
+        90_000,
+      );
       await page.click(".operator-keys button:has-text('Start')");
       await mode("running");
       await page.click(".operator-keys button:has-text('Reset')");
@@ -271,7 +337,13 @@ export function finger_steps({ kadr, browser, pictures }) {
         await mode("emergency");
         await page.tap(".operator-keys button:has-text('Reset')");
         await mode("standing");
-        const z = async () => Number((await page.locator(".operator .positions tbody tr >> nth=2").locator("td >> nth=1").textContent()).replace("\u2212", "-"));
+        const z = async () =>
+          Number(
+            (await page.locator(".operator .positions tbody tr >> nth=2").locator("td >> nth=1").textContent()).replace(
+              "\u2212",
+              "-",
+            ),
+          );
         const before = await z();
         await page.tap("button[aria-label='Z +']");
         await until("the axis has moved", async () => Math.abs((await z()) - before - 1) < 0.0025, 60_000); // shown in thousandths

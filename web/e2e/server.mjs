@@ -1,4 +1,5 @@
-// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers. DIST: a built page in place of the one inside the program.
+// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session
+// answers. DIST: a built page in place of the one inside the program.
 import { spawn } from "node:child_process";
 import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -13,50 +14,93 @@ export async function server(examples) {
 
 /// The page's files from a folder, for a page that is newer than the program.
 export async function page_from(page, dist) {
-  if (dist) await page.route(/^http:\/\/127\.0\.0\.1:\d+\/[\w.-]*$/, (route) => {
-    const name = new URL(route.request().url()).pathname.slice(1) || "index.html";
-    return name === "session" || name === "health" ? route.continue() : route.fulfill({ path: join(dist, name) });
-  });
+  if (dist)
+    await page.route(/^http:\/\/127\.0\.0\.1:\d+\/[\w.-]*$/, (route) => {
+      const name = new URL(route.request().url()).pathname.slice(1) || "index.html";
+      return name === "session" || name === "health" ? route.continue() : route.fulfill({ path: join(dist, name) });
+    });
 }
 
 export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
-  if (existsSync(join(folder, "cut"))) writeFileSync(join(folder, "cut", "xss.nc"), "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n");
-  let child, address = "";
-  const start = (port) => new Promise((yes, no) => {
-    child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
-    let said = "";
-    child.stdout.on("data", (d) => {
-      said += d;
-      const found = /kadr serve: (http:\/\/127\.0\.0\.1:(\d+)\/\S*)/.exec(said);
-      if (found) yes(found);
+  if (existsSync(join(folder, "cut")))
+    writeFileSync(
+      join(folder, "cut", "xss.nc"),
+      "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n",
+    );
+  let child,
+    address = "";
+  const start = (port) =>
+    new Promise((yes, no) => {
+      child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], {
+        stdio: ["ignore", "pipe", "inherit"],
+      });
+      let said = "";
+      child.stdout.on("data", (d) => {
+        said += d;
+        const found = /kadr serve: (http:\/\/127\.0\.0\.1:(\d+)\/\S*)/.exec(said);
+        if (found) yes(found);
+      });
+      child.once("exit", (code) => no(new Error(`kadr serve ended with ${code}: ${said}`)));
     });
-    child.once("exit", (code) => no(new Error(`kadr serve ended with ${code}: ${said}`)));
-  });
-  const stop = () => new Promise((yes) => { if (child.exitCode !== null) return yes(); child.once("exit", yes); child.kill("SIGKILL"); });
+  const stop = () =>
+    new Promise((yes) => {
+      if (child.exitCode !== null) return yes();
+      child.once("exit", yes);
+      child.kill("SIGKILL");
+    });
   const [, first, port] = await start(0);
   address = first;
   return {
-    address: () => address, prepare: (page) => page_from(page, process.env.DIST), path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
-    change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"), lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
-    close: async () => { await stop(); rmSync(folder, { recursive: true, force: true }); },
+    address: () => address,
+    prepare: (page) => page_from(page, process.env.DIST),
+    path: ["cut", "plate.nc"],
+    line: "N60 G1 Z0",
+    before: "N60 G1 Z0 F400",
+    change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"),
+    lose: stop,
+    regain: async () => {
+      address = (await start(Number(port)))[1];
+    },
+    close: async () => {
+      await stop();
+      rmSync(folder, { recursive: true, force: true });
+    },
   };
 }
 
 async function made_up() {
   const files = await serve_page(fileURLToPath(new URL("../dist", import.meta.url)));
-  let lost = false, open = [];
+  let lost = false,
+    open = [];
   return {
-    address: () => `${files.address}#token=abc`, path: ["plate.nc"], line: "N60 G1 Z-1", before: "N60 G1 Z-[6-#1] F400",
-    prepare: (page) => page.routeWebSocket(/\/session$/, (ws) => {
-      if (lost) return void ws.close();
-      open.push(ws);
-      ws.onMessage(session((m) => { try { ws.send(typeof m === "string" ? m : Buffer.from(m)); } catch { /* the page has gone */ } }));
-    }),
+    address: () => `${files.address}#token=abc`,
+    path: ["plate.nc"],
+    line: "N60 G1 Z-1",
+    before: "N60 G1 Z-[6-#1] F400",
+    prepare: (page) =>
+      page.routeWebSocket(/\/session$/, (ws) => {
+        if (lost) return void ws.close();
+        open.push(ws);
+        ws.onMessage(
+          session((m) => {
+            try {
+              ws.send(typeof m === "string" ? m : Buffer.from(m));
+            } catch {
+              /* the page has gone */
+            }
+          }),
+        );
+      }),
     change: () => {}, // the made-up session refuses a text that says CONFLICT
-    lose: async () => { lost = true; for (const ws of open.splice(0)) await ws.close(); },
-    regain: async () => { lost = false; },
+    lose: async () => {
+      lost = true;
+      for (const ws of open.splice(0)) await ws.close();
+    },
+    regain: async () => {
+      lost = false;
+    },
     close: async () => files.close(),
   };
 }

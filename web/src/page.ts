@@ -46,7 +46,9 @@ const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
 const until_shown = 120; // ms in which a key's effect is shown, before the view takes the browser's time
 const operator = new Operator(() => new WebSocket(address) as unknown as Socket);
-let shapes: Shape[] = [], stock: SceneBox[] = [], shown_file = "";
+let shapes: Shape[] = [],
+  stock: SceneBox[] = [],
+  shown_file = "";
 
 const scene_pane = new ScenePane(app, (v) => {
   if (v.which & 1) return; // the other version's path has no place on this program's slider
@@ -57,37 +59,73 @@ const scene = scene_pane.scene;
 const source = new SourcePane(app, (line, file) => void go_to_line(line, file), { view: editor_view, fix: apply_fix });
 const state = new StatePane(app, (line, file) => void go_to_line(line, file));
 const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
-const cut = new CutPanel(app, (box, tools) => {
-  shapes = tools.map(shape_of);
-  scene?.setTools(shapes);
-  stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
-  show_boxes();
-}, (line) => source.show(line));
-const operator_panel = new OperatorPanel(app, operator, (line) => source.show(line), (touched) => scene_pane.ask_touch(touched));
+const cut = new CutPanel(
+  app,
+  (box, tools) => {
+    shapes = tools.map(shape_of);
+    scene?.setTools(shapes);
+    stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
+    show_boxes();
+  },
+  (line) => source.show(line),
+);
+const operator_panel = new OperatorPanel(
+  app,
+  operator,
+  (line) => source.show(line),
+  (touched) => scene_pane.ask_touch(touched),
+);
 const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
   { name: "summary", element: new SummaryPanel(app).element },
   { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
-  { name: "panel", element: operator_panel.element, badge: () => (operator.panel ? "●" : ""), whole: () => Boolean(operator.panel) },
+  {
+    name: "panel",
+    element: operator_panel.element,
+    badge: () => (operator.panel ? "●" : ""),
+    whole: () => Boolean(operator.panel),
+  },
 ]);
 const files = new FilesDrawer(app, {
-  from_drawing: (folder, drawing) => { new MakingDialog(app, () => new WebSocket(address) as unknown as Socket, folder, drawing); },
+  from_drawing: (folder, drawing) => {
+    new MakingDialog(app, () => new WebSocket(address) as unknown as Socket, folder, drawing);
+  },
   to_tape: () => show_to_tape(app),
   from_tape: (folder) => show_from_tape(app, folder),
-  convert: () => { new ConvertDialog(app, () => new WebSocket(address) as unknown as Socket, (line, file) => { if (file === 0) source.show(line); void go_to_line(line, file); }); },
+  convert: () => {
+    new ConvertDialog(
+      app,
+      () => new WebSocket(address) as unknown as Socket,
+      (line, file) => {
+        if (file === 0) source.show(line);
+        void go_to_line(line, file);
+      },
+    );
+  },
 });
 const top = new Topbar(app, {
-  files: () => { files.element.hidden = !files.element.hidden; remember("files_hidden", files.element.hidden); },
+  files: () => {
+    files.element.hidden = !files.element.hidden;
+    remember("files_hidden", files.element.hidden);
+  },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
   compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
   help: show_help,
   theme: (dark) => scene?.setTheme(dark),
 });
 files.element.hidden = remembered("files_hidden", false);
-document.body.append(layout({
-  top: top.element, banner: banner(app), files: files.element, source: source.element, scene: scene_pane.element, state: state.element, tabs: tabs.element,
-  bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
-}));
+document.body.append(
+  layout({
+    top: top.element,
+    banner: banner(app),
+    files: files.element,
+    source: source.element,
+    scene: scene_pane.element,
+    state: state.element,
+    tabs: tabs.element,
+    bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
+  }),
+);
 
 app.on_path.on((frame) => scene?.addPath(frame));
 app.on_part.on((frame) => scene?.setPart(frame));
@@ -99,18 +137,32 @@ app.on_opening.on((file) => {
   scene?.setPart(null);
   scene?.setBoxes([]);
 });
-app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.endPath(); });
+app.on_done.on((done) => {
+  scene?.setZero(done.zero);
+  show_boxes();
+  scene?.endPath();
+});
 app.on_instant.on((at) => scene?.setInstant(at));
-app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
+app.on_state.on((s) => {
+  if (s) scene?.highlight(s.line, s.file ?? 0);
+});
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
-app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
+app.on_opened.on((o) => {
+  document.title = `${o.file} · Kadr`;
+});
 app.on_error.on((text) => toast(text, true));
-operator_panel.restart.restart.on_change.on(() => scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []));
+operator_panel.restart.restart.on_change.on(() =>
+  scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []),
+);
 operator.on_error.on((text) => toast(text, true));
 operator.on_press.on(() => scene?.hush(until_shown));
-let was_on = false, panel_line = 0;
+let was_on = false,
+  panel_line = 0;
 operator.on_panel.on((p) => {
-  if (Boolean(p) !== was_on) { was_on = Boolean(p); tabs.draw(); }
+  if (Boolean(p) !== was_on) {
+    was_on = Boolean(p);
+    tabs.draw();
+  }
   const here = p && app.done && app.opened?.file === operator.name;
   if (!here) return scene?.showMachine(null);
   const at = (axis: string): number => (p.position[axis] ?? 0) + (p.zero[axis] ?? 0);
@@ -146,5 +198,7 @@ listen_keys(app, player, {
   leave: () => scene_pane.leave(),
   next_pane,
 });
-window.addEventListener("beforeunload", (e) => { if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault(); });
+window.addEventListener("beforeunload", (e) => {
+  if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault();
+});
 app.client.connect();

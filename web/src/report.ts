@@ -34,15 +34,25 @@ keep_nothing_of_tab(); // the tab may hold another report next
 set_language(language());
 const held = document.getElementById("kadr-data")?.textContent ?? "";
 unpack(held).then(show, (e: unknown) => {
-  document.body.append(h("p", { class: "banner", role: "alert" }, `${t("report_damaged")} ${e instanceof Error ? e.message : String(e)}`));
+  document.body.append(
+    h("p", { class: "banner", role: "alert" }, `${t("report_damaged")} ${e instanceof Error ? e.message : String(e)}`),
+  );
 });
 
 function show(report: Report): void {
   const { data } = report;
   const app = new App(() => new ReportSocket(report));
   const player = new Player(app);
-  const shapes: Shape[] = data.en.sheet.tools.map((x) => ({ number: x.number, cutting: x.outline ?? [], shank: [], holder: [] }));
-  const scene_pane = new ScenePane(app, (v) => { app.seek(v.time); if (v.file === 0) source.show(v.line); });
+  const shapes: Shape[] = data.en.sheet.tools.map((x) => ({
+    number: x.number,
+    cutting: x.outline ?? [],
+    shank: [],
+    holder: [],
+  }));
+  const scene_pane = new ScenePane(app, (v) => {
+    app.seek(v.time);
+    if (v.file === 0) source.show(v.line);
+  });
   const { scene } = scene_pane;
   const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
   const state = new StatePane(app, (line, file) => void go_to_line(line, file));
@@ -50,8 +60,21 @@ function show(report: Report): void {
   const tabs = new Tabs([
     { name: "summary", element: new SummaryPanel(app).element },
     { name: "problems", element: problems.element, badge: () => String(app.problems.length || "") },
-    { name: "worst", element: new WorstPanel(app, (line, file) => { if (file === 0) source.show(line); }).element },
-    ...(data.en.cut ? [{ name: "part" as const, element: new FindingsPanel(app, (line) => source.show(line)).element, badge: () => String(app.findings.length || "") }] : []),
+    {
+      name: "worst",
+      element: new WorstPanel(app, (line, file) => {
+        if (file === 0) source.show(line);
+      }).element,
+    },
+    ...(data.en.cut
+      ? [
+          {
+            name: "part" as const,
+            element: new FindingsPanel(app, (line) => source.show(line)).element,
+            badge: () => String(app.findings.length || ""),
+          },
+        ]
+      : []),
   ]);
   const top = new Topbar(app, {
     sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
@@ -60,17 +83,35 @@ function show(report: Report): void {
     theme: (dark) => scene?.setTheme(dark),
   });
   const told = h("div", { class: "report-told note" });
-  const tell = (): void => fill(told, t("report_of", { file: data.file, date: data.made, version: data.version }), data.thinned > 0 && ` ${t("report_thinned", { by: data.thinned })}`, data.part && ` ${t("report_part", { off: Number(data.part.off.toFixed(3)) })}`);
+  const tell = (): void =>
+    fill(
+      told,
+      t("report_of", { file: data.file, date: data.made, version: data.version }),
+      data.thinned > 0 && ` ${t("report_thinned", { by: data.thinned })}`,
+      data.part && ` ${t("report_part", { off: Number(data.part.off.toFixed(3)) })}`,
+    );
   on_language(tell);
   tell();
-  document.body.append(layout({
-    top: top.element, banner: told, files: h("div", { hidden: true }), source: source.element, scene: scene_pane.element, state: state.element, tabs: tabs.element,
-    bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
-  }));
+  document.body.append(
+    layout({
+      top: top.element,
+      banner: told,
+      files: h("div", { hidden: true }),
+      source: source.element,
+      scene: scene_pane.element,
+      state: state.element,
+      tabs: tabs.element,
+      bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
+    }),
+  );
 
   app.on_path.on((frame) => scene?.addPath(frame));
   app.on_part.on((frame) => scene?.setPart(frame));
-  app.on_opening.on(() => { scene?.clearPath(); scene?.setPart(null); scene?.setBoxes([]); });
+  app.on_opening.on(() => {
+    scene?.clearPath();
+    scene?.setPart(null);
+    scene?.setBoxes([]);
+  });
   let fitted = false;
   app.on_done.on((done) => {
     scene?.setZero(done.zero);
@@ -80,13 +121,22 @@ function show(report: Report): void {
     fitted = true;
   });
   app.on_instant.on((at) => scene?.setInstant(at));
-  app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
+  app.on_state.on((s) => {
+    if (s) scene?.highlight(s.line, s.file ?? 0);
+  });
   for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
-  app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
+  app.on_opened.on((o) => {
+    document.title = `${o.file} · Kadr`;
+  });
   app.on_error.on((text) => toast(text, true));
   listen_keys(app, player, {
-    view: (name) => scene?.view(name), measure: () => scene_pane.toggle_measure(), rapids: () => scene_pane.toggle_rapids(), help: show_help,
-    save: () => undefined, leave: () => scene_pane.leave(), next_pane,
+    view: (name) => scene?.view(name),
+    measure: () => scene_pane.toggle_measure(),
+    rapids: () => scene_pane.toggle_rapids(),
+    help: show_help,
+    save: () => undefined,
+    leave: () => scene_pane.leave(),
+    next_pane,
   });
   app.client.connect();
 

@@ -4,15 +4,27 @@ import { App } from "../src/model/app";
 import type { Socket } from "../src/protocol/client";
 
 class Fake implements Socket {
-  binaryType = ""; readyState = 0; sent: { id: number; do: string; [key: string]: unknown }[] = [];
-  onopen: ((e: unknown) => void) | null = null; onclose: ((e: unknown) => void) | null = null; onmessage: ((e: { data: unknown }) => void) | null = null;
-  send(text: string): void { this.sent.push(JSON.parse(text)); }
-  close(): void { this.readyState = 3; }
-  say(message: unknown): void { this.onmessage?.({ data: JSON.stringify(message) }); }
+  binaryType = "";
+  readyState = 0;
+  sent: { id: number; do: string; [key: string]: unknown }[] = [];
+  onopen: ((e: unknown) => void) | null = null;
+  onclose: ((e: unknown) => void) | null = null;
+  onmessage: ((e: { data: unknown }) => void) | null = null;
+  send(text: string): void {
+    this.sent.push(JSON.parse(text));
+  }
+  close(): void {
+    this.readyState = 3;
+  }
+  say(message: unknown): void {
+    this.onmessage?.({ data: JSON.stringify(message) });
+  }
 }
 
 vi.mock("../src/protocol/token", () => ({ token: () => undefined }));
-const settle = async (): Promise<void> => { for (let i = 0; i < 20; i++) await Promise.resolve(); };
+const settle = async (): Promise<void> => {
+  for (let i = 0; i < 20; i++) await Promise.resolve();
+};
 /// An App whose program has run for 100 s in 50 blocks. `answer(what, body)` answers the newest question of that kind.
 async function run_over(): Promise<{ app: App; socket: Fake; answer: (what: string, body: object) => Promise<void> }> {
   const socket = new Fake();

@@ -7,14 +7,25 @@ import type { Segments } from "../src/scene/segments";
 /// Segments along X from `first` on, each 1 long; its colour is its number.
 function segments(first: number, count: number): Segments {
   const each = Array.from({ length: count }, (_, i) => first + i);
-  return { points: Float32Array.from(each.flatMap((x) => [x, 0, 0, x + 1, 0, 0])), colours: Uint32Array.from(each.flatMap((x) => [x, x])), starts: Uint32Array.from(each), ends: Uint32Array.from(each.map((x) => x + 1)) };
+  return {
+    points: Float32Array.from(each.flatMap((x) => [x, 0, 0, x + 1, 0, 0])),
+    colours: Uint32Array.from(each.flatMap((x) => [x, x])),
+    starts: Uint32Array.from(each),
+    ends: Uint32Array.from(each.map((x) => x + 1)),
+  };
 }
-const bundle_of = (...parts: Part[]): Bundle<Part> => { const b = new Bundle<Part>(new LineBasicMaterial(), false); b.parts.push(...parts); b.refresh(); return b; };
+const bundle_of = (...parts: Part[]): Bundle<Part> => {
+  const b = new Bundle<Part>(new LineBasicMaterial(), false);
+  b.parts.push(...parts);
+  b.refresh();
+  return b;
+};
 const part = (s: Segments, from = 0, visible = true): Part => ({ segments: s, from, visible });
 /// The first X of each segment that is drawn.
 function drawn(b: Bundle<Part>): number[] {
   if (!b.lines.visible) return [];
-  const { geometry: g } = b.lines, at = g.getAttribute("position");
+  const { geometry: g } = b.lines,
+    at = g.getAttribute("position");
   return Array.from({ length: at.count / 2 - g.drawRange.start / 2 }, (_, i) => at.getX(g.drawRange.start + 2 * i));
 }
 
@@ -39,7 +50,8 @@ test("what is over is left out at the beginning, across parts", () => {
 });
 
 test("nothing is joined anew where nothing changed; other segments of a part are seen", () => {
-  const b = bundle_of(part(segments(0, 2)), part(segments(2, 2))), before = b.lines.geometry;
+  const b = bundle_of(part(segments(0, 2)), part(segments(2, 2))),
+    before = b.lines.geometry;
   b.refresh();
   expect(b.lines.geometry).toBe(before);
   b.parts[0]!.segments = segments(10, 1);

@@ -16,8 +16,14 @@ describe("the file in one piece", () => {
   });
   it("holds script and style, and says their hashes", () => {
     const bundle = {
-      "r.html": { type: "asset", source: '<html><head><meta charset="utf-8"><script type="module" crossorigin src="./a.js"></script><link rel="stylesheet" crossorigin href="./a.css"></head><body></body></html>' },
-      "a.js": { type: "chunk", code: "let $ = '$&';" }, "a.css": { type: "asset", source: "p{}" },
+      "r.html": {
+        type: "asset",
+        source:
+          '<html><head><meta charset="utf-8"><script type="module" crossorigin src="./a.js"></script>' +
+          '<link rel="stylesheet" crossorigin href="./a.css"></head><body></body></html>',
+      },
+      "a.js": { type: "chunk", code: "let $ = '$&';" },
+      "a.css": { type: "asset", source: "p{}" },
     };
     inlined("r.html").generateBundle({}, bundle);
     expect(Object.keys(bundle)).toEqual(["r.html"]);
@@ -30,7 +36,8 @@ describe("the file in one piece", () => {
 
 describe("licences", () => {
   it("are of the kinds that may be embedded", () => {
-    for (const good of ["MIT", "(MIT OR GPL-3.0)", "Apache-2.0", "BSD-3-Clause", "BSL-1.0"]) expect(is_allowed(good)).toBe(true);
+    for (const good of ["MIT", "(MIT OR GPL-3.0)", "Apache-2.0", "BSD-3-Clause", "BSL-1.0"])
+      expect(is_allowed(good)).toBe(true);
     for (const bad of ["GPL-3.0", "MIT AND GPL-3.0", "", "LGPL-2.1", "MPL-2.0"]) expect(is_allowed(bad)).toBe(false);
   });
   it("belong to packages", () => {

@@ -3,18 +3,43 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { Client, Lost, Refused, wait_before, type Socket } from "../src/protocol/client";
 
 class Fake implements Socket {
-  binaryType = ""; readyState = 0; sent: { id: number; do: string }[] = [];
-  onopen: ((e: unknown) => void) | null = null; onclose: ((e: unknown) => void) | null = null; onmessage: ((e: { data: unknown }) => void) | null = null;
-  send(text: string): void { this.sent.push(JSON.parse(text)); }
-  close(): void { this.readyState = 3; this.onclose?.({}); }
-  open(): void { this.readyState = 1; this.onopen?.({}); }
-  say(message: unknown): void { this.onmessage?.({ data: message instanceof ArrayBuffer ? message : JSON.stringify(message) }); }
+  binaryType = "";
+  readyState = 0;
+  sent: { id: number; do: string }[] = [];
+  onopen: ((e: unknown) => void) | null = null;
+  onclose: ((e: unknown) => void) | null = null;
+  onmessage: ((e: { data: unknown }) => void) | null = null;
+  send(text: string): void {
+    this.sent.push(JSON.parse(text));
+  }
+  close(): void {
+    this.readyState = 3;
+    this.onclose?.({});
+  }
+  open(): void {
+    this.readyState = 1;
+    this.onopen?.({});
+  }
+  say(message: unknown): void {
+    this.onmessage?.({ data: message instanceof ArrayBuffer ? message : JSON.stringify(message) });
+  }
 }
 
 let sockets: Fake[] = [];
-const settle = async (): Promise<void> => { for (let i = 0; i < 5; i++) await Promise.resolve(); };
+const settle = async (): Promise<void> => {
+  for (let i = 0; i < 5; i++) await Promise.resolve();
+};
 async function connected(): Promise<{ client: Client; socket: Fake; lines: string[] }> {
-  const client: Client = new Client(() => { const s = new Fake(); sockets.push(s); return s; }, async (c) => { await c.ask("hello", { lang: "en" }); });
+  const client: Client = new Client(
+    () => {
+      const s = new Fake();
+      sockets.push(s);
+      return s;
+    },
+    async (c) => {
+      await c.ask("hello", { lang: "en" });
+    },
+  );
   const lines: string[] = [];
   client.line.on((l) => lines.push(l));
   client.connect();
@@ -24,8 +49,13 @@ async function connected(): Promise<{ client: Client; socket: Fake; lines: strin
   await settle();
   return { client, socket, lines };
 }
-beforeEach(() => { sockets = []; vi.useFakeTimers(); });
-afterEach(() => { vi.useRealTimers(); });
+beforeEach(() => {
+  sockets = [];
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
 
 test("says hello first, then the line is open", async () => {
   const { socket, lines } = await connected();
@@ -36,7 +66,8 @@ test("says hello first, then the line is open", async () => {
 
 test("each answer goes to its question, in whatever order they come", async () => {
   const { client, socket } = await connected();
-  const a = client.ask("files", { folder: "" }), b = client.ask("stop", {});
+  const a = client.ask("files", { folder: "" }),
+    b = client.ask("stop", {});
   socket.say({ re: 3 });
   socket.say({ re: 2, entries: [] });
   expect(await b).toEqual({ re: 3 });
@@ -56,12 +87,13 @@ test("events and frames go to their listeners; what is neither is left alone", a
   const { client, socket } = await connected();
   const got: unknown[] = [];
   client.event.on((e) => got.push(e.name));
-  client.frame.on((f) => got.push(f.byteLength));
+  client.frame.on((f) => got.push(f.kind));
   socket.say({ event: "progress", part: 0.5 });
+  socket.say(new Uint32Array([3, 0, 0, 0]).buffer); // a part of nothing
   socket.say(new ArrayBuffer(20));
-  socket.onmessage?.({ data: "no json" });
+  for (const data of ["no json", "null", "7", "[]", "{}", undefined]) socket.onmessage?.({ data });
   socket.say({ re: 99 });
-  expect(got).toEqual(["progress", 20]);
+  expect(got).toEqual(["progress", "part"]);
 });
 
 test("a lost line fails what waits, and is sought again after a while", async () => {
@@ -81,7 +113,16 @@ test("a lost line fails what waits, and is sought again after a while", async ()
 });
 
 test("a hello that is refused is not repeated", async () => {
-  const client: Client = new Client(() => { const s = new Fake(); sockets.push(s); return s; }, async (c) => { await c.ask("hello", { lang: "en" }); });
+  const client: Client = new Client(
+    () => {
+      const s = new Fake();
+      sockets.push(s);
+      return s;
+    },
+    async (c) => {
+      await c.ask("hello", { lang: "en" });
+    },
+  );
   const lines: string[] = [];
   client.line.on((l) => lines.push(l));
   client.connect();

@@ -11,29 +11,52 @@ class FakeSocket implements Socket {
   onmessage: Socket["onmessage"] = null;
   asked: Record<string, unknown>[] = [];
   constructor(private answers: (q: Record<string, unknown>) => object) {}
-  open(): void { this.readyState = 1; this.onopen?.({}); }
+  open(): void {
+    this.readyState = 1;
+    this.onopen?.({});
+  }
   send(text: string): void {
     const q = JSON.parse(text) as Record<string, unknown>;
     this.asked.push(q);
     queueMicrotask(() => this.onmessage?.({ data: JSON.stringify({ re: q.id, ...this.answers(q) }) }));
   }
-  close(): void { this.readyState = 3; this.onclose?.({}); }
-  said(what: string): number { return this.asked.filter((q) => q.do === what).length; }
+  close(): void {
+    this.readyState = 3;
+    this.onclose?.({});
+  }
+  said(what: string): number {
+    return this.asked.filter((q) => q.do === what).length;
+  }
 }
 
-let sockets: FakeSocket[] = [], mode = "standing", refuses = "";
+let sockets: FakeSocket[] = [],
+  mode = "standing",
+  refuses = "";
 const answers = (q: Record<string, unknown>): object =>
-  q.do === refuses ? { error: { text: `no ${String(q.do)}` } } : q.do === "machine" ? { name: q.file, axes: ["X"], control: "mach3", machine: "generic", holds: true } : q.do === "panel" ? { mode, line: 1 } : {};
-const made = (): FakeSocket => { const s = new FakeSocket(answers); sockets.push(s); return s; };
+  q.do === refuses
+    ? { error: { text: `no ${String(q.do)}` } }
+    : q.do === "machine"
+      ? { name: q.file, axes: ["X"], control: "mach3", machine: "generic", holds: true }
+      : q.do === "panel"
+        ? { mode, line: 1 }
+        : {};
+const made = (): FakeSocket => {
+  const s = new FakeSocket(answers);
+  sockets.push(s);
+  return s;
+};
 const after = (ms: number): Promise<unknown> => vi.advanceTimersByTimeAsync(ms);
 
 beforeEach(() => {
   vi.useFakeTimers();
   vi.stubGlobal("location", { hash: "", pathname: "/", search: "" });
   vi.stubGlobal("sessionStorage", { getItem: () => "t", setItem: () => undefined });
-  sockets = [], mode = "standing", refuses = "";
+  ((sockets = []), (mode = "standing"), (refuses = ""));
 });
-afterEach(() => { vi.useRealTimers(); vi.unstubAllGlobals(); });
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
 
 async function switched_on(): Promise<Operator> {
   const operator = new Operator(made);
@@ -45,7 +68,8 @@ async function switched_on(): Promise<Operator> {
 
 describe("a machine's operator", () => {
   it("switches on what lies on the disk, and looks at it often while it moves", async () => {
-    const operator = await switched_on(), line = sockets[0]!;
+    const operator = await switched_on(),
+      line = sockets[0]!;
     expect(line.asked.find((q) => q.do === "machine")).toMatchObject({ file: "a.nc" });
     expect(line.asked.find((q) => q.do === "machine")).not.toHaveProperty("text");
     await after(1000);
@@ -56,7 +80,8 @@ describe("a machine's operator", () => {
     expect(line.said("panel")).toBeGreaterThan(seldom + 25);
   });
   it("looks at once after a key", async () => {
-    const operator = await switched_on(), line = sockets[0]!;
+    const operator = await switched_on(),
+      line = sockets[0]!;
     await after(10);
     const before = line.said("panel");
     operator.press("run");
@@ -66,7 +91,8 @@ describe("a machine's operator", () => {
   });
   it("tells what is refused, and is off where the machine cannot be switched on", async () => {
     refuses = "machine";
-    const operator = new Operator(made), told: string[] = [];
+    const operator = new Operator(made),
+      told: string[] = [];
     operator.on_error.on((text) => told.push(text));
     void operator.switch_on({ file: "a.nc" });
     sockets[0]!.open();
@@ -89,7 +115,8 @@ describe("a machine's operator", () => {
     expect(seen[0]).toBe(false);
   });
   it("looks no more at one that is off", async () => {
-    const operator = await switched_on(), line = sockets[0]!;
+    const operator = await switched_on(),
+      line = sockets[0]!;
     operator.press("off");
     await after(20);
     const before = line.said("panel");

@@ -1,18 +1,31 @@
 // The 3D view's arithmetic: frames that lie, levels, what is drawn at them, where the tool is.
 import { describe, expect, it } from "vitest";
+import { read_frame, type PartFrame, type PathFrame, type RowsFrame } from "../src/protocol/frames";
 import { Eye } from "../src/scene/camera";
 import { dark, light, packed, ramp, ranges_of, slowed } from "../src/scene/colours";
-import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
+import { add_rows, piece_of, type Piece } from "../src/scene/frame";
 import { every_of, level_for, level_within, segments_at } from "../src/scene/level";
 import { draws_softly, Pace } from "../src/scene/pace";
 import { place_at } from "../src/scene/place";
 import { run, segments_of, type Look } from "../src/scene/segments";
 import type { SceneFilter } from "../src/scene/types";
 
-interface V { x: number; y?: number; z?: number; t?: number; line?: number; tool?: number; kind?: number; level?: number; feed?: number }
+interface V {
+  x: number;
+  y?: number;
+  z?: number;
+  t?: number;
+  line?: number;
+  tool?: number;
+  kind?: number;
+  level?: number;
+  feed?: number;
+}
 
 function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
-  const n = vertices.length, frame = new ArrayBuffer(96 + 40 * n), v = new DataView(frame);
+  const n = vertices.length,
+    frame = new ArrayBuffer(96 + 40 * n),
+    v = new DataView(frame);
   [1, which, n, 0].forEach((x, i) => v.setUint32(4 * i, x, true));
   v.setFloat64(16, start, true);
   for (let l = 0; l < 16; l++) v.setUint16(56 + 2 * l, vertices.filter((p) => (p.level ?? 15) >= l).length, true);
@@ -28,45 +41,77 @@ function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
   });
   return frame;
 }
-const piece = (vertices: V[], start = 0): Piece => decode_path(path_frame(vertices, start))!;
-const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true, turned: true };
-const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero_z: 0 });
-const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [...segments_of(p, look(level, filter)).ends];
+const piece = (vertices: V[], start = 0): Piece => piece_of(read_frame(path_frame(vertices, start)) as PathFrame);
+const all: SceneFilter = {
+  rapids: true,
+  tools: null,
+  depth: null,
+  lines: null,
+  hideDone: false,
+  programmed: true,
+  other: true,
+  bounds: true,
+  turned: true,
+};
+const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({
+  level,
+  filter: { ...all, ...filter },
+  by: "kind",
+  ranges: ranges_of([]),
+  theme: light,
+  zero_z: 0,
+});
+const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [
+  ...segments_of(p, look(level, filter)).ends,
+];
 
 describe("frames", () => {
-  const good = path_frame([{ x: 0, kind: 0 }, { x: 1, tool: 7 }, { x: 2, kind: 1 }]);
+  const good = path_frame([
+    { x: 0, kind: 0 },
+    { x: 1, tool: 7 },
+    { x: 2, kind: 1 },
+  ]);
   it("gives the columns", () => {
-    const p = decode_path(good)!;
+    const p = piece_of(read_frame(good) as PathFrame);
     expect([p.count, p.at[3], p.tools[2], p.kinds[8]]).toEqual([3, 1, 7, 1]);
-    expect(p.cut).toEqual([[0, 0, 0], [1, 0, 0]]);
+    expect(p.cut).toEqual([
+      [0, 0, 0],
+      [1, 0, 0],
+    ]);
   });
   it("refuses what is shorter than it says, at every length", () => {
-    for (let n = 0; n < good.byteLength; n++) expect(decode_path(good.slice(0, n))).toBeNull();
+    for (let n = 0; n < good.byteLength; n++) expect(read_frame(good.slice(0, n))).toBeNull();
   });
   it("refuses counts out of bounds, and places that are no numbers", () => {
     for (const count of [0, 8193, 0xffffffff]) {
       const f = good.slice(0);
       new DataView(f).setUint32(8, count, true);
-      expect(decode_path(f)).toBeNull();
+      expect(read_frame(f)).toBeNull();
     }
-    expect(decode_path(path_frame([{ x: NaN }]))).toBeNull();
+    expect(read_frame(path_frame([{ x: NaN }]))).toBeNull();
+    expect(read_frame(path_frame([{ x: 0 }], Infinity))).toBeNull();
   });
   it("takes directions only for as many vertices as the piece has", () => {
-    const f = new ArrayBuffer(16 + 36), v = new DataView(f);
+    const f = new ArrayBuffer(16 + 36),
+      v = new DataView(f);
     [2, 0, 3, 0].forEach((x, i) => v.setUint32(4 * i, x, true));
     v.setFloat32(16 + 8, 1, true);
-    expect(decode_leans(f, decode_path(good)!)?.[2]).toBe(1);
-    expect(decode_leans(f, piece([{ x: 0 }]))).toBeNull();
-    expect(decode_leans(f.slice(0, 40), decode_path(good)!)).toBeNull();
+    const rows = read_frame(f) as RowsFrame,
+      p = piece_of(read_frame(good) as PathFrame),
+      other = piece([{ x: 0 }]);
+    expect([add_rows(p, rows), p.leans?.[2], p.positions]).toEqual([true, 1, undefined]);
+    expect([add_rows(other, rows), other.leans]).toEqual([false, undefined]);
+    expect(read_frame(f.slice(0, 40))).toBeNull();
   });
   it("refuses a part whose triangle names no point", () => {
-    const f = new ArrayBuffer(16 + 3 * 20 + 12), v = new DataView(f);
+    const f = new ArrayBuffer(16 + 3 * 20 + 12),
+      v = new DataView(f);
     [3, 0, 3, 1].forEach((x, i) => v.setUint32(4 * i, x, true));
     [0, 1, 2].forEach((x, i) => v.setUint32(16 + 36 + 4 * i, x, true));
-    expect(decode_part(f)?.triangles.length).toBe(3);
-    expect(decode_part(f.slice(0, f.byteLength - 1))).toBeNull();
+    expect((read_frame(f) as PartFrame).triangles.length).toBe(3);
+    expect(read_frame(f.slice(0, f.byteLength - 1))).toBeNull();
     v.setUint32(16 + 36, 3, true);
-    expect(decode_part(f)).toBeNull();
+    expect(read_frame(f)).toBeNull();
   });
 });
 
@@ -92,7 +137,14 @@ describe("levels", () => {
 });
 
 describe("segments", () => {
-  const p = piece([{ x: 0, kind: 0 }, { x: 1, level: 0 }, { x: 2, level: 4 }, { x: 3, kind: 0 }, { x: 4, kind: 1, line: 9 }, { x: 5, z: -2, tool: 2 }]);
+  const p = piece([
+    { x: 0, kind: 0 },
+    { x: 1, level: 0 },
+    { x: 2, level: 4 },
+    { x: 3, kind: 0 },
+    { x: 4, kind: 1, line: 9 },
+    { x: 5, z: -2, tool: 2 },
+  ]);
   it("leave out what the level leaves out, and break at a jump", () => {
     expect(ends(p, 0)).toEqual([1, 2, 4, 5]);
     expect(ends(p, 1)).toEqual([2, 4, 5]);
@@ -110,12 +162,25 @@ describe("segments", () => {
     expect([s.colours[4], s.colours[5]]).toEqual([packed(light.rapid), packed(light.rapid)]);
   });
   it("are coloured along the ramp", () => {
-    const q = piece([{ x: 0, kind: 0 }, { x: 1, feed: 100 }, { x: 2, feed: 200 }, { x: 3, feed: 300, kind: 1 }]);
+    const q = piece([
+      { x: 0, kind: 0 },
+      { x: 1, feed: 100 },
+      { x: 2, feed: 200 },
+      { x: 3, feed: 300, kind: 1 },
+    ]);
     const s = segments_of(q, { ...look(0), by: "feed", ranges: ranges_of([q]) });
-    expect([s.colours[0], s.colours[2], s.colours[4]]).toEqual([packed(ramp(0, [0, 1])), packed(ramp(1, [0, 1])), packed(light.rapid)]);
+    expect([s.colours[0], s.colours[2], s.colours[4]]).toEqual([
+      packed(ramp(0, [0, 1])),
+      packed(ramp(1, [0, 1])),
+      packed(light.rapid),
+    ]);
   });
   it("are filtered by depth from the zero", () => {
-    const q = piece([{ x: 0, kind: 0 }, { x: 1, z: 10 }, { x: 2, z: 12 }]);
+    const q = piece([
+      { x: 0, kind: 0 },
+      { x: 1, z: 10 },
+      { x: 2, z: 12 },
+    ]);
     expect([...segments_of(q, { ...look(0, { depth: [1, 3] }), zero_z: 10 }).ends]).toEqual([2]);
   });
   it("are filtered", () => {
@@ -127,12 +192,34 @@ describe("segments", () => {
 });
 
 describe("places", () => {
-  const pieces = [piece([{ x: 0, t: 0, kind: 0 }, { x: 10, t: 2 }, { x: 10, t: 5 }]), piece([{ x: 10, t: 0 }, { x: 20, t: 1, tool: 3 }, { x: 90, t: 2, kind: 0 }], 5)];
+  const pieces = [
+    piece([
+      { x: 0, t: 0, kind: 0 },
+      { x: 10, t: 2 },
+      { x: 10, t: 5 },
+    ]),
+    piece(
+      [
+        { x: 10, t: 0 },
+        { x: 20, t: 1, tool: 3 },
+        { x: 90, t: 2, kind: 0 },
+      ],
+      5,
+    ),
+  ];
   const x = (t: number): number => place_at(pieces, t)!.at[0];
-  it("lie between the ends of the motion", () => { expect([x(1), x(2), x(4), x(5.5)]).toEqual([5, 10, 10, 15]); });
-  it("stay at the ends outside, and during a jump", () => { expect([x(-1), x(6.5), x(7), x(99)]).toEqual([0, 20, 90, 90]); });
-  it("tell the tool", () => { expect([place_at(pieces, 1)!.tool, place_at(pieces, 5.5)!.tool]).toEqual([1, 3]); });
-  it("are none without a path", () => { expect(place_at([], 1)).toBeNull(); });
+  it("lie between the ends of the motion", () => {
+    expect([x(1), x(2), x(4), x(5.5)]).toEqual([5, 10, 10, 15]);
+  });
+  it("stay at the ends outside, and during a jump", () => {
+    expect([x(-1), x(6.5), x(7), x(99)]).toEqual([0, 20, 90, 90]);
+  });
+  it("tell the tool", () => {
+    expect([place_at(pieces, 1)!.tool, place_at(pieces, 5.5)!.tool]).toEqual([1, 3]);
+  });
+  it("are none without a path", () => {
+    expect(place_at([], 1)).toBeNull();
+  });
 });
 
 describe("pace", () => {
@@ -176,7 +263,14 @@ describe("colours, circles, the eye", () => {
     const eye = new Eye();
     eye.size(800, 600);
     eye.look("top");
-    const under = (): number[] => { const m = eye.mm_per_pixel; return eye.target.clone().addScaledVector(eye.right, (100 - 400) * m).addScaledVector(eye.up, (300 - 50) * m).toArray(); };
+    const under = (): number[] => {
+      const m = eye.mm_per_pixel;
+      return eye.target
+        .clone()
+        .addScaledVector(eye.right, (100 - 400) * m)
+        .addScaledVector(eye.up, (300 - 50) * m)
+        .toArray();
+    };
     const before = under();
     eye.zoom(0.5, 100, 50);
     under().forEach((v, i) => expect(v).toBeCloseTo(before[i]!, 6));
@@ -198,7 +292,9 @@ it("what limits take of the feed is told in per cent", () => {
 it("where lines lie too thick, each so manieth run is drawn, an odd one, as finely as ever", () => {
   expect([0.5, 1, 1.5, 2, 5, 1e9].map((over) => every_of(over * 1000, 1000))).toEqual([1, 1, 3, 3, 9, 129]);
   const p = piece([{ x: 0, kind: 0 }, ...Array.from({ length: 4 * run }, (_, i) => ({ x: i + 1 }))]);
-  const drawn = (every: number, runs_before = 0): number[] => [...new Set([...segments_of(p, { ...look(0), every, runs_before }).ends].map((i) => Math.floor((i - 1) / run)))];
+  const drawn = (every: number, runs_before = 0): number[] => [
+    ...new Set([...segments_of(p, { ...look(0), every, runs_before }).ends].map((i) => Math.floor((i - 1) / run))),
+  ];
   expect(drawn(1)).toEqual([0, 1, 2, 3]);
   expect(drawn(3)).toEqual([0, 3]);
   expect(drawn(3, 1)).toEqual([2]);

@@ -35,13 +35,32 @@ test("fewer lines than the view holds; none at all", () => {
 
 const words = (line: string): string[] => {
   const out: string[] = [];
-  for (let i = 0; i < line.length;) { const { kind, length } = token_at(line, i); if (kind) out.push(`${kind}:${line.slice(i, i + length)}`); i += length; }
+  for (let i = 0; i < line.length;) {
+    const { kind, length } = token_at(line, i);
+    if (kind) out.push(`${kind}:${line.slice(i, i + length)}`);
+    i += length;
+  }
   return out;
 };
 
 test("words of a line", () => {
-  expect(words("N10 G1 X-1.5 F200 M8 (note) ; end")).toEqual(["label:N10", "motion:G1", "axis:X-1.5", "feed:F200", "function:M8", "comment:(note)", "comment:; end"]);
-  expect(words("IF [#<x> GT 3] GOTO 20")).toEqual(["keyword:IF", "variable:#<x>", "keyword:GT", "number:3", "keyword:GOTO", "number:20"]);
+  expect(words("N10 G1 X-1.5 F200 M8 (note) ; end")).toEqual([
+    "label:N10",
+    "motion:G1",
+    "axis:X-1.5",
+    "feed:F200",
+    "function:M8",
+    "comment:(note)",
+    "comment:; end",
+  ]);
+  expect(words("IF [#<x> GT 3] GOTO 20")).toEqual([
+    "keyword:IF",
+    "variable:#<x>",
+    "keyword:GT",
+    "number:3",
+    "keyword:GOTO",
+    "number:20",
+  ]);
   expect(words("O<sub> CALL [#5]")).toEqual(["program:O<sub>", "keyword:CALL", "variable:#5"]);
   expect(words("(open")).toEqual(["comment:(open"]);
   expect(words("Ю&!")).toEqual([]);

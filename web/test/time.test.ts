@@ -36,7 +36,10 @@ test("paces from a tenth to a thousand", () => {
 
 test("marks on the same pixels become one, the gravest kind", () => {
   const c = clusters([mark(5.001, "alarm"), mark(5, "tool"), mark(9, "tool")], 10, 1000);
-  expect(c.map((x) => [x.kind, x.marks.length])).toEqual([["alarm", 2], ["tool", 1]]);
+  expect(c.map((x) => [x.kind, x.marks.length])).toEqual([
+    ["alarm", 2],
+    ["tool", 1],
+  ]);
 });
 
 test("figures", () => {

@@ -1,9 +1,24 @@
-// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call its verbs.
+// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call
+// its verbs.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
-import { head_of, frame_part, frame_path } from "../protocol/frames";
-import { token } from "../protocol/token";
-import type { CutQuestion, CutResult, Done, Finding, Hello, JsonTable, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
-import { language } from "../texts/texts";
+import type { Frame, OfPathFrame, PartFrame } from "../protocol/frames";
+import type {
+  CutQuestion,
+  CutResult,
+  Done,
+  Finding,
+  Hello,
+  JsonTable,
+  Language,
+  Mark,
+  OpenQuestion,
+  Opened,
+  PartAnswer,
+  Problem,
+  Progress,
+  State,
+} from "../protocol/types";
+import { greet } from "./greet";
 import { Latest, debounce, spaced } from "./latest";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
@@ -21,16 +36,16 @@ export class App {
   opened: Opened | null = null;
   choice: Choice = {};
   tables: { file: string; edited: JsonTable } | null = null; // of the machine of that program: laid over its set-up
-  text: string | null = null;          // as edited; null where the file is not held here
+  text: string | null = null; // as edited; null where the file is not held here
   saved_text: string | null = null;
-  digest: string | null = null;        // of what lies on the disk: saving names what it replaces
+  digest: string | null = null; // of what lies on the disk: saving names what it replaces
   running = false;
   progress: Progress | null = null;
   done: Done | null = null;
   instant = 0;
   state: State | null = null;
-  problems: Problem[] = [];            // of the run
-  checked: Problem[] | null = null;    // of the text as it stands in the editor
+  problems: Problem[] = []; // of the run
+  checked: Problem[] | null = null; // of the text as it stands in the editor
   findings: Finding[] = [];
   cut: CutResult | null = null;
   cutting = false;
@@ -40,33 +55,39 @@ export class App {
   readonly on_line = new Signal<LineState>();
   readonly on_opening = new Signal<string>(); // the file that is asked for
   readonly on_opened = new Signal<Opened>();
-  readonly on_run = new Signal<void>();       // progress, done, running
+  readonly on_run = new Signal<void>(); // progress, done, running
   readonly on_done = new Signal<Done>();
   readonly on_instant = new Signal<number>();
   readonly on_state = new Signal<State | null>();
   readonly on_problems = new Signal<void>();
-  readonly on_path = new Signal<ArrayBuffer>();
-  readonly on_part = new Signal<ArrayBuffer | null>();
+  readonly on_path = new Signal<OfPathFrame>();
+  readonly on_part = new Signal<PartFrame | null>();
   readonly on_part_told = new Signal<PartAnswer | null>();
   readonly on_cut = new Signal<number | null>(); // part done, null: something else of the cut changed
   readonly on_text = new Signal<void>();
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
-  readonly on_files = new Signal<string>();   // a new one has been saved
+  readonly on_files = new Signal<string>(); // a new one has been saved
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;
   private wishes = 0; // to be elsewhere: the last one counts, however late an answer comes
   private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
   private parts = new Latest<number>((at) => this.fetch_part(at));
-  private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); }, longest_without_part);
+  private want_part = debounce(
+    120,
+    () => {
+      if (this.cut_ready) this.parts.want(this.instant);
+    },
+    longest_without_part,
+  );
   // A program may meet thousands of warnings in a second: the panes draw a few times a second at most.
   private tell_problems = spaced(100, () => this.on_problems.emit());
   private tell_findings = spaced(100, () => this.on_cut.emit(null));
   private keep = debounce(300, () => this.keep_place());
-  private recut = false;               // a part that was there before the line was lost is cut once more
-  private opening = 0;                 // questions `open` without an answer: what comes meanwhile belongs to an older program
-  private target = 0;                  // the block that stepping aims at, while answers are under way
+  private recut = false; // a part that was there before the line was lost is cut once more
+  private opening = 0; // questions `open` without an answer: what comes meanwhile belongs to an older program
+  private target = 0; // the block that stepping aims at, while answers are under way
 
   constructor(make: () => Socket) {
     this.client = new Client(make, (c) => this.greet(c));
@@ -75,18 +96,30 @@ export class App {
     this.client.event.on((e) => {
       if (e.name === "closed") return this.on_error.emit(e.body.text);
       if (this.opening) return;
-      if (e.name === "progress") { this.progress = e.body; this.on_run.emit(); }
-      else if (e.name === "alarm") { if (this.problems.push({ ...e.body.problem, at: e.body.at }) > most_problems) this.problems.pop(); this.tell_problems(); }
-      else if (e.name === "done") this.take_done(e.body);
+      if (e.name === "progress") {
+        this.progress = e.body;
+        this.on_run.emit();
+      } else if (e.name === "alarm") {
+        if (this.problems.push({ ...e.body.problem, at: e.body.at }) > most_problems) this.problems.pop();
+        this.tell_problems();
+      } else if (e.name === "done") this.take_done(e.body);
       else if (e.name === "cutting") this.on_cut.emit(e.body.part);
-      else if (e.name === "finding") { if (this.findings.push(e.body) > most_problems) this.findings.pop(); this.tell_findings(); }
-      else if (e.name === "cut") this.take_cut(e.body);
+      else if (e.name === "finding") {
+        if (this.findings.push(e.body) > most_problems) this.findings.pop();
+        this.tell_findings();
+      } else if (e.name === "cut") this.take_cut(e.body);
     });
   }
 
-  get seconds(): number { return this.done?.seconds ?? Math.max(this.progress?.seconds ?? 0, this.path.seconds); }
-  get marks(): Mark[] { return [...(this.done?.marks ?? []), ...(this.cut?.marks ?? [])]; }
-  get dirty(): boolean { return this.text !== null && this.text !== this.saved_text; }
+  get seconds(): number {
+    return this.done?.seconds ?? Math.max(this.progress?.seconds ?? 0, this.path.seconds);
+  }
+  get marks(): Mark[] {
+    return [...(this.done?.marks ?? []), ...(this.cut?.marks ?? [])];
+  }
+  get dirty(): boolean {
+    return this.text !== null && this.text !== this.saved_text;
+  }
 
   async open(question: OpenQuestion, at = 0): Promise<void> {
     const before = this.opened;
@@ -98,7 +131,9 @@ export class App {
     this.on_run.emit();
     this.opening++;
     try {
-      const opened = await this.client.ask("open", question).finally(() => { this.opening--; });
+      const opened = await this.client.ask("open", question).finally(() => {
+        this.opening--;
+      });
       if (this.opening) return; // another was asked for meanwhile
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
@@ -113,7 +148,11 @@ export class App {
       this.on_run.emit();
       this.tell(e);
       const { control, machine, setup } = this.choice; // with which it could be opened
-      if (before?.file === question.file && (question.control !== control || question.machine !== machine || question.setup !== setup)) await this.open({ ...question, control, machine, setup }, at);
+      if (
+        before?.file === question.file &&
+        (question.control !== control || question.machine !== machine || question.setup !== setup)
+      )
+        await this.open({ ...question, control, machine, setup }, at);
     }
   }
 
@@ -121,12 +160,15 @@ export class App {
   async run_again(choice: Choice = this.choice): Promise<void> {
     if (!this.opened) return;
     const question: OpenQuestion = { file: this.opened.file, ...choice };
-    if (this.tables?.file === this.opened.file && Object.keys(this.tables.edited).length) question.tables = this.tables.edited;
+    if (this.tables?.file === this.opened.file && Object.keys(this.tables.edited).length)
+      question.tables = this.tables.edited;
     if (this.dirty && this.text !== null) question.text = this.text;
     await this.open(question, this.instant);
   }
 
-  stop(): void { this.client.ask("stop", {}).catch((e) => this.tell(e)); }
+  stop(): void {
+    this.client.ask("stop", {}).catch((e) => this.tell(e));
+  }
 
   seek(at: number): void {
     this.wishes++;
@@ -147,10 +189,16 @@ export class App {
     const wish = ++this.wishes;
     try {
       const { passes } = await this.client.ask("passes", file ? { line, file } : { line });
-      const off = (p: { from: number; to: number }): number => (this.instant < p.from ? p.from - this.instant : this.instant > p.to ? this.instant - p.to : 0);
-      const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
+      const off = (p: { from: number; to: number }): number =>
+        this.instant < p.from ? p.from - this.instant : this.instant > p.to ? this.instant - p.to : 0;
+      const nearest = passes.reduce<(typeof passes)[0] | null>(
+        (best, p) => (!best || off(p) < off(best) ? p : best),
+        null,
+      );
       if (nearest && wish === this.wishes) this.seek_block(nearest.number);
-    } catch (e) { this.tell(e); }
+    } catch (e) {
+      this.tell(e);
+    }
   }
   step(blocks: number): void {
     const told = this.state?.at === this.instant ? this.state.number : this.path.number_at(this.instant); // what was told last may be of elsewhere
@@ -166,8 +214,13 @@ export class App {
     this.cutting = true;
     this.on_part.emit(null);
     this.on_cut.emit(0);
-    try { await this.client.ask("cut", question); }
-    catch (e) { this.cutting = false; this.on_cut.emit(null); this.tell(e); }
+    try {
+      await this.client.ask("cut", question);
+    } catch (e) {
+      this.cutting = false;
+      this.on_cut.emit(null);
+      this.tell(e);
+    }
   }
 
   set_text(text: string): void {
@@ -192,11 +245,21 @@ export class App {
       if (!this.has_texts()) return this.ask_again(); // nothing that the run has said is in the other language
       this.recut = this.cut_ready;
       await this.run_again();
-    } catch (e) { this.tell(e); }
+    } catch (e) {
+      this.tell(e);
+    }
   }
 
   /// Sentences that came with the run.
-  private has_texts(): boolean { return this.running || this.problems.length > 0 || this.findings.length > 0 || Boolean(this.done?.unstated) || this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message"); }
+  private has_texts(): boolean {
+    return (
+      this.running ||
+      this.problems.length > 0 ||
+      this.findings.length > 0 ||
+      Boolean(this.done?.unstated) ||
+      this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message")
+    );
+  }
   private ask_again(): void {
     if (this.opened) this.on_opened.emit(this.opened);
     this.states.want({ at: this.instant });
@@ -207,11 +270,7 @@ export class App {
   }
 
   private async greet(client: Client): Promise<void> {
-    this.hello = await client.ask("hello", this.greeting());
-  }
-  private greeting(): { token?: string; lang: Language } {
-    const t = token();
-    return t ? { token: t, lang: language() } : { lang: language() };
+    this.hello = await greet(client);
   }
 
   private async line_changed(line: LineState): Promise<void> {
@@ -227,7 +286,10 @@ export class App {
     if (!file) return;
     const question: OpenQuestion = again ? { ...again.question } : { file };
     const unsaved = remembered<{ file: string; text: string } | null>("unsaved", null, "tab");
-    if (unsaved?.file === file) { await this.reopen_unsaved(question, unsaved.text, again?.at ?? 0); return; }
+    if (unsaved?.file === file) {
+      await this.reopen_unsaved(question, unsaved.text, again?.at ?? 0);
+      return;
+    }
     delete question.text;
     await this.open(question, again?.at ?? 0);
   }
@@ -235,7 +297,11 @@ export class App {
   /// The edited text is run, but what lies on the disk is asked first, so that saving still knows what it replaces.
   private async reopen_unsaved(question: OpenQuestion, text: string, at: number): Promise<void> {
     delete question.text;
-    try { this.found_on_disk(await this.client.ask("open", question)); } catch (e) { return this.tell(e); }
+    try {
+      this.found_on_disk(await this.client.ask("open", question));
+    } catch (e) {
+      return this.tell(e);
+    }
     await this.open({ ...question, text }, at);
   }
 
@@ -257,11 +323,10 @@ export class App {
     this.on_cut.emit(null);
   }
 
-  private take_frame(frame: ArrayBuffer): void {
+  private take_frame(frame: Frame): void {
     if (this.opening) return;
-    const kind = head_of(frame)?.kind;
-    if (kind === frame_part) return this.on_part.emit(frame);
-    if (kind === frame_path) this.path.add(frame);
+    if (frame.kind === "part") return this.on_part.emit(frame);
+    if (frame.kind === "path") this.path.add(frame);
     this.on_path.emit(frame);
   }
 
@@ -294,14 +359,21 @@ export class App {
   private async fetch_state(wish: { at: number } | { number: number }): Promise<void> {
     const state = await this.client.ask("state", wish);
     const moves = "number" in wish && this.target !== 0; // the slider may have been taken elsewhere meanwhile
-    if (this.states.stale) { if (moves) this.move_to(state.at); return; }
+    if (this.states.stale) {
+      if (moves) this.move_to(state.at);
+      return;
+    }
     this.state = state;
     if (moves) this.move_to(state.at);
     this.on_state.emit(state);
   }
 
   private async fetch_part(at: number): Promise<void> {
-    try { this.on_part_told.emit(await this.client.ask("part", { at })); } catch (e) { this.tell(e); }
+    try {
+      this.on_part_told.emit(await this.client.ask("part", { at }));
+    } catch (e) {
+      this.tell(e);
+    }
   }
 
   private keep_place(): void {

@@ -2,16 +2,24 @@
 import type { ConversionTry, ConvertQuestion } from "../protocol/types";
 import type { App } from "./app";
 
-export interface ConvertForm { to: string; flat: boolean; force: boolean }
+export interface ConvertForm {
+  to: string;
+  flat: boolean;
+  force: boolean;
+}
 
 /// Of the program as it stands here, saved or not, with its choices; null: no control is chosen, or nothing is open.
-export function conversion_of(app: Pick<App, "opened" | "choice" | "tables" | "dirty" | "text">, form: ConvertForm): ConvertQuestion | null {
+export function conversion_of(
+  app: Pick<App, "opened" | "choice" | "tables" | "dirty" | "text">,
+  form: ConvertForm,
+): ConvertQuestion | null {
   if (!app.opened || !form.to) return null;
   const { control, machine, setup } = app.choice;
   const question: ConvertQuestion = { file: app.opened.file, control: control ?? app.opened.control.id, to: form.to };
   if (machine) question.machine = machine;
   if (setup) question.setup = setup;
-  if (app.tables?.file === app.opened.file && Object.keys(app.tables.edited).length) question.tables = app.tables.edited;
+  if (app.tables?.file === app.opened.file && Object.keys(app.tables.edited).length)
+    question.tables = app.tables.edited;
   if (app.dirty && app.text !== null) question.text = app.text;
   if (form.flat) question.flat = true;
   if (form.force) question.force = true;
@@ -27,7 +35,13 @@ export const says_something = (setup: string): boolean => !/^\s*\{\s*\}\s*$/.tes
 export function beginning_of(text: string, most: number): { text: string; more: number } {
   if (text.length <= most) return { text, more: 0 };
   const end = text.lastIndexOf("\n", most) + 1 || most;
-  return { text: text.slice(0, end), more: text.slice(end).split("\n").filter((line, i, all) => line !== "" || i < all.length - 1).length };
+  return {
+    text: text.slice(0, end),
+    more: text
+      .slice(end)
+      .split("\n")
+      .filter((line, i, all) => line !== "" || i < all.length - 1).length,
+  };
 }
 
 /// Ways that were not taken, those that one reason forbids together.

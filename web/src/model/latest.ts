@@ -9,14 +9,20 @@ export class Latest<T> {
     if (!this.busy) void this.run();
   }
   /// A newer wish waits, so what is being fetched is already old.
-  get stale(): boolean { return this.next !== undefined; }
+  get stale(): boolean {
+    return this.next !== undefined;
+  }
 
   private async run(): Promise<void> {
     this.busy = true;
     while (this.next !== undefined) {
       const wish = this.next;
       this.next = undefined;
-      try { await this.work(wish); } catch { /* lost or refused: the next wish asks anew */ }
+      try {
+        await this.work(wish);
+      } catch {
+        /* lost or refused: the next wish asks anew */
+      }
     }
     this.busy = false;
   }
@@ -24,12 +30,19 @@ export class Latest<T> {
 
 /// Calls `f` once, `ms` after the last call; while calls never cease, every `longest` ms.
 export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void, longest = Infinity): (...a: A) => void {
-  let timer: ReturnType<typeof setTimeout> | undefined, since = 0;
+  let timer: ReturnType<typeof setTimeout> | undefined,
+    since = 0;
   return (...a) => {
     const now = Date.now();
     if (timer === undefined) since = now;
     else clearTimeout(timer);
-    timer = setTimeout(() => { timer = undefined; f(...a); }, Math.max(0, Math.min(ms, since + longest - now)));
+    timer = setTimeout(
+      () => {
+        timer = undefined;
+        f(...a);
+      },
+      Math.max(0, Math.min(ms, since + longest - now)),
+    );
   };
 }
 
@@ -39,6 +52,9 @@ export function spaced(ms: number, f: () => void): () => void {
   return () => {
     if (waiting) return;
     waiting = true;
-    setTimeout(() => { waiting = false; f(); }, ms);
+    setTimeout(() => {
+      waiting = false;
+      f();
+    }, ms);
   };
 }

@@ -1,8 +1,8 @@
-// A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when something else is wanted.
+// A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when
+// something else is wanted.
 import { Client, Lost, Refused, type Socket } from "../protocol/client";
-import { token } from "../protocol/token";
 import type { Questions } from "../protocol/types";
-import { language } from "../texts/texts";
+import { greet } from "./greet";
 import { Latest } from "./latest";
 import { Signal } from "./signal";
 
@@ -16,9 +16,14 @@ export class LongQuestion<K extends "mill" | "convert"> {
   private wishes = new Latest<Questions[K][0]>((q) => this.fetch(q));
   private under_way = false;
 
-  constructor(make: () => Socket, private what: K) {
-    this.client = new Client(make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
-    this.client.line.on((l) => { if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted); });
+  constructor(
+    make: () => Socket,
+    private what: K,
+  ) {
+    this.client = new Client(make, greet);
+    this.client.line.on((l) => {
+      if (l === "open" && this.wanted && this.busy) this.wishes.want(this.wanted);
+    });
     this.client.connect();
   }
 
@@ -34,7 +39,9 @@ export class LongQuestion<K extends "mill" | "convert"> {
     if (question) this.wishes.want(question);
   }
 
-  close(): void { this.client.close(); }
+  close(): void {
+    this.client.close();
+  }
 
   private async fetch(question: Questions[K][0]): Promise<void> {
     if (question !== this.wanted) return;
@@ -43,8 +50,11 @@ export class LongQuestion<K extends "mill" | "convert"> {
       const answer = await this.client.ask(this.what, question);
       if (question === this.wanted) this.take(answer, "");
     } catch (e) {
-      if (question === this.wanted && !(e instanceof Lost)) this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
-    } finally { this.under_way = false; }
+      if (question === this.wanted && !(e instanceof Lost))
+        this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
+    } finally {
+      this.under_way = false;
+    }
   }
 
   private take(answer: Questions[K][1] | null, refusal: string): void {

@@ -4,8 +4,12 @@ import type { Milled } from "../protocol/types";
 import { LongQuestion } from "./long_question";
 
 export class Making extends LongQuestion<"mill"> {
-  constructor(make: () => Socket) { super(make, "mill"); }
+  constructor(make: () => Socket) {
+    super(make, "mill");
+  }
 
   /// The program that is asked for now, verified; null: there is none.
-  get program(): Milled | null { return !this.busy && !this.refusal && this.answer && "text" in this.answer ? this.answer : null; }
+  get program(): Milled | null {
+    return !this.busy && !this.refusal && this.answer && "text" in this.answer ? this.answer : null;
+  }
 }

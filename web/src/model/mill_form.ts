@@ -1,8 +1,19 @@
-// What is to be milled, as it is typed: texts by the names of the options of kadr mill, and the question that they make.
+// What is to be milled, as it is typed: texts by the names of the options of kadr mill, and the question that they
+// make.
 import type { MillQuestion, MillTask } from "../protocol/types";
 
 export const tasks = ["pocket", "face", "slot"] as const satisfies readonly MillTask[];
-export const schemes = ["", "spiral-out", "spiral-in", "zigzag", "1zigzag", "2zigzag", "comb", "1comb", "2comb"] as const; // "": as is usual for the task
+export const schemes = [
+  "",
+  "spiral-out",
+  "spiral-in",
+  "zigzag",
+  "1zigzag",
+  "2zigzag",
+  "comb",
+  "1comb",
+  "2comb",
+] as const; // "": as is usual for the task
 export const plunges = ["ramp", "tangential", "hole"] as const;
 export const directions = ["", "ccw", "cw"] as const; // "": climb milling
 export const marks = ["", "ПС", "LF"] as const;
@@ -11,7 +22,18 @@ export const needed = ["tool_diameter", "depth"] as const;
 export const lengths = ["tool_diameter", "depth", "pass", "allowance", "top", "clearance", "overrun", "width"] as const;
 export const figures = [...lengths, "ramp_angle", "angle", "feed", "plunge_feed", "speed", "tool"] as const;
 export type Figure = (typeof figures)[number];
-export type Field = Figure | "drawing" | "control" | "task" | "scheme" | "direction" | "stepover" | "plunge" | "hole" | "coolant" | "mark";
+export type Field =
+  | Figure
+  | "drawing"
+  | "control"
+  | "task"
+  | "scheme"
+  | "direction"
+  | "stepover"
+  | "plunge"
+  | "hole"
+  | "coolant"
+  | "mark";
 export type MillForm = Partial<Record<Field, string>>;
 
 /// Fields that mean something for what is chosen: the others are not asked for, and not sent.
@@ -26,18 +48,26 @@ export function is_asked(form: MillForm, field: Field): boolean {
 
 /// The question, or which fields are wrong (no numbers) and which are still missing.
 export function question_of(form: MillForm): { question: MillQuestion } | { wrong: Field[]; missing: Field[] } {
-  const wrong: Field[] = [], missing: Field[] = (["drawing", "control", ...needed] as Field[]).filter((f) => !form[f]?.trim());
-  const question: Record<string, unknown> = { drawing: form.drawing, control: form.control, task: form.task || "pocket" };
-  for (const field of ["scheme", "direction", "stepover", "plunge", "mark"] as const) if (form[field]?.trim()) question[field] = form[field].trim().replace(",", ".");
+  const wrong: Field[] = [],
+    missing: Field[] = (["drawing", "control", ...needed] as Field[]).filter((f) => !form[f]?.trim());
+  const question: Record<string, unknown> = {
+    drawing: form.drawing,
+    control: form.control,
+    task: form.task || "pocket",
+  };
+  for (const field of ["scheme", "direction", "stepover", "plunge", "mark"] as const)
+    if (form[field]?.trim()) question[field] = form[field].trim().replace(",", ".");
   for (const field of figures) {
     const typed = form[field]?.trim();
     if (!typed || !is_asked(form, field)) continue;
     const value = number_of(typed);
-    if (value === null || (field === "tool" && !/^\d+$/.test(typed))) wrong.push(field); else question[field] = value;
+    if (value === null || (field === "tool" && !/^\d+$/.test(typed))) wrong.push(field);
+    else question[field] = value;
   }
   if (form.hole?.trim() && is_asked(form, "hole")) {
     const place = place_of(form.hole);
-    if (place) question.hole = place; else wrong.push("hole");
+    if (place) question.hole = place;
+    else wrong.push("hole");
   }
   if (form.coolant === "on") question.coolant = true;
   return wrong.length || missing.length ? { wrong, missing } : { question: question as unknown as MillQuestion };

@@ -9,20 +9,40 @@ export type Content = { text: string } | { bytes: string };
 
 /// `may_replace` is asked where the file is there and was written here or is open.
 ///   returns  why it is not saved; "": it is
-export async function save_new(app: App, file: string, content: Content, may_replace: () => Promise<boolean>): Promise<string> {
-  const save = async (digest: string | null): Promise<void> => { written.set(file, (await app.client.ask("save", { file, ...content, digest })).digest); };
+export async function save_new(
+  app: App,
+  file: string,
+  content: Content,
+  may_replace: () => Promise<boolean>,
+): Promise<string> {
+  const save = async (digest: string | null): Promise<void> => {
+    written.set(file, (await app.client.ask("save", { file, ...content, digest })).digest);
+  };
   const taken = (e: unknown): boolean => e instanceof Refused && e.changed;
-  const told = (e: unknown): string => (taken(e) ? t("name_taken", { file }) : e instanceof Error ? e.message : String(e));
-  try { await save(null); return ""; } catch (e) {
+  const told = (e: unknown): string =>
+    taken(e) ? t("name_taken", { file }) : e instanceof Error ? e.message : String(e);
+  try {
+    await save(null);
+    return "";
+  } catch (e) {
     const digest = app.opened?.file === file && !app.dirty ? app.digest : written.get(file);
     if (!taken(e) || !digest || !(await may_replace())) return told(e);
-    try { await save(digest); return ""; } catch (again) { return told(again); }
+    try {
+      await save(digest);
+      return "";
+    } catch (again) {
+      return told(again);
+    }
   }
 }
 
-/// Files beneath the served folder that `wanted` likes, those of `first` in front: as many folders as can be asked for while somebody waits.
+/// Files beneath the served folder that `wanted` likes, those of `first` in front: as many folders as can be asked for
+/// while somebody waits.
 export async function files_beneath(app: App, first: string, wanted: (name: string) => boolean): Promise<string[]> {
-  const most_folders = 100, found: string[] = [], folders = [first, ...(first ? [""] : [])], seen = new Set<string>();
+  const most_folders = 100,
+    found: string[] = [],
+    folders = [first, ...(first ? [""] : [])],
+    seen = new Set<string>();
   while (folders.length && seen.size < most_folders) {
     const folder = folders.shift()!;
     if (seen.has(folder)) continue;

@@ -1,25 +1,33 @@
-// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it shows, as often as pictures are drawn.
+// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it
+// shows, as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
-import { token } from "../protocol/token";
 import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
-import { language } from "../texts/texts";
+import { greet } from "./greet";
 import { Signal } from "./signal";
 
-const moving = 30, standing = 250; // ms from what a look has shown to the next one
-const after_act = 15, act_lasts = 400; // ms: what a press does shows at once
+const moving = 30,
+  standing = 250; // ms from what a look has shown to the next one
+const after_act = 15,
+  act_lasts = 400; // ms: what a press does shows at once
 const most_drawn = 200; // ms that a picture may take, or a page that is not seen
 
-/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept waiting by one look after another.
-const drawn = (): Promise<void> => new Promise((yes) => {
-  if (typeof requestAnimationFrame === "undefined" || document.hidden) return yes();
-  const done = (): void => { clearTimeout(late); yes(); }, late = setTimeout(done, most_drawn);
-  requestAnimationFrame(() => setTimeout(done, 0));
-});
+/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept
+/// waiting by one look after another.
+const drawn = (): Promise<void> =>
+  new Promise((yes) => {
+    if (typeof requestAnimationFrame === "undefined" || document.hidden) return yes();
+    const done = (): void => {
+        clearTimeout(late);
+        yes();
+      },
+      late = setTimeout(done, most_drawn);
+    requestAnimationFrame(() => setTimeout(done, 0));
+  });
 
 export class Operator {
-  panel: Panel | null = null;          // null: no machine is on
+  panel: Panel | null = null; // null: no machine is on
   axes: string[] = [];
-  stood: Stood | null = null;          // in mid program, when the server ended
+  stood: Stood | null = null; // in mid program, when the server ended
   readonly on_panel = new Signal<Panel | null>();
   readonly on_error = new Signal<string>();
   readonly on_stood = new Signal<void>(); // it has come to stand
@@ -27,34 +35,41 @@ export class Operator {
   private client: Client | null = null;
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private looks = 0;        // under way
+  private looks = 0; // under way
   private acted_at = -1e9;
-  private settles = false;  // a line has been entered: it may be over before anybody looks
+  private settles = false; // a line has been entered: it may be over before anybody looks
 
   constructor(private make: () => Socket) {}
 
-  get name(): string | null { return this.question?.file ?? null; }
+  get name(): string | null {
+    return this.question?.file ?? null;
+  }
 
   /// Switches the machine of a program on, or looks at it if it is on.
   async switch_on(question: OpenQuestion): Promise<void> {
     const { text: _, ...of_disk } = question;
     this.question = of_disk;
     if (!this.client) {
-      this.client = new Client(this.make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
+      this.client = new Client(this.make, greet);
       this.client.line.on((l) => void this.line_changed(l));
       return this.client.connect();
     }
     await this.attach();
   }
 
-  press(key: PanelKey): void { void this.ask("press", { key }).then(() => { if (key === "off") this.leave(); }); }
+  press(key: PanelKey): void {
+    void this.ask("press", { key }).then(() => {
+      if (key === "off") this.leave();
+    });
+  }
 
   /// Refusals are told; the panel shows at once what came of it, unless it is only looked at.
   async ask<K extends keyof Questions>(what: K, body: Questions[K][0], acts = true): Promise<Questions[K][1] | null> {
     if (!this.client) return null;
     try {
       const answer = this.client.ask(what, body);
-      if (acts) { // looked at behind it: questions are answered in their order
+      if (acts) {
+        // looked at behind it: questions are answered in their order
         this.acted_at = performance.now();
         this.settles ||= what === "enter" || what === "undo";
         if (what === "press") this.on_press.emit();
@@ -69,7 +84,10 @@ export class Operator {
 
   private async line_changed(line: LineState): Promise<void> {
     if (line === "open") return this.attach();
-    if (line === "lost") { this.panel = null; this.on_panel.emit(null); }
+    if (line === "lost") {
+      this.panel = null;
+      this.on_panel.emit(null);
+    }
   }
 
   private async attach(): Promise<void> {
@@ -97,18 +115,25 @@ export class Operator {
     clearTimeout(this.timer);
     this.looks++;
     try {
-      const panel = await this.client.ask("panel", {}), before = this.panel;
+      const panel = await this.client.ask("panel", {}),
+        before = this.panel;
       if (!this.question) return void this.looks--; // switched off meanwhile
       this.panel = panel;
       this.on_panel.emit(panel);
-      const { mode, takes_tables } = panel, stands = mode !== "running" && !takes_tables;
-      if (before && stands && (this.settles || before.mode !== mode || before.takes_tables !== takes_tables)) { this.settles = false; this.on_stood.emit(); }
+      const { mode, takes_tables } = panel,
+        stands = mode !== "running" && !takes_tables;
+      if (before && stands && (this.settles || before.mode !== mode || before.takes_tables !== takes_tables)) {
+        this.settles = false;
+        this.on_stood.emit();
+      }
       if (mode === "running") this.stood = null;
       await drawn();
     } catch (e) {
       if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
     }
     if (--this.looks > 0 || !this.panel) return;
-    this.look_soon(performance.now() - this.acted_at < act_lasts ? after_act : this.panel.mode === "running" ? moving : standing);
+    this.look_soon(
+      performance.now() - this.acted_at < act_lasts ? after_act : this.panel.mode === "running" ? moving : standing,
+    );
   }
 }

@@ -1,31 +1,62 @@
-// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as they came.
-import { path_columns, head_of } from "../protocol/frames";
+// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as
+// they came.
+import type { PathFrame } from "../protocol/frames";
 
-interface Piece { start: number; end: number; times: Float32Array; numbers: Uint32Array; speeds: Float32Array; feeds: Float32Array; runs: Runs }
+interface Piece {
+  start: number;
+  end: number;
+  times: Float32Array;
+  numbers: Uint32Array;
+  speeds: Float32Array;
+  feeds: Float32Array;
+  runs: Runs;
+}
 
-/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of the whole program looks at these.
-interface Runs { ends: Float32Array; least: Float32Array; greatest: Float32Array; feed: Float32Array }
+/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of
+/// the whole program looks at these.
+interface Runs {
+  ends: Float32Array;
+  least: Float32Array;
+  greatest: Float32Array;
+  feed: Float32Array;
+}
 const run_length = 64;
 
-export interface Bins { at: Float64Array; least: Float64Array; greatest: Float64Array; feed: Float64Array }
+export interface Bins {
+  at: Float64Array;
+  least: Float64Array;
+  greatest: Float64Array;
+  feed: Float64Array;
+}
 
 export class PathIndex {
   private pieces: Piece[] = [];
   vertices = 0;
 
-  clear(): void { this.pieces = []; this.vertices = 0; }
-
-  /// Takes pieces of the program itself (`which` 0, channel 0); all else is for the picture only.
-  add(frame: ArrayBuffer): void {
-    const head = head_of(frame);
-    if (!head || head.which !== 0 || head.more !== 0) return;
-    const c = path_columns(frame);
-    if (!c || head.count === 0) return;
-    this.vertices += head.count;
-    this.pieces.push({ start: c.start, end: c.start + c.times[head.count - 1]!, times: c.times, numbers: c.numbers, speeds: c.speeds, feeds: c.feeds, runs: runs_of(c.times, c.speeds, c.feeds) });
+  clear(): void {
+    this.pieces = [];
+    this.vertices = 0;
   }
 
-  get seconds(): number { return this.pieces.length ? this.pieces[this.pieces.length - 1]!.end : 0; }
+  /// Takes pieces of the program itself (`which` 0, channel 0); all else is for the picture only.
+  add(frame: PathFrame): void {
+    if (frame.which !== 0 || frame.channel !== 0) return;
+    const { start, count, times, numbers, speeds, feeds } = frame;
+    this.vertices += count;
+    this.pieces.push({
+      start,
+      end: start + times[count - 1]!,
+      times,
+      numbers,
+      speeds,
+      feeds,
+      runs: runs_of(times, speeds, feeds),
+    });
+  }
+
+  get seconds(): number {
+    return this.pieces.length ? this.pieces[this.pieces.length - 1]!.end : 0;
+  }
 
   /// Number of the block that is under way at that instant; 0 where there is no path.
   number_at(at: number): number {
@@ -34,9 +65,15 @@ export class PathIndex {
     return p.numbers[first_not_before(p.times, at - p.start)] ?? 0;
   }
 
-  /// The speed in `count` equal stretches of time, least and greatest of each, so that no slow corner is lost between two pixels.
+  /// The speed in `count` equal stretches of time, least and greatest of each, so that no slow corner is lost between
+  /// two pixels.
   bins(from: number, to: number, count: number): Bins {
-    const out: Bins = { at: new Float64Array(count), least: new Float64Array(count).fill(NaN), greatest: new Float64Array(count).fill(NaN), feed: new Float64Array(count).fill(NaN) };
+    const out: Bins = {
+      at: new Float64Array(count),
+      least: new Float64Array(count).fill(NaN),
+      greatest: new Float64Array(count).fill(NaN),
+      feed: new Float64Array(count).fill(NaN),
+    };
     const width = (to - from) / count;
     for (let i = 0; i < count; i++) out.at[i] = from + (i + 0.5) * width;
     if (!(width > 0)) return out;
@@ -45,10 +82,12 @@ export class PathIndex {
   }
 
   private piece_at(at: number): Piece | undefined {
-    let low = 0, high = this.pieces.length - 1;
+    let low = 0,
+      high = this.pieces.length - 1;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.pieces[middle]!.end < at) low = middle + 1; else high = middle;
+      if (this.pieces[middle]!.end < at) low = middle + 1;
+      else high = middle;
     }
     return this.pieces[low];
   }
@@ -56,7 +95,13 @@ export class PathIndex {
 
 /// The motions that take time count; a run of them without any has a least speed above its greatest.
 function runs_of(times: Float32Array, speeds: Float32Array, feeds: Float32Array): Runs {
-  const n = Math.ceil((times.length - 1) / run_length), r: Runs = { ends: new Float32Array(n), least: new Float32Array(n).fill(Infinity), greatest: new Float32Array(n).fill(-Infinity), feed: new Float32Array(n) };
+  const n = Math.ceil((times.length - 1) / run_length),
+    r: Runs = {
+      ends: new Float32Array(n),
+      least: new Float32Array(n).fill(Infinity),
+      greatest: new Float32Array(n).fill(-Infinity),
+      feed: new Float32Array(n),
+    };
   for (let i = 1; i < times.length; i++) {
     const k = Math.floor((i - 1) / run_length);
     r.ends[k] = times[i]!;
@@ -72,7 +117,8 @@ function fill_bins(out: Bins, p: Piece, from: number, width: number, count: numb
   const bin = (at: number): number => Math.floor((at - from) / width);
   let before = p.start + p.times[0]!;
   for (let k = 0; k < p.runs.ends.length; k++) {
-    const end = p.start + p.runs.ends[k]!, a = bin(before);
+    const end = p.start + p.runs.ends[k]!,
+      a = bin(before);
     if (a !== bin(end)) fill_run(out, p, k, from, width, count);
     else if (a >= 0 && a < count) widen(out, a, p.runs.least[k]!, p.runs.greatest[k]!, p.runs.feed[k]!);
     before = end;
@@ -80,11 +126,13 @@ function fill_bins(out: Bins, p: Piece, from: number, width: number, count: numb
 }
 
 function fill_run(out: Bins, p: Piece, run: number, from: number, width: number, count: number): void {
-  const first = 1 + run * run_length, last = Math.min(p.times.length - 1, first + run_length - 1);
+  const first = 1 + run * run_length,
+    last = Math.min(p.times.length - 1, first + run_length - 1);
   let before = p.start + p.times[first - 1]!;
   for (let i = first; i <= last; i++) {
     const end = p.start + p.times[i]!;
-    const a = Math.max(0, Math.floor((before - from) / width)), b = Math.min(count - 1, Math.floor((end - from) / width));
+    const a = Math.max(0, Math.floor((before - from) / width)),
+      b = Math.min(count - 1, Math.floor((end - from) / width));
     if (end > before) for (let k = a; k <= b; k++) widen(out, k, p.speeds[i]!, p.speeds[i]!, p.feeds[i]!);
     before = end;
   }
@@ -99,10 +147,12 @@ function widen(out: Bins, k: number, least: number, greatest: number, feed: numb
 
 /// Index of the first value that is not below `what`; the last one where all are.
 export function first_not_before(times: Float32Array, what: number): number {
-  let low = 0, high = times.length - 1;
+  let low = 0,
+    high = times.length - 1;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (times[middle]! < what) low = middle + 1; else high = middle;
+    if (times[middle]! < what) low = middle + 1;
+    else high = middle;
   }
   return low;
 }

@@ -5,24 +5,32 @@ import { Signal } from "./signal";
 
 const ask_again = 100; // ms while it is being looked for
 
-export interface WayRules { clearance?: number; above: number; feed: number }
+export interface WayRules {
+  clearance?: number;
+  above: number;
+  feed: number;
+}
 
 export class Restart {
   sheet: RestartSheet | null = null;
-  ways: ChannelWay[] = [];              // as they will be gone, one after the other
-  leave = new Set<string>();            // keys of what stays as it is
+  ways: ChannelWay[] = []; // as they will be gone, one after the other
+  leave = new Set<string>(); // keys of what stays as it is
   searching = false;
   place: RestartPlace | null = null;
   rules: WayRules = { above: 2, feed: 300 };
   readonly on_change = new Signal<void>();
-  private search = 0;                   // a new one puts an end to the one before
+  private search = 0; // a new one puts an end to the one before
 
   constructor(private operator: Operator) {
-    operator.on_panel.on((p) => { if (!p && (this.sheet || this.searching)) this.forget(); });
+    operator.on_panel.on((p) => {
+      if (!p && (this.sheet || this.searching)) this.forget();
+    });
   }
 
   /// Of a channel; 0: the program's own.
-  way(channel = 0): WayPoint[] { return this.ways.find((w) => w.channel === (channel || this.sheet?.number))?.way ?? []; }
+  way(channel = 0): WayPoint[] {
+    return this.ways.find((w) => w.channel === (channel || this.sheet?.number))?.way ?? [];
+  }
 
   /// `by_control`: the control's own block search too.
   async find(place: RestartPlace, by_control = false): Promise<void> {
@@ -31,9 +39,16 @@ export class Restart {
     this.searching = true;
     this.on_change.emit();
     while (true) {
-      const answer = await this.operator.ask("restart", { ...place, ...this.rules, ...(by_control || this.sheet?.search ? { by_control: true } : {}) }, false);
+      const answer = await this.operator.ask(
+        "restart",
+        { ...place, ...this.rules, ...(by_control || this.sheet?.search ? { by_control: true } : {}) },
+        false,
+      );
       if (mine !== this.search) return;
-      if (answer && !answer.ready) { await new Promise((go) => setTimeout(go, ask_again)); continue; }
+      if (answer && !answer.ready) {
+        await new Promise((go) => setTimeout(go, ask_again));
+        continue;
+      }
       this.searching = false;
       if (answer?.ready) this.take(answer as RestartSheet);
       return this.on_change.emit();
@@ -47,7 +62,8 @@ export class Restart {
   }
 
   set_point(i: number, axis: string, work: number, channel = 0): void {
-    const point = this.way(channel)[i], of = this.sheet?.beside.find((b) => b.number === channel) ?? this.sheet;
+    const point = this.way(channel)[i],
+      of = this.sheet?.beside.find((b) => b.number === channel) ?? this.sheet;
     if (!point || !of || !Number.isFinite(work)) return;
     point.to[axis] = work + (of.zero[axis] ?? 0);
     this.on_change.emit();
@@ -60,13 +76,19 @@ export class Restart {
   }
 
   set_leave(key: string, leaves: boolean): void {
-    if (leaves) this.leave.add(key); else this.leave.delete(key);
+    if (leaves) this.leave.add(key);
+    else this.leave.delete(key);
     this.on_change.emit();
   }
 
   async go(): Promise<void> {
     if (!this.place || !this.sheet) return;
-    const went = await this.operator.ask("go_there", { ...this.place, ...(this.sheet.search ? { by_control: true } : {}), leave: [...this.leave], ways: this.ways });
+    const went = await this.operator.ask("go_there", {
+      ...this.place,
+      ...(this.sheet.search ? { by_control: true } : {}),
+      leave: [...this.leave],
+      ways: this.ways,
+    });
     if (went) this.forget();
   }
 
@@ -81,7 +103,8 @@ export class Restart {
 
   /// Places of the tool's tip along the way, in the coordinates of the path's frames.
   tips(): [number, number, number][] {
-    const { sheet } = this, from = this.operator.panel?.machine;
+    const { sheet } = this,
+      from = this.operator.panel?.machine;
     if (!sheet || !from || !this.way().length) return [];
     const origin: Axes = {};
     for (const r of sheet.rows) if (r.kind === "origin" && typeof r.wanted === "number") origin[r.name] = r.wanted;
@@ -96,10 +119,12 @@ export class Restart {
   }
 
   private take(sheet: RestartSheet): void {
-    const order = this.ways.map((w) => w.channel), copy = (way: WayPoint[]): WayPoint[] => way.map((p) => ({ ...p, to: { ...p.to } }));
+    const order = this.ways.map((w) => w.channel),
+      copy = (way: WayPoint[]): WayPoint[] => way.map((p) => ({ ...p, to: { ...p.to } }));
     this.sheet = sheet;
     this.ways = [sheet, ...sheet.beside].map((s) => ({ channel: s.number, way: copy(s.way) }));
-    if (order.length === this.ways.length) this.ways.sort((a, b) => order.indexOf(a.channel) - order.indexOf(b.channel)); // as it was chosen
+    if (order.length === this.ways.length)
+      this.ways.sort((a, b) => order.indexOf(a.channel) - order.indexOf(b.channel)); // as it was chosen
     const rows = [sheet, ...sheet.beside].flatMap((s) => s.rows);
     for (const key of [...this.leave]) if (!rows.some((r) => r.key === key && r.may_be_left)) this.leave.delete(key);
   }

@@ -1,6 +1,11 @@
 // Something that happens, and those who want to know.
 export class Signal<T> {
   private who = new Set<(value: T) => void>();
-  on(f: (value: T) => void): () => void { this.who.add(f); return () => this.who.delete(f); }
-  emit(value: T): void { for (const f of [...this.who]) f(value); }
+  on(f: (value: T) => void): () => void {
+    this.who.add(f);
+    return () => this.who.delete(f);
+  }
+  emit(value: T): void {
+    for (const f of [...this.who]) f(value);
+  }
 }

@@ -23,7 +23,8 @@ export function next_mark(marks: Mark[], kinds: string[], at: number, way: 1 | -
   return best;
 }
 
-/// One picture of playing: where it stands after `ms` of the clock on the wall. In a loop it begins anew behind its end.
+/// One picture of playing: where it stands after `ms` of the clock on the wall. In a loop it begins anew behind its
+/// end.
 export function played(at: number, ms: number, times: number, seconds: number, loop: [number, number] | null): number {
   const next = at + (ms / 1000) * times;
   if (loop && next >= loop[1]) return loop[0];
@@ -35,7 +36,11 @@ export const times_of = (slider: number): number => Number((10 ** (slider * 4 - 
 export const slider_of = (times: number): number => (Math.log10(times) + 1) / 4;
 
 /// Marks that would stand on the same pixels become one, the gravest kind of them.
-export interface Cluster { at: number; marks: Mark[]; kind: Mark["kind"] }
+export interface Cluster {
+  at: number;
+  marks: Mark[];
+  kind: Mark["kind"];
+}
 const grave: Mark["kind"][] = ["alarm", "warning", "stop", "tool", "end", "optional_stop", "zero", "message", "dwell"];
 export function clusters(marks: Mark[], seconds: number, width: number, apart = 5): Cluster[] {
   const out: Cluster[] = [];

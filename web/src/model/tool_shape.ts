@@ -1,18 +1,35 @@
-// From the sizes of a tool to its outline: [diameter, height above the tip], of cutting part, shank and holder (docs/commands/cut.md, Tools).
+// From the sizes of a tool to its outline: [diameter, height above the tip], of cutting part, shank and holder
+// (docs/commands/cut.md, Tools).
 import type { Tool } from "../protocol/types";
 
 export type Outline = [number, number][];
-export interface Shape { number: number; cutting: Outline; shank: Outline; holder: Outline }
+export interface Shape {
+  number: number;
+  cutting: Outline;
+  shank: Outline;
+  holder: Outline;
+}
 
 const arc_steps = 8; // of a quarter circle: finer than a pixel of the pictures drawn of it
 
 export function shape_of(tool: Tool): Shape {
   if (tool.kind === "turning") return { number: tool.number, cutting: [], shank: [], holder: [] }; // no body of revolution
-  const d = tool.diameter ?? 0, flutes = tool.flutes ?? Math.max(d * 2, 10), length = Math.max(tool.length ?? flutes, flutes);
-  const shank = outline(tool.shank), holder = outline(tool.holder);
+  const d = tool.diameter ?? 0,
+    flutes = tool.flutes ?? Math.max(d * 2, 10),
+    length = Math.max(tool.length ?? flutes, flutes);
+  const shank = outline(tool.shank),
+    holder = outline(tool.holder);
   return {
-    number: tool.number, cutting: cutting_part(tool, d, flutes),
-    shank: shank.length ? shank : length > flutes && d > 0 ? [[d, flutes], [d, length]] : [],
+    number: tool.number,
+    cutting: cutting_part(tool, d, flutes),
+    shank: shank.length
+      ? shank
+      : length > flutes && d > 0
+        ? [
+            [d, flutes],
+            [d, length],
+          ]
+        : [],
     holder: holder.map(([w, z]) => [w, z + length]),
   };
 }
@@ -21,12 +38,26 @@ function cutting_part(tool: Tool, d: number, flutes: number): Outline {
   const profile = outline(tool.profile);
   if (profile.length) return profile;
   switch (tool.kind) {
-    case "ball": return [...corner(d, d / 2), [d, flutes]];
-    case "bull": return [...corner(d, Math.min(tool.corner ?? 0, d / 2)), [d, flutes]];
-    case "drill": return pointed(d, tool.tip ?? 0, tool.angle ?? 118, flutes);
-    case "chamfer": return pointed(d, tool.tip ?? 0, tool.angle ?? 90, flutes);
-    case "taper": return [[0, 0], [Math.max(0, d - 2 * flutes * Math.tan(radians(tool.angle ?? 0))), 0], [d, flutes]];
-    default: return [[0, 0], [d, 0], [d, flutes]];
+    case "ball":
+      return [...corner(d, d / 2), [d, flutes]];
+    case "bull":
+      return [...corner(d, Math.min(tool.corner ?? 0, d / 2)), [d, flutes]];
+    case "drill":
+      return pointed(d, tool.tip ?? 0, tool.angle ?? 118, flutes);
+    case "chamfer":
+      return pointed(d, tool.tip ?? 0, tool.angle ?? 90, flutes);
+    case "taper":
+      return [
+        [0, 0],
+        [Math.max(0, d - 2 * flutes * Math.tan(radians(tool.angle ?? 0))), 0],
+        [d, flutes],
+      ];
+    default:
+      return [
+        [0, 0],
+        [d, 0],
+        [d, flutes],
+      ];
   }
 }
 
@@ -41,8 +72,14 @@ function corner(d: number, r: number): Outline {
 
 function pointed(d: number, tip: number, angle: number, flutes: number): Outline {
   const height = (d - tip) / 2 / Math.tan(radians(angle / 2));
-  return [[0, 0], [tip, 0], [d, height], [d, Math.max(flutes, height)]];
+  return [
+    [0, 0],
+    [tip, 0],
+    [d, height],
+    [d, Math.max(flutes, height)],
+  ];
 }
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
-const outline = (v: unknown): Outline => (Array.isArray(v) ? (v.filter((p) => Array.isArray(p) && p.length >= 2) as Outline) : []);
+const outline = (v: unknown): Outline =>
+  Array.isArray(v) ? (v.filter((p) => Array.isArray(p) && p.length >= 2) as Outline) : [];

@@ -1,26 +1,40 @@
-// One WebSocket to the session: numbered questions with promises, events, binary frames; it comes back by itself when the line is lost.
-import type { Events, Questions } from "./types";
+// One WebSocket to the session: numbered questions with promises, events, binary frames; it comes back by itself when
+// the line is lost.
 import { Signal } from "../model/signal";
+import type { Frame } from "./frames";
+import { read_message, write_question, type SessionEvent } from "./messages";
+import type { Questions } from "./types";
 
 /// An answer that says no. `changed` tells that a file was changed by somebody else since it was opened.
 export class Refused extends Error {
-  constructor(text: string, readonly changed = false) { super(text); }
+  constructor(
+    text: string,
+    readonly changed = false,
+  ) {
+    super(text);
+  }
 }
 /// The line was lost before the answer came.
 export class Lost extends Error {}
 
 export interface Socket {
-  binaryType: string; readonly readyState: number; send(text: string): void; close(): void;
-  onopen: ((e: unknown) => void) | null; onclose: ((e: unknown) => void) | null; onmessage: ((e: { data: unknown }) => void) | null;
+  binaryType: string;
+  readonly readyState: number;
+  send(text: string): void;
+  close(): void;
+  onopen: ((e: unknown) => void) | null;
+  onclose: ((e: unknown) => void) | null;
+  onmessage: ((e: { data: unknown }) => void) | null;
 }
 export type LineState = "connecting" | "open" | "lost" | "refused";
 
-const first_wait = 250, longest_wait = 8000; // ms between tries: soon after a hiccup, seldom while the server is gone
+const first_wait = 250,
+  longest_wait = 8000; // ms between tries: soon after a hiccup, seldom while the server is gone
 
 export class Client {
   readonly line = new Signal<LineState>();
-  readonly frame = new Signal<ArrayBuffer>();
-  readonly event = new Signal<{ [K in keyof Events]: { name: K; body: Events[K] } }[keyof Events]>();
+  readonly frame = new Signal<Frame>();
+  readonly event = new Signal<SessionEvent>();
   private socket: Socket | null = null;
   private waiting = new Map<number, { yes: (a: never) => void; no: (e: Error) => void }>();
   private next = 1;
@@ -29,7 +43,10 @@ export class Client {
   private over = false;
 
   /// `greet` runs on every new line before anything else is asked: it says hello.
-  constructor(private make: () => Socket, private greet: (client: Client) => Promise<void>) {}
+  constructor(
+    private make: () => Socket,
+    private greet: (client: Client) => Promise<unknown>,
+  ) {}
 
   connect(): void {
     clearTimeout(this.timer);
@@ -38,8 +55,12 @@ export class Client {
     this.socket = socket;
     socket.binaryType = "arraybuffer";
     socket.onopen = () => this.opened(socket);
-    socket.onclose = () => { if (socket === this.socket) this.lost(); };
-    socket.onmessage = (e) => { if (socket === this.socket) this.take(e.data); };
+    socket.onclose = () => {
+      if (socket === this.socket) this.lost();
+    };
+    socket.onmessage = (e) => {
+      if (socket === this.socket) this.take(e.data);
+    };
   }
 
   ask<K extends keyof Questions>(what: K, body: Questions[K][0]): Promise<Questions[K][1]> {
@@ -48,7 +69,7 @@ export class Client {
     const id = this.next++;
     return new Promise((yes, no) => {
       this.waiting.set(id, { yes: yes as (a: never) => void, no });
-      socket.send(JSON.stringify({ id, do: what, ...body }));
+      socket.send(write_question(id, what, body));
     });
   }
 
@@ -60,12 +81,16 @@ export class Client {
 
   private opened(socket: Socket): void {
     this.greet(this).then(
-      () => { this.tries = 0; this.line.emit("open"); },
+      () => {
+        this.tries = 0;
+        this.line.emit("open");
+      },
       (e) => {
         if (!(e instanceof Refused)) return socket.close();
         this.over = true; // trying again with the same token would be refused again
         this.line.emit("refused");
-      });
+      },
+    );
   }
 
   private lost(): void {
@@ -79,21 +104,15 @@ export class Client {
   }
 
   private take(data: unknown): void {
-    if (data instanceof ArrayBuffer) return this.frame.emit(data);
-    if (typeof data !== "string") return;
-    let message: Record<string, unknown>;
-    try { message = JSON.parse(data); } catch { return; }
-    if ("re" in message) this.answer(message);
-    else if (typeof message.event === "string") this.event.emit({ name: message.event, body: message } as never);
-  }
-
-  private answer(message: Record<string, unknown>): void {
-    const who = this.waiting.get(message.re as number);
+    const message = read_message(data);
+    if (!message) return;
+    if (message.kind === "frame") return this.frame.emit(message.frame);
+    if (message.kind === "event") return this.event.emit(message.event);
+    const who = this.waiting.get(message.to);
     if (!who) return;
-    this.waiting.delete(message.re as number);
-    const error = message.error as { text: string; changed?: boolean } | undefined;
-    if (error) who.no(new Refused(error.text, error.changed === true));
-    else who.yes(message as never);
+    this.waiting.delete(message.to);
+    if (message.kind === "refusal") who.no(new Refused(message.text, message.changed));
+    else who.yes(message.body as never);
   }
 }
 

@@ -6,143 +6,566 @@ export type Axes = Record<string, number>;
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type JsonTable = { [key: string]: Json };
 
-export interface Hello { version: string; folder: string; may_change: boolean; last: string | null; controls: { id: string; name: string }[]; machines: string[] }
-export interface FileEntry { name: string; kind: "folder" | "program" | "setup" | "tools" | "other"; size: number; modified: number | string }
-export interface Files { entries: FileEntry[]; more?: boolean }
+export interface Hello {
+  version: string;
+  folder: string;
+  may_change: boolean;
+  last: string | null;
+  controls: { id: string; name: string }[];
+  machines: string[];
+}
+export interface FileEntry {
+  name: string;
+  kind: "folder" | "program" | "setup" | "tools" | "other";
+  size: number;
+  modified: number | string;
+}
+export interface Files {
+  entries: FileEntry[];
+  more?: boolean;
+}
 
-export interface OpenQuestion { file: string; control?: string; machine?: string; setup?: string; encoding?: string; text?: string; tables?: JsonTable }
+export interface OpenQuestion {
+  file: string;
+  control?: string;
+  machine?: string;
+  setup?: string;
+  encoding?: string;
+  text?: string;
+  tables?: JsonTable;
+}
 /// Machine coordinates; null: no limit there.
 export type Open = (number | null)[];
-export interface Bounds { limits: [Open, Open]; zones: { number: number; inside: boolean; box: [Open, Open] }[] }
+export interface Bounds {
+  limits: [Open, Open];
+  zones: { number: number; inside: boolean; box: [Open, Open] }[];
+}
 export interface Opened {
-  file: string; size: number; digest: string; encoding: string;
+  file: string;
+  size: number;
+  digest: string;
+  encoding: string;
   control: { id: string; name: string; guessed: boolean; decisive?: boolean | string; why?: string };
-  machine: string | null; setup: string | null; editable: boolean; lines: number; text?: string; bounds?: Bounds;
+  machine: string | null;
+  setup: string | null;
+  editable: boolean;
+  lines: number;
+  text?: string;
+  bounds?: Bounds;
 }
 
 export type Severity = "alarm" | "warning" | "note";
-export interface Fix { text: string; line: number; from: number; to: number; insert: string }
+export interface Fix {
+  text: string;
+  line: number;
+  from: number;
+  to: number;
+  insert: string;
+}
 export interface Problem {
-  id: string; severity: Severity; number?: number | string; text: string; hint?: string; file?: string | number; line: number; column?: number;
-  end_column?: number; block?: string; calls?: string[]; fix?: Fix; at?: number;
+  id: string;
+  severity: Severity;
+  number?: number | string;
+  text: string;
+  hint?: string;
+  file?: string | number;
+  line: number;
+  column?: number;
+  end_column?: number;
+  block?: string;
+  calls?: string[];
+  fix?: Fix;
+  at?: number;
 }
-export interface Checked { problems: Problem[] }
-export interface Word { from: number; to: number; code: string; title: string; text: string }
-export interface Explained { words: Word[] }
+export interface Checked {
+  problems: Problem[];
+}
+export interface Word {
+  from: number;
+  to: number;
+  code: string;
+  title: string;
+  text: string;
+}
+export interface Explained {
+  words: Word[];
+}
 
-export interface Call { what: string; line: number; block?: string; file?: number | string }
-export interface Modal { group: string; code: string; changed?: boolean }
-export interface Variable { name: string; value: number | string | null; changed?: boolean }
-export interface State {
-  at: number; number: number; line: number; column?: number; file?: number; file_name?: string; block?: string; text?: string; pass?: number; depth?: number;
-  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number | null; tool: number; modal: Modal[];
-  offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes }; zero: Axes; variables: Variable[]; limits?: string | null;
-  seconds: number; left: number;
+export interface Call {
+  what: string;
+  line: number;
+  block?: string;
+  file?: number | string;
 }
-export interface Pass { from: number; to: number; number: number }
-export interface Passes { passes: Pass[]; count: number }
+export interface Modal {
+  group: string;
+  code: string;
+  changed?: boolean;
+}
+export interface Variable {
+  name: string;
+  value: number | string | null;
+  changed?: boolean;
+}
+export interface State {
+  at: number;
+  number: number;
+  line: number;
+  column?: number;
+  file?: number;
+  file_name?: string;
+  block?: string;
+  text?: string;
+  pass?: number;
+  depth?: number;
+  calls?: Call[];
+  position: Axes;
+  machine: Axes;
+  togo: Axes;
+  feed: number;
+  speed: number;
+  rpm: number | null;
+  tool: number;
+  modal: Modal[];
+  offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes };
+  zero: Axes;
+  variables: Variable[];
+  limits?: string | null;
+  seconds: number;
+  left: number;
+}
+export interface Pass {
+  from: number;
+  to: number;
+  number: number;
+}
+export interface Passes {
+  passes: Pass[];
+  count: number;
+}
 
 export type MarkKind = "tool" | "alarm" | "warning" | "stop" | "optional_stop" | "message" | "zero" | "dwell" | "end";
-export interface Mark { at: number; kind: MarkKind; line: number; text: string }
-export interface ToolTime { tool: number; from: number; seconds: number; name?: string; radius?: number; length?: number }
-/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it lies at `from`.
-export interface Joint { axis: string; turns: boolean; direction: [number, number, number]; through: [number, number, number]; from: number }
-export interface Done {
-  state: "ended" | "stopped" | "cancelled"; seconds: number; blocks: number; vertices: number; zero: [number, number, number]; joints: Joint[];
-  extents: { cutting: Box | null; all: Box | null }; distances: { cutting: number; rapid: number };
-  times: { cutting: number; rapid: number; dwell: number; tools: number }; tools: ToolTime[]; marks: Mark[]; axes: string[]; units: "mm" | "inch"; unstated?: string;
+export interface Mark {
+  at: number;
+  kind: MarkKind;
+  line: number;
+  text: string;
 }
-export interface Progress { part: number; blocks: number; seconds: number }
+export interface ToolTime {
+  tool: number;
+  from: number;
+  seconds: number;
+  name?: string;
+  radius?: number;
+  length?: number;
+}
+/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it
+/// lies at `from`.
+export interface Joint {
+  axis: string;
+  turns: boolean;
+  direction: [number, number, number];
+  through: [number, number, number];
+  from: number;
+}
+export interface Done {
+  state: "ended" | "stopped" | "cancelled";
+  seconds: number;
+  blocks: number;
+  vertices: number;
+  zero: [number, number, number];
+  joints: Joint[];
+  extents: { cutting: Box | null; all: Box | null };
+  distances: { cutting: number; rapid: number };
+  times: { cutting: number; rapid: number; dwell: number; tools: number };
+  tools: ToolTime[];
+  marks: Mark[];
+  axes: string[];
+  units: "mm" | "inch";
+  unstated?: string;
+}
+export interface Progress {
+  part: number;
+  blocks: number;
+  seconds: number;
+}
 
 export interface Tool {
-  number: number; kind: string; diameter?: number; corner?: number; angle?: number; tip?: number; flutes?: number; length?: number;
-  profile?: [number, number][]; shank?: unknown; holder?: unknown; name?: string; from?: string; known?: boolean;
+  number: number;
+  kind: string;
+  diameter?: number;
+  corner?: number;
+  angle?: number;
+  tip?: number;
+  flutes?: number;
+  length?: number;
+  profile?: [number, number][];
+  shank?: unknown;
+  holder?: unknown;
+  name?: string;
+  from?: string;
+  known?: boolean;
 }
-export interface CutQuestion { stock: string; tools: string | Tool[]; fixtures?: string[]; resolution?: number }
+export interface CutQuestion {
+  stock: string;
+  tools: string | Tool[];
+  fixtures?: string[];
+  resolution?: number;
+}
 export interface Finding {
-  id: string; text: string; line: number; block?: string; file?: number | string; calls?: string[]; at: number; place?: number[]; depth?: number; tool?: number;
+  id: string;
+  text: string;
+  line: number;
+  block?: string;
+  file?: number | string;
+  calls?: string[];
+  at: number;
+  place?: number[];
+  depth?: number;
+  tool?: number;
 }
 export interface CutResult {
-  stock: number; left: number; removed: number; error_bound?: number; resolution?: number; seconds?: number; alarms?: number; warnings?: number;
-  tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[]; marks?: Mark[]; notes?: string[]; error?: { text: string };
+  stock: number;
+  left: number;
+  removed: number;
+  error_bound?: number;
+  resolution?: number;
+  seconds?: number;
+  alarms?: number;
+  warnings?: number;
+  tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[];
+  marks?: Mark[];
+  notes?: string[];
+  error?: { text: string };
 }
-export interface Proposals { stock: string; tools: Tool[]; files?: string[] }
-export interface PartAnswer { stock: number; left: number; triangles: number; seconds: number; cell: number }
-export interface SheetTool { number: number; name?: string; radius?: number; length?: number; corrector?: string | number; seconds?: number; lines?: number[]; outline?: [number, number][]; comment?: string }
+export interface Proposals {
+  stock: string;
+  tools: Tool[];
+  files?: string[];
+}
+export interface PartAnswer {
+  stock: number;
+  left: number;
+  triangles: number;
+  seconds: number;
+  cell: number;
+}
+export interface SheetTool {
+  number: number;
+  name?: string;
+  radius?: number;
+  length?: number;
+  corrector?: string | number;
+  seconds?: number;
+  lines?: number[];
+  outline?: [number, number][];
+  comment?: string;
+}
 export interface Sheet {
-  program: string; control: string; machine: string | null; date: string; zeros: { name: string; values: Axes }[]; tools: SheetTool[];
-  extents: { cutting: Box | null; all: Box | null }; seconds: number; comments: { line: number; text: string }[]; stops: { line: number; text: string; at: number }[];
+  program: string;
+  control: string;
+  machine: string | null;
+  date: string;
+  zeros: { name: string; values: Axes }[];
+  tools: SheetTool[];
+  extents: { cutting: Box | null; all: Box | null };
+  seconds: number;
+  comments: { line: number; text: string }[];
+  stops: { line: number; text: string; at: number }[];
 }
-export interface Spot { line: number; file: number; number: number; at: number; to_line: number; to_number: number; to_at: number }
-export interface Difference { kind: "way" | "move" | "feed" | "tool" | "spindle" | "coolant" | "act" | "end"; text: string; distance: number; a: Spot; b: Spot }
+export interface Spot {
+  line: number;
+  file: number;
+  number: number;
+  at: number;
+  to_line: number;
+  to_number: number;
+  to_at: number;
+}
+export interface Difference {
+  kind: "way" | "move" | "feed" | "tool" | "spindle" | "coolant" | "act" | "end";
+  text: string;
+  distance: number;
+  a: Spot;
+  b: Spot;
+}
 export interface Compared {
-  same: boolean; text: string; tolerance: number; deviation: number; moves: [number, number]; first: Difference | null; differences: Difference[]; more: number; lost: boolean;
+  same: boolean;
+  text: string;
+  tolerance: number;
+  deviation: number;
+  moves: [number, number];
+  first: Difference | null;
+  differences: Difference[];
+  more: number;
+  lost: boolean;
 }
 
 /// Each question, with what goes along and what comes back.
 export type PanelMode = "standing" | "running" | "held" | "ended" | "alarm" | "emergency";
 export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off" | "block" | "over" | "out";
-export interface StopPoint { number: number; line: number; pass: number; call: string; condition: string; tool: number }
+export interface StopPoint {
+  number: number;
+  line: number;
+  pass: number;
+  call: string;
+  condition: string;
+  tool: number;
+}
 /// A machine at its panel: positions are a sample of the servo clock.
 export interface Panel {
-  mode: PanelMode; instant: number; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; share: number; override: number; rapid: number; spindle: number; dry_feed: number; asks: boolean; takes_tables: boolean; not_kept: string;
-  line: number; file: number; text: string; number: number; entered: boolean; single: boolean; optional_stop: boolean; skip: number[]; stops: StopPoint[];
-  hit: number; told: string; why: "" | "M0" | "M1" | "restart"; goes_there: boolean; can_undo: number; blocks: number; modal: Modal[]; rpm: number | null; tool: number | null;
-  offsets: { T?: number | null; D?: number | null; H?: number | null }; zero: Axes; calls: Call[]; alarm: Problem | null; holds: boolean; held: boolean;
-  limit: string; channels: PanelChannel[];
+  mode: PanelMode;
+  instant: number;
+  position: Axes;
+  machine: Axes;
+  togo: Axes;
+  feed: number;
+  speed: number;
+  share: number;
+  override: number;
+  rapid: number;
+  spindle: number;
+  dry_feed: number;
+  asks: boolean;
+  takes_tables: boolean;
+  not_kept: string;
+  line: number;
+  file: number;
+  text: string;
+  number: number;
+  entered: boolean;
+  single: boolean;
+  optional_stop: boolean;
+  skip: number[];
+  stops: StopPoint[];
+  hit: number;
+  told: string;
+  why: "" | "M0" | "M1" | "restart";
+  goes_there: boolean;
+  can_undo: number;
+  blocks: number;
+  modal: Modal[];
+  rpm: number | null;
+  tool: number | null;
+  offsets: { T?: number | null; D?: number | null; H?: number | null };
+  zero: Axes;
+  calls: Call[];
+  alarm: Problem | null;
+  holds: boolean;
+  held: boolean;
+  limit: string;
+  channels: PanelChannel[];
 }
 /// One of several; `waits`: its axes have come to a waiting code, who else has (`here`) of those who must (`channels`).
 export interface PanelChannel {
-  number: number; axes: string[]; position: Axes; machine: Axes; feed: number; speed: number; moves: boolean; line: number; text: string;
+  number: number;
+  axes: string[];
+  position: Axes;
+  machine: Axes;
+  feed: number;
+  speed: number;
+  moves: boolean;
+  line: number;
+  text: string;
   waits: { code: number; channels: number[]; here: number[] } | null;
 }
 
 /// Where a program is to go on; `number` of the block in the run, `hole` of a cycle.
-export interface RestartPlace { line?: number; pass?: number; of_file?: string; call?: string; condition?: string; number?: number; hole?: number }
-export type ForceKind = "position" | "machine" | "code" | "feed" | "speed" | "spindle" | "coolant" | "tool" | "selected" | "offset" | "length_offset" | "origin" | "length" | "rotation" | "scale" | "variable";
-export interface RestartRow { key: string; kind: ForceKind; name: string; wanted: string | number | null; now: string | number | null; by: "" | "way" | "line" | "memory"; may_be_left: boolean }
+export interface RestartPlace {
+  line?: number;
+  pass?: number;
+  of_file?: string;
+  call?: string;
+  condition?: string;
+  number?: number;
+  hole?: number;
+}
+export type ForceKind =
+  | "position"
+  | "machine"
+  | "code"
+  | "feed"
+  | "speed"
+  | "spindle"
+  | "coolant"
+  | "tool"
+  | "selected"
+  | "offset"
+  | "length_offset"
+  | "origin"
+  | "length"
+  | "rotation"
+  | "scale"
+  | "variable";
+export interface RestartRow {
+  key: string;
+  kind: ForceKind;
+  name: string;
+  wanted: string | number | null;
+  now: string | number | null;
+  by: "" | "way" | "line" | "memory";
+  may_be_left: boolean;
+}
 /// To machine coordinates of the axes that move.
-export interface WayPoint { rapid: boolean; to: Axes; feed: number }
-export interface SearchCode { text: string; line: number }
+export interface WayPoint {
+  rapid: boolean;
+  to: Axes;
+  feed: number;
+}
+export interface SearchCode {
+  text: string;
+  line: number;
+}
 /// `zero`: machine coordinates less work coordinates at the place; `search`: the control's own.
 export interface RestartSheet {
-  ready: true; line: number; file: string; text: string; calls: Call[]; rows: RestartRow[]; way: WayPoint[]; normal: string; zero: Axes; blocks: string[]; by_hand: string;
+  ready: true;
+  line: number;
+  file: string;
+  text: string;
+  calls: Call[];
+  rows: RestartRow[];
+  way: WayPoint[];
+  normal: string;
+  zero: Axes;
+  blocks: string[];
+  by_hand: string;
   search: { carried_out: SearchCode[]; of_no_group: SearchCode[]; forgotten: string } | null;
-  number: number; beside: BesideSheet[];
+  number: number;
+  beside: BesideSheet[];
 }
-/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own channel's.
+/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own
+/// channel's.
 export interface BesideSheet {
-  number: number; line: number; text: string; stands: "before" | "within" | "waits" | "over"; rows: RestartRow[]; way: WayPoint[]; zero: Axes; blocks: string[]; by_hand: string;
+  number: number;
+  line: number;
+  text: string;
+  stands: "before" | "within" | "waits" | "over";
+  rows: RestartRow[];
+  way: WayPoint[];
+  zero: Axes;
+  blocks: string[];
+  by_hand: string;
 }
 /// Of one channel; the ways are gone one after the other.
-export interface ChannelWay { channel: number; way: WayPoint[] }
+export interface ChannelWay {
+  channel: number;
+  way: WayPoint[];
+}
 
-/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set them (0: none of the program).
-export interface Tables { sections: string[]; setup: string; file: JsonTable; edited: JsonTable; now: JsonTable; variables: { name: string; value: number | null; line: number }[]; lasts: boolean }
-export interface LogEntry { at: string; kind: string; text: string; line: number }
-export interface Stood { mode: PanelMode; number: number; line: number; file: string; text: string; machine: number[] }
+/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set
+/// them (0: none of the program).
+export interface Tables {
+  sections: string[];
+  setup: string;
+  file: JsonTable;
+  edited: JsonTable;
+  now: JsonTable;
+  variables: { name: string; value: number | null; line: number }[];
+  lasts: boolean;
+}
+export interface LogEntry {
+  at: string;
+  kind: string;
+  text: string;
+  line: number;
+}
+export interface Stood {
+  mode: PanelMode;
+  number: number;
+  line: number;
+  file: string;
+  text: string;
+  machine: number[];
+}
 
 export type MillTask = "pocket" | "face" | "slot";
 /// What `kadr mill` is asked for, by the names of its options; what is left out is as usual there.
 export interface MillQuestion {
-  drawing: string; control: string; task: MillTask; tool_diameter: number; depth: number; pass?: number; allowance?: number; top?: number; scheme?: string; direction?: string;
-  stepover?: string; plunge?: string; hole?: [number, number]; ramp_angle?: number; clearance?: number; overrun?: number; angle?: number; width?: number; feed?: number;
-  plunge_feed?: number; speed?: number; tool?: number; coolant?: boolean; mark?: string;
+  drawing: string;
+  control: string;
+  task: MillTask;
+  tool_diameter: number;
+  depth: number;
+  pass?: number;
+  allowance?: number;
+  top?: number;
+  scheme?: string;
+  direction?: string;
+  stepover?: string;
+  plunge?: string;
+  hole?: [number, number];
+  ramp_angle?: number;
+  clearance?: number;
+  overrun?: number;
+  angle?: number;
+  width?: number;
+  feed?: number;
+  plunge_feed?: number;
+  speed?: number;
+  tool?: number;
+  coolant?: boolean;
+  mark?: string;
 }
 /// `picture` SVG, "": too large to be shown; `warning` "": none; `name` of no file that is there.
-export interface Milled { text: string; picture: string; summary: { name: string; value: string }[]; warning: string; name: string }
+export interface Milled {
+  text: string;
+  picture: string;
+  summary: { name: string; value: string }[];
+  warning: string;
+  name: string;
+}
 /// `word` of the question that is wrong, "": it is the drawing.
-export interface NotMilled { problem: Problem; word: string; line_text: string }
+export interface NotMilled {
+  problem: Problem;
+  word: string;
+  line_text: string;
+}
 /// `bytes` base64: a byte a row.
-export interface Punched { bytes: string; rows: number; name: string }
+export interface Punched {
+  bytes: string;
+  rows: number;
+  name: string;
+}
 export type TapeCode = "iso" | "eia";
-export interface TapeRead { text: string; code: TapeCode; lies: string; faults: string[]; more: number; name: string }
+export interface TapeRead {
+  text: string;
+  code: TapeCode;
+  lies: string;
+  faults: string[];
+  more: number;
+  name: string;
+}
 
 /// A program with what goes with it as of `open`; `to` the control that it is to be for.
 export type ConvertQuestion = OpenQuestion & { to: string; flat?: boolean; force?: boolean };
-/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself; `written_line` of what was written for the other control, 0: of none.
-export interface ConversionTry { as: string; way: string; text: string; line: number; file: number; file_name: string; line_text: string; written_line: number; written_text: string }
-export interface Converted { text: string; tolerance: number; written: { proven: boolean; as: string; way: string; program: string; setup: string; name: string; note: string; written_out: { from: number; to: number; text: string }[] } | null; tries: ConversionTry[] }
+/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself;
+/// `written_line` of what was written for the other control, 0: of none.
+export interface ConversionTry {
+  as: string;
+  way: string;
+  text: string;
+  line: number;
+  file: number;
+  file_name: string;
+  line_text: string;
+  written_line: number;
+  written_text: string;
+}
+export interface Converted {
+  text: string;
+  tolerance: number;
+  written: {
+    proven: boolean;
+    as: string;
+    way: string;
+    program: string;
+    setup: string;
+    name: string;
+    note: string;
+    written_out: { from: number; to: number; text: string }[];
+  } | null;
+  tries: ConversionTry[];
+}
 
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
@@ -162,18 +585,50 @@ export interface Questions {
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
   save: [{ file: string; digest: string | null } & ({ text: string } | { bytes: string }), { digest: string }];
   mill: [MillQuestion, Milled | NotMilled];
-  tape: [{ way: "out"; file: string; text?: string; code?: TapeCode; leader?: number } | { way: "in"; file: string; code?: TapeCode }, Punched | TapeRead];
+  tape: [
+    (
+      | { way: "out"; file: string; text?: string; code?: TapeCode; leader?: number }
+      | { way: "in"; file: string; code?: TapeCode }
+    ),
+    Punched | TapeRead,
+  ];
   convert: [ConvertQuestion, Converted];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
-  machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean; stood: Stood | null; lasts: boolean }];
+  machine: [
+    OpenQuestion,
+    {
+      name: string;
+      axes: string[];
+      control: string;
+      machine: string;
+      holds: boolean;
+      stood: Stood | null;
+      lasts: boolean;
+    },
+  ];
   panel: [object, Panel];
   press: [{ key: PanelKey }, object];
-  switches: [{ single?: boolean; optional_stop?: boolean; skip?: number; on?: boolean; override?: number; rapid?: number; spindle?: number; dry_feed?: number }, object];
+  switches: [
+    {
+      single?: boolean;
+      optional_stop?: boolean;
+      skip?: number;
+      on?: boolean;
+      override?: number;
+      rapid?: number;
+      spindle?: number;
+      dry_feed?: number;
+    },
+    object,
+  ];
   enter: [{ line: string }, object];
   undo: [object, object];
   jog: [{ axis: string; way: number; feed?: number; channel?: number }, object];
-  restart: [RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number }, RestartSheet | { ready: false }];
+  restart: [
+    RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number },
+    RestartSheet | { ready: false },
+  ];
   lead: [{ way: WayPoint[] }, object];
   go_there: [RestartPlace & { by_control?: boolean; leave?: string[]; ways: ChannelWay[] }, object];
   tables: [object, Tables];
@@ -182,7 +637,10 @@ export interface Questions {
   shift: [{ file?: string; count?: number }, { log: LogEntry[]; lasts: boolean }];
   answer: [{ answer: number }, object];
   watch: [{ expressions: string[] }, { values: { text: string; value: number | null }[] }];
-  stops: [{ line?: number; pass?: number; call?: string; condition?: string; tool?: number; remove?: number }, { number?: number }];
+  stops: [
+    { line?: number; pass?: number; call?: string; condition?: string; tool?: number; remove?: number },
+    { number?: number },
+  ];
 }
 
 export interface Events {

@@ -11,28 +11,86 @@ const most_shown = 500;
 export class FindingsPanel {
   readonly element = h("div", { class: "cut" });
 
-  constructor(private app: App, private jump: (line: number) => void) {
+  constructor(
+    private app: App,
+    private jump: (line: number) => void,
+  ) {
     app.on_cut.on(() => this.draw());
     on_language(() => this.draw());
     this.draw();
   }
 
   private draw(): void {
-    const { app } = this, c = app.cut;
+    const { app } = this,
+      c = app.cut;
     if (!c) return fill(this.element);
-    fill(this.element,
-      h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`)),
+    fill(
+      this.element,
+      h(
+        "dl",
+        { class: "facts" },
+        ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`),
+        ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`),
+        ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`),
+        ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`),
+      ),
       app.findings.length ? null : h("p", { class: "good" }, t("nothing_hit")),
-      ...app.findings.slice(0, most_shown).map((f) => h("div", { class: "problem alarm" }, h("button", { type: "button", class: "problem-go", onclick: () => { app.seek(f.at); this.jump(f.line); } },
-        icon("alarm", t("alarm")), h("span", { class: "problem-text" }, f.text), h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`)))),
+      ...app.findings.slice(0, most_shown).map((f) =>
+        h(
+          "div",
+          { class: "problem alarm" },
+          h(
+            "button",
+            {
+              type: "button",
+              class: "problem-go",
+              onclick: () => {
+                app.seek(f.at);
+                this.jump(f.line);
+              },
+            },
+            icon("alarm", t("alarm")),
+            h("span", { class: "problem-text" }, f.text),
+            h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`),
+          ),
+        ),
+      ),
       app.findings.length > most_shown && h("p", { class: "note" }, `… +${app.findings.length - most_shown}`),
-      this.tools());
+      this.tools(),
+    );
   }
 
   private tools(): HTMLElement | null {
     const tools = this.app.cut?.tools ?? [];
     if (!tools.length) return null;
-    return h("table", { class: "list" }, h("thead", null, h("tr", null, ...[t("tool"), `${t("removed")}, ${t("mm3")}`, t("time"), t("greatest_rate")].map((x) => h("th", { scope: "col" }, x)))),
-      h("tbody", null, ...tools.map((x) => h("tr", null, h("td", null, `T${x.tool}`), h("td", null, short(x.removed, 1)), h("td", null, clock(x.seconds)), h("td", null, short(x.greatest_rate, 1))))));
+    return h(
+      "table",
+      { class: "list" },
+      h(
+        "thead",
+        null,
+        h(
+          "tr",
+          null,
+          ...[t("tool"), `${t("removed")}, ${t("mm3")}`, t("time"), t("greatest_rate")].map((x) =>
+            h("th", { scope: "col" }, x),
+          ),
+        ),
+      ),
+      h(
+        "tbody",
+        null,
+        ...tools.map((x) =>
+          h(
+            "tr",
+            null,
+            h("td", null, `T${x.tool}`),
+            h("td", null, short(x.removed, 1)),
+            h("td", null, clock(x.seconds)),
+            h("td", null, short(x.greatest_rate, 1)),
+          ),
+        ),
+      ),
+    );
   }
 }

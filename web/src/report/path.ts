@@ -1,14 +1,23 @@
-// The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line was carried out.
-import { path_columns, head_of, type PathColumns } from "../protocol/frames";
+// The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line
+// was carried out.
+import { jump, read_frame, type PathFrame } from "../protocol/frames";
 import type { Pass } from "../protocol/types";
 
-const jump = 0;
-
-interface Piece extends PathColumns { places: Float32Array; end: number }
+interface Piece extends PathFrame {
+  end: number;
+}
 
 export interface PathState {
-  at: number; number: number; line: number; file: number; tool: number; feed: number; speed: number; kind: number;
-  place: [number, number, number]; left: [number, number, number]; // mm; left: to the end of the block's present way
+  at: number;
+  number: number;
+  line: number;
+  file: number;
+  tool: number;
+  feed: number;
+  speed: number;
+  kind: number;
+  place: [number, number, number];
+  left: [number, number, number]; // mm; left: to the end of the block's present way
 }
 
 export class ReportPath {
@@ -16,9 +25,9 @@ export class ReportPath {
 
   constructor(frames: ArrayBuffer[]) {
     for (const frame of frames) {
-      const head = head_of(frame), c = path_columns(frame);
-      if (!head || !c || head.count === 0 || head.which !== 0) continue;
-      this.pieces.push({ ...c, places: new Float32Array(frame, 96, 3 * head.count), end: c.start + c.times[head.count - 1]! });
+      const piece = read_frame(frame);
+      if (piece?.kind === "path" && piece.which === 0)
+        this.pieces.push({ ...piece, end: piece.start + piece.times[piece.count - 1]! });
     }
   }
 
@@ -37,7 +46,8 @@ export class ReportPath {
       if (p.numbers[p.numbers.length - 1]! < number) continue;
       for (let i = 0; i < p.numbers.length; i++) {
         if (p.numbers[i]! < number) continue;
-        if (found && p.numbers[i]! > found[0].numbers[found[1]]!) return this.state(...found, found[0].start + found[0].times[found[1]]!);
+        if (found && p.numbers[i]! > found[0].numbers[found[1]]!)
+          return this.state(...found, found[0].start + found[0].times[found[1]]!);
         found = [p, i];
       }
     }
@@ -51,12 +61,16 @@ export class ReportPath {
   /// Each time that a line was carried out, up to `most` of them.
   passes(line: number, file: number, most: number): { passes: Pass[]; count: number } {
     const passes: Pass[] = [];
-    let count = 0, last = -1;
+    let count = 0,
+      last = -1;
     for (const p of this.pieces) {
       for (let i = 0; i < p.lines.length; i++) {
         if (p.lines[i] !== line || p.tools[2 * i + 1] !== file || p.kinds[4 * i] === jump) continue;
         const end = p.start + p.times[i]!;
-        if (p.numbers[i] === last) { if (passes.length === count) passes[passes.length - 1]!.to = end; continue; }
+        if (p.numbers[i] === last) {
+          if (passes.length === count) passes[passes.length - 1]!.to = end;
+          continue;
+        }
         last = p.numbers[i]!;
         if (++count <= most) passes.push({ from: p.start + p.times[Math.max(0, i - 1)]!, to: end, number: last });
       }
@@ -65,13 +79,23 @@ export class ReportPath {
   }
 
   private state(p: Piece, i: number, instant: number): PathState {
-    const to = p.places.subarray(3 * i, 3 * i + 3), from = i > 0 && p.kinds[4 * i] !== jump ? p.places.subarray(3 * i - 3, 3 * i) : to;
-    const begins = p.start + (i > 0 ? p.times[i - 1]! : p.times[i]!), ends = p.start + p.times[i]!;
+    const to = p.at.subarray(3 * i, 3 * i + 3),
+      from = i > 0 && p.kinds[4 * i] !== jump ? p.at.subarray(3 * i - 3, 3 * i) : to;
+    const begins = p.start + (i > 0 ? p.times[i - 1]! : p.times[i]!),
+      ends = p.start + p.times[i]!;
     const part = ends > begins ? Math.min(1, Math.max(0, (instant - begins) / (ends - begins))) : 1;
     const place = [0, 1, 2].map((a) => from[a]! + part * (to[a]! - from[a]!)) as [number, number, number];
     return {
-      at: instant, number: p.numbers[i]!, line: p.lines[i]!, file: p.tools[2 * i + 1]!, tool: p.tools[2 * i]!, feed: p.feeds[i]!,
-      speed: instant > begins && instant <= ends ? p.speeds[i]! : 0, kind: p.kinds[4 * i]!, place, left: [0, 1, 2].map((a) => to[a]! - place[a]!) as [number, number, number],
+      at: instant,
+      number: p.numbers[i]!,
+      line: p.lines[i]!,
+      file: p.tools[2 * i + 1]!,
+      tool: p.tools[2 * i]!,
+      feed: p.feeds[i]!,
+      speed: instant > begins && instant <= ends ? p.speeds[i]! : 0,
+      kind: p.kinds[4 * i]!,
+      place,
+      left: [0, 1, 2].map((a) => to[a]! - place[a]!) as [number, number, number],
     };
   }
 }

@@ -1,11 +1,17 @@
 // A session without a server: what the page asks is answered from the report that lies in the page itself.
 import type { Socket } from "../protocol/client";
-import type { Axes, Language, State } from "../protocol/types";
+import { read_frame, type PartFrame } from "../protocol/frames";
+import { read_question, write_answer, write_event, type Question } from "../protocol/messages";
+import type { Axes, Language, PartAnswer, Questions, State } from "../protocol/types";
 import type { Report, Told } from "./data";
 import { ReportPath } from "./path";
 
-const most_passes = 1000, most_lines = 5000;
-type Question = Record<string, unknown>;
+const most_passes = 1000,
+  most_lines = 5000;
+interface Refusal {
+  error: { text: string };
+}
+type Answers = { [K in keyof Questions]?: (q: Question) => Questions[K][1] | Refusal };
 
 export class ReportSocket implements Socket {
   binaryType = "arraybuffer";
@@ -16,12 +22,30 @@ export class ReportSocket implements Socket {
   private language: Language;
   private path: ReportPath;
   private lines = new Map<number, string[]>();
+  private part_frame: PartFrame | null;
   private part_is_shown = false;
-  private answers: Record<string, (q: Question) => object> = {
-    hello: (q) => this.speak(q, { version: this.report.data.version, folder: "", may_change: false, last: this.report.data.file, controls: [], machines: [] }),
+  private answers: Answers = {
+    hello: (q) =>
+      this.speak(q, {
+        version: this.report.data.version,
+        folder: "",
+        may_change: false,
+        last: this.report.data.file,
+        controls: [],
+        machines: [],
+      }),
     language: (q) => this.speak(q, {}),
-    open: () => { this.part_is_shown = false; setTimeout(() => this.run()); return this.told.opened; }, // after the answer, when it has been taken
-    source: (q) => ({ lines: this.source(Number(q.file ?? 0)).slice(Number(q.from) - 1, Number(q.from) - 1 + Math.min(most_lines, Number(q.count))) }),
+    open: () => {
+      this.part_is_shown = false;
+      setTimeout(() => this.run());
+      return this.told.opened;
+    }, // after the answer, when it has been taken
+    source: (q) => ({
+      lines: this.source(Number(q.file ?? 0)).slice(
+        Number(q.from) - 1,
+        Number(q.from) - 1 + Math.min(most_lines, Number(q.count)),
+      ),
+    }),
     state: (q) => this.state(q),
     passes: (q) => this.path.passes(Number(q.line), Number(q.file ?? 0), most_passes),
     sheet: () => this.told.sheet,
@@ -32,21 +56,32 @@ export class ReportSocket implements Socket {
   constructor(private report: Report) {
     this.language = report.data.language;
     this.path = new ReportPath(report.path);
-    queueMicrotask(() => { this.readyState = 1; this.onopen?.({}); });
+    const part = report.part && read_frame(report.part);
+    this.part_frame = part?.kind === "part" ? part : null;
+    queueMicrotask(() => {
+      this.readyState = 1;
+      this.onopen?.({});
+    });
   }
 
   send(text: string): void {
-    const q = JSON.parse(text) as Question;
-    const answer = this.answers[String(q.do)];
+    const q = read_question(text);
+    const answer = this.answers[q.do as keyof Questions];
     const body = answer ? answer(q) : { error: { text: "a report answers nothing of the kind" } };
-    queueMicrotask(() => this.say({ re: q.id, ...body }));
+    queueMicrotask(() => this.say(write_answer(q.id, body)));
   }
-  close(): void { this.readyState = 3; }
+  close(): void {
+    this.readyState = 3;
+  }
 
-  private get told(): Told { return this.report.data[this.language]; }
-  private say(message: object): void { this.onmessage?.({ data: JSON.stringify(message) }); }
+  private get told(): Told {
+    return this.report.data[this.language];
+  }
+  private say(text: string): void {
+    this.onmessage?.({ data: text });
+  }
 
-  private speak(q: Question, answer: object): object {
+  private speak<T>(q: Question, answer: T): T {
     this.language = q.lang === "ru" ? "ru" : "en";
     return answer;
   }
@@ -55,39 +90,67 @@ export class ReportSocket implements Socket {
   private run(): void {
     const { told } = this;
     for (const frame of this.report.path) this.onmessage?.({ data: frame.slice(0) });
-    for (const problem of told.problems) this.say({ event: "alarm", at: problem.at ?? 0, problem });
-    this.say({ event: "done", ...told.done });
-    for (const finding of told.findings) this.say({ event: "finding", ...finding });
-    if (told.cut) this.say({ event: "cut", ...told.cut });
+    for (const problem of told.problems) this.say(write_event("alarm", { at: problem.at ?? 0, problem }));
+    this.say(write_event("done", told.done));
+    for (const finding of told.findings) this.say(write_event("finding", finding));
+    if (told.cut) this.say(write_event("cut", told.cut));
   }
 
   /// What is left at the end, at every instant: sent once.
-  private part(): object {
-    const { part, data } = this.report, cut = this.told.cut;
-    if (!part || !cut) return { error: { text: "no part" } };
+  private part(): PartAnswer | Refusal {
+    const { part, data } = this.report,
+      cut = this.told.cut;
+    if (!part || !this.part_frame || !cut) return { error: { text: "no part" } };
     if (!this.part_is_shown) this.onmessage?.({ data: part.slice(0) });
     this.part_is_shown = true;
-    return { stock: cut.stock, left: cut.left, triangles: new DataView(part).getUint32(12, true), seconds: 0, cell: data.part?.cell ?? cut.resolution ?? 0 };
+    return {
+      stock: cut.stock,
+      left: cut.left,
+      triangles: this.part_frame.triangles.length / 3,
+      seconds: 0,
+      cell: data.part?.cell ?? cut.resolution ?? 0,
+    };
   }
 
   private source(file: number): string[] {
     let lines = this.lines.get(file);
-    if (!lines) this.lines.set(file, lines = (this.report.data.sources.find((s) => s.file === file)?.text ?? "").split("\n"));
+    if (!lines)
+      this.lines.set(file, (lines = (this.report.data.sources.find((s) => s.file === file)?.text ?? "").split("\n")));
     return lines;
   }
 
   /// What the path tells: codes in force, variables and calls are known to a session alone.
-  private state(q: Question): State | { error: { text: string } } {
+  private state(q: Question): State | Refusal {
     const { done, opened } = this.told;
     const s = q.number === undefined ? this.path.at(Number(q.at)) : this.path.of_block(Number(q.number));
     if (!s) return { error: { text: "no path" } };
     const axes = done.axes.length >= 3 ? done.axes.slice(0, 3) : ["X", "Y", "Z"];
-    const of_axes = (v: number[], zero: number[]): Axes => Object.fromEntries(axes.map((name, i) => [name, v[i]! - zero[i]!]));
-    const file_name = s.file === 0 ? "" : this.report.data.sources.find((x) => x.file === s.file)?.name ?? "";
+    const of_axes = (v: number[], zero: number[]): Axes =>
+      Object.fromEntries(axes.map((name, i) => [name, v[i]! - zero[i]!]));
+    const file_name = s.file === 0 ? "" : (this.report.data.sources.find((x) => x.file === s.file)?.name ?? "");
     return {
-      at: s.at, number: s.number, line: s.line, column: 1, file: s.file, file_name: file_name || opened.file, block: "", text: this.source(s.file)[s.line - 1] ?? "",
-      position: of_axes(s.place, done.zero), machine: {}, togo: of_axes(s.left, [0, 0, 0]), feed: s.feed, speed: s.speed, rpm: null, tool: s.tool,
-      modal: [], offsets: {}, zero: {}, variables: [], calls: [], seconds: s.at, left: Math.max(0, done.seconds - s.at),
+      at: s.at,
+      number: s.number,
+      line: s.line,
+      column: 1,
+      file: s.file,
+      file_name: file_name || opened.file,
+      block: "",
+      text: this.source(s.file)[s.line - 1] ?? "",
+      position: of_axes(s.place, done.zero),
+      machine: {},
+      togo: of_axes(s.left, [0, 0, 0]),
+      feed: s.feed,
+      speed: s.speed,
+      rpm: null,
+      tool: s.tool,
+      modal: [],
+      offsets: {},
+      zero: {},
+      variables: [],
+      calls: [],
+      seconds: s.at,
+      left: Math.max(0, done.seconds - s.at),
     };
   }
 }

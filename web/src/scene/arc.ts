@@ -1,23 +1,34 @@
-// The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the circle it is seen as along its axis.
+// The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the
+// circle it is seen as along its axis.
+import { is_arc } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { Point } from "./types";
 
-export interface Circle { centre: Point; radius: number }
+export interface Circle {
+  centre: Point;
+  radius: number;
+}
 
 export const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const plus = (a: Point, b: Point, by = 1): Point => [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]];
 export const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a: Point, b: Point): Point => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const cross = (a: Point, b: Point): Point => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
 export const length = (a: Point): number => Math.hypot(...a);
 
 const along_axis = 0.94; // cosine: a helix' three points lie in a plane a little off its circle's
 
-/// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or hardly bent.
+/// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or
+/// hardly bent.
 export function arc_at(p: Piece, i: number): Circle | null {
   const kind = p.kinds[4 * i]!;
-  if (kind !== 3 && kind !== 4) return null;
+  if (!is_arc(kind)) return null;
   const same = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
-  let first = i, last = i;
+  let first = i,
+    last = i;
   while (same(first)) first--;
   while (same(last + 1)) last++;
   const n = last - first;
@@ -30,13 +41,16 @@ export function arc_at(p: Piece, i: number): Circle | null {
 /// Through three points. Where their plane is nearly square to an axis they are seen along it.
 export function circle(a: Point, b: Point, c: Point): Circle | null {
   const u = minus(b, a);
-  let v = minus(c, a), n = cross(u, v);
+  let v = minus(c, a),
+    n = cross(u, v);
   const axis = [0, 1, 2].find((k) => Math.abs(n[k]!) > along_axis * length(n));
   if (axis !== undefined) {
     u[axis] = v[axis] = 0;
     n = cross(u, v);
   }
-  const uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
+  const uu = dot(u, u),
+    vv = dot(v, v),
+    nn = dot(n, n);
   if (!(nn > 1e-12 * uu * vv) || !(nn > 1e-18)) return null;
   const to = cross(plus([uu * v[0], uu * v[1], uu * v[2]], u, -vv), n); // from the first point to the centre, times 2 nn
   const off: Point = [to[0] / (2 * nn), to[1] / (2 * nn), to[2] / (2 * nn)];

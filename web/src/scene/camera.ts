@@ -2,13 +2,23 @@
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 import type { Point } from "./types";
 
-const fov = 30, quarter = Math.PI / 2, iso_pitch = Math.atan(1 / Math.SQRT2);
-const directions: Record<string, [number, number]> = { front: [0, 0], right: [quarter, 0], back: [2 * quarter, 0], left: [-quarter, 0], top: [0, quarter], bottom: [0, -quarter], iso: [quarter / 2, iso_pitch] };
+const fov = 30,
+  quarter = Math.PI / 2,
+  iso_pitch = Math.atan(1 / Math.SQRT2);
+const directions: Record<string, [number, number]> = {
+  front: [0, 0],
+  right: [quarter, 0],
+  back: [2 * quarter, 0],
+  left: [-quarter, 0],
+  top: [0, quarter],
+  bottom: [0, -quarter],
+  iso: [quarter / 2, iso_pitch],
+};
 
 /// Target, angles and box are those of the machine; the camera looks from the part's frame, in which all is drawn.
 export class Eye {
   readonly target = new Vector3();
-  readonly carry = new Matrix4();      // from the part's frame to the machine's (carry.ts)
+  readonly carry = new Matrix4(); // from the part's frame to the machine's (carry.ts)
   readonly carry_back = new Matrix4();
   half = 100;
   flat = true;
@@ -21,18 +31,45 @@ export class Eye {
   private parallel = new OrthographicCamera();
   private pointed = new PerspectiveCamera(fov);
 
-  get camera(): OrthographicCamera | PerspectiveCamera { return this.flat ? this.parallel : this.pointed; }
-  get mm_per_pixel(): number { return (2 * this.half) / this.height; }
-  get right(): Vector3 { return new Vector3(Math.cos(this.yaw), Math.sin(this.yaw), 0); }
-  get towards(): Vector3 { return new Vector3(Math.cos(this.pitch) * Math.sin(this.yaw), -Math.cos(this.pitch) * Math.cos(this.yaw), Math.sin(this.pitch)); }
-  get up(): Vector3 { return this.towards.cross(this.right); }
+  get camera(): OrthographicCamera | PerspectiveCamera {
+    return this.flat ? this.parallel : this.pointed;
+  }
+  get mm_per_pixel(): number {
+    return (2 * this.half) / this.height;
+  }
+  get right(): Vector3 {
+    return new Vector3(Math.cos(this.yaw), Math.sin(this.yaw), 0);
+  }
+  get towards(): Vector3 {
+    return new Vector3(
+      Math.cos(this.pitch) * Math.sin(this.yaw),
+      -Math.cos(this.pitch) * Math.cos(this.yaw),
+      Math.sin(this.pitch),
+    );
+  }
+  get up(): Vector3 {
+    return this.towards.cross(this.right);
+  }
 
-  set_carry(carry: Matrix4): void { this.carry_back.copy(this.carry.copy(carry)).invert(); }
-  size(width: number, height: number): void { this.width = Math.max(1, width); this.height = Math.max(1, height); }
+  set_carry(carry: Matrix4): void {
+    this.carry_back.copy(this.carry.copy(carry)).invert();
+  }
+  size(width: number, height: number): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+  }
   /// A box of the part's frame, as all others that come in here, and one of the machine's.
-  around(least: Point, greatest: Point, also: Box3): void { const b = this.on_machine(least, greatest).union(also); this.least.copy(b.min); this.greatest.copy(b.max); }
-  private on_machine(least: Point, greatest: Point): Box3 { return new Box3(new Vector3(...least), new Vector3(...greatest)).applyMatrix4(this.carry); }
-  look(view: string): void { [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch]; }
+  around(least: Point, greatest: Point, also: Box3): void {
+    const b = this.on_machine(least, greatest).union(also);
+    this.least.copy(b.min);
+    this.greatest.copy(b.max);
+  }
+  private on_machine(least: Point, greatest: Point): Box3 {
+    return new Box3(new Vector3(...least), new Vector3(...greatest)).applyMatrix4(this.carry);
+  }
+  look(view: string): void {
+    [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch];
+  }
   /// From the side that `towards` points to.
   look_from([x, y, z]: Point): void {
     if (Math.hypot(x, y) > 1e-9) this.yaw = Math.atan2(x, -y);
@@ -57,13 +94,17 @@ export class Eye {
     const before = this.mm_per_pixel;
     this.half = Math.min(1e6, Math.max(0.005, this.half * factor));
     const by = before - this.mm_per_pixel;
-    this.target.addScaledVector(this.right, (x - this.width / 2) * by).addScaledVector(this.up, (this.height / 2 - y) * by);
+    this.target
+      .addScaledVector(this.right, (x - this.width / 2) * by)
+      .addScaledVector(this.up, (this.height / 2 - y) * by);
   }
 
   /// The box fills the picture, with a margin for the tool bars.
   fit(least: Point, greatest: Point): void {
-    const { min: a, max: b } = this.on_machine(least, greatest), size = b.clone().sub(a);
-    const spread = (axis: Vector3): number => (Math.abs(axis.x * size.x) + Math.abs(axis.y * size.y) + Math.abs(axis.z * size.z)) / 2;
+    const { min: a, max: b } = this.on_machine(least, greatest),
+      size = b.clone().sub(a);
+    const spread = (axis: Vector3): number =>
+      (Math.abs(axis.x * size.x) + Math.abs(axis.y * size.y) + Math.abs(axis.z * size.z)) / 2;
     this.target.copy(a).add(b).multiplyScalar(0.5);
     this.half = Math.max(0.5, 1.25 * Math.max(spread(this.up), (spread(this.right) * this.height) / this.width));
   }
@@ -71,7 +112,8 @@ export class Eye {
   /// The camera as it is now; near and far enclose all that there is.
   update(): void {
     const centre = this.least.clone().add(this.greatest).multiplyScalar(0.5);
-    const reach = 1.2 * this.least.distanceTo(this.greatest) + this.target.distanceTo(centre) + 2 * this.half, c = this.camera;
+    const reach = 1.2 * this.least.distanceTo(this.greatest) + this.target.distanceTo(centre) + 2 * this.half,
+      c = this.camera;
     const away = this.flat ? reach : this.half / Math.tan((fov / 2) * (Math.PI / 180));
     c.position.copy(this.target).addScaledVector(this.towards, away);
     c.up.copy(this.up);
@@ -80,8 +122,12 @@ export class Eye {
     c.near = this.flat ? 0 : Math.max(away / 200, away - reach);
     c.far = away + reach;
     const aspect = this.width / this.height;
-    if (c instanceof OrthographicCamera) { c.left = -this.half * aspect; c.right = this.half * aspect; c.top = this.half; c.bottom = -this.half; }
-    else c.aspect = aspect;
+    if (c instanceof OrthographicCamera) {
+      c.left = -this.half * aspect;
+      c.right = this.half * aspect;
+      c.top = this.half;
+      c.bottom = -this.half;
+    } else c.aspect = aspect;
     c.updateProjectionMatrix();
     c.matrixAutoUpdate = false;
     c.updateMatrix();

@@ -1,6 +1,27 @@
-// The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that costs three times the time.
-import { LinearSRGBColorSpace, Mesh, OrthographicCamera, PlaneGeometry, Scene as Stage, ShaderMaterial, WebGLRenderer, WebGLRenderTarget, type Camera, type Object3D } from "three";
-import { card_moving, card_resting, draws_softly, Pace, soft_moving, soft_pixels, soft_resting, Stopwatch } from "./pace";
+// The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that
+// costs three times the time.
+import {
+  LinearSRGBColorSpace,
+  Mesh,
+  OrthographicCamera,
+  PlaneGeometry,
+  Scene as Stage,
+  ShaderMaterial,
+  WebGLRenderer,
+  WebGLRenderTarget,
+  type Camera,
+  type Object3D,
+} from "three";
+import {
+  card_moving,
+  card_resting,
+  draws_softly,
+  Pace,
+  soft_moving,
+  soft_pixels,
+  soft_resting,
+  Stopwatch,
+} from "./pace";
 import { NoWebGl } from "./types";
 
 const samples = 4; // of each pixel, where edges are smoothed
@@ -8,8 +29,8 @@ const samples = 4; // of each pixel, where edges are smoothed
 export class Canvas {
   readonly renderer: WebGLRenderer;
   readonly element: HTMLCanvasElement;
-  readonly soft: boolean;            // no graphics card
-  took = 0;                          // ms, by the last picture while something moved
+  readonly soft: boolean; // no graphics card
+  took = 0; // ms, by the last picture while something moved
   private moving: Pace;
   private resting: Pace;
   private watch: Stopwatch;
@@ -19,7 +40,8 @@ export class Canvas {
 
   constructor() {
     this.element = document.createElement("canvas");
-    const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" }); // edges are smoothed in `smooth`, where there is time
+    // Edges are smoothed in `smooth`, where there is time.
+    const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" });
     if (!context) throw new NoWebGl("this browser gives no WebGL");
     this.soft = draws_softly(renderer_name(context));
     this.renderer = new WebGLRenderer({ canvas: this.element, context });
@@ -33,9 +55,12 @@ export class Canvas {
       if (!fine) this.took = ms;
     });
     const copied = new ShaderMaterial({
-      uniforms: { picture: { value: this.smooth.texture } }, depthTest: false, depthWrite: false,
+      uniforms: { picture: { value: this.smooth.texture } },
+      depthTest: false,
+      depthWrite: false,
       vertexShader: "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }",
-      fragmentShader: "uniform sampler2D picture; varying vec2 at; void main() { gl_FragColor = texture2D(picture, at); }",
+      fragmentShader:
+        "uniform sampler2D picture; varying vec2 at; void main() { gl_FragColor = texture2D(picture, at); }",
     });
     const sheet = new Mesh(new PlaneGeometry(2, 2), copied);
     sheet.frustumCulled = false;
@@ -43,8 +68,12 @@ export class Canvas {
   }
 
   /// How many pixels of a line cost as much as a segment: nothing worth counting where there is a graphics card.
-  get pixels(): number { return this.soft ? soft_pixels : Infinity; }
-  budget(fine: boolean): number { return (fine ? this.resting : this.moving).budget; }
+  get pixels(): number {
+    return this.soft ? soft_pixels : Infinity;
+  }
+  budget(fine: boolean): number {
+    return (fine ? this.resting : this.moving).budget;
+  }
 
   size(width: number, height: number): void {
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));

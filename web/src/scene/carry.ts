@@ -1,22 +1,34 @@
-// The part as it stands on the machine: what the rotary axes have turned. The path lies still in the part's own frame; it is the eye, and what
-// belongs to the machine, that go round it the other way.
+// The part as it stands on the machine: what the rotary axes have turned. The path lies still in the part's own frame;
+// it is the eye, and what belongs to the machine, that go round it the other way.
 import { Matrix4, Vector3 } from "three";
 import type { Joint } from "../protocol/types";
 import type { Point } from "./types";
 
-/// From a place of the part as it is drawn to where it stands when the joints are at `positions`; both from the picture's zero.
+/// From a place of the part as it is drawn to where it stands when the joints are at `positions`; both from the
+/// picture's zero.
 export function carry_of(joints: readonly Joint[], positions: readonly number[], zero: Point): Matrix4 {
-  const from = chain(joints, joints.map((j) => j.from)).invert();
-  return new Matrix4().makeTranslation(-zero[0], -zero[1], -zero[2]).multiply(chain(joints, positions)).multiply(from).multiply(new Matrix4().makeTranslation(...zero));
+  const from = chain(
+    joints,
+    joints.map((j) => j.from),
+  ).invert();
+  return new Matrix4()
+    .makeTranslation(-zero[0], -zero[1], -zero[2])
+    .multiply(chain(joints, positions))
+    .multiply(from)
+    .multiply(new Matrix4().makeTranslation(...zero));
 }
 
 function chain(joints: readonly Joint[], positions: readonly number[]): Matrix4 {
   const all = new Matrix4();
   joints.forEach((j, i) => {
-    const d = new Vector3(...j.direction), at = positions[i] ?? j.from;
+    const d = new Vector3(...j.direction),
+      at = positions[i] ?? j.from;
     if (!j.turns) return all.multiply(new Matrix4().makeTranslation(d.multiplyScalar(at)));
     const p = new Vector3(...j.through);
-    all.multiply(new Matrix4().makeTranslation(p)).multiply(new Matrix4().makeRotationAxis(d, (at * Math.PI) / 180)).multiply(new Matrix4().makeTranslation(p.negate()));
+    all
+      .multiply(new Matrix4().makeTranslation(p))
+      .multiply(new Matrix4().makeRotationAxis(d, (at * Math.PI) / 180))
+      .multiply(new Matrix4().makeTranslation(p.negate()));
   });
   return all;
 }

@@ -1,8 +1,15 @@
-// Pointer and wheel: left turns about what is under it, right or Shift moves, the wheel zooms to the pointer; two fingers move and zoom.
+// Pointer and wheel: left turns about what is under it, right or Shift moves, the wheel zooms to the pointer; two
+// fingers move and zoom.
 import { Vector3 } from "three";
 import type { Eye } from "./camera";
 
-export interface ControlEvents { changed(): void; click(x: number, y: number): void; hover(x: number, y: number): void; leave(): void; pivot(x: number, y: number): Vector3 | null }
+export interface ControlEvents {
+  changed(): void;
+  click(x: number, y: number): void;
+  hover(x: number, y: number): void;
+  leave(): void;
+  pivot(x: number, y: number): Vector3 | null;
+}
 
 const still = 4; // pixels: what moves less is a click
 
@@ -12,7 +19,11 @@ export class Controls {
   private moves = false;
   private pivot = new Vector3();
 
-  constructor(private element: HTMLElement, private eye: Eye, private events: ControlEvents) {
+  constructor(
+    private element: HTMLElement,
+    private eye: Eye,
+    private events: ControlEvents,
+  ) {
     element.style.touchAction = "none";
     element.addEventListener("pointerdown", (e) => this.press(e));
     element.addEventListener("pointermove", (e) => this.move(e));
@@ -39,9 +50,11 @@ export class Controls {
   }
 
   private move(e: PointerEvent): void {
-    const at = this.place(e), before = this.down.get(e.pointerId);
+    const at = this.place(e),
+      before = this.down.get(e.pointerId);
     if (!before) return this.events.hover(...at);
-    const dx = at[0] - before[0], dy = at[1] - before[1];
+    const dx = at[0] - before[0],
+      dy = at[1] - before[1];
     this.moved += Math.hypot(dx, dy);
     if (this.moved < still && this.down.size === 1) return;
     if (this.down.size > 1) this.pinch(e.pointerId, before, at);

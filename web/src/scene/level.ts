@@ -1,8 +1,9 @@
 // How finely the path is drawn: no finer than the screen shows, and never more than the budget of segments.
-import { levels, type Piece } from "./frame";
+import { levels } from "../protocol/frames";
+import type { Piece } from "./frame";
 
-const finest = 0.001;        // mm: how far level 0 may be off; each level doubles it
-const unseen_pixels = 0.5;   // what is off by less is not seen
+const finest = 0.001; // mm: how far level 0 may be off; each level doubles it
+const unseen_pixels = 0.5; // what is off by less is not seen
 
 /// The coarsest level whose error is not seen where a pixel is that many mm.
 export function level_for(mm_per_pixel: number): number {
@@ -16,18 +17,19 @@ const few = 20_000; // segments that are drawn as they are, so that nothing need
 
 /// The level for these pieces at that size of a pixel.
 export function level_of(pieces: readonly Piece[], mm_per_pixel: number, budget: number): number {
-  return segments_at(pieces, 0) <= Math.min(few, budget) ? 0 : Math.min(level_within(pieces, level_for(mm_per_pixel), budget), level_for(coarsest * mm_per_pixel));
+  return segments_at(pieces, 0) <= Math.min(few, budget)
+    ? 0
+    : Math.min(level_within(pieces, level_for(mm_per_pixel), budget), level_for(coarsest * mm_per_pixel));
 }
 
 /// From the level the screen asks for, up to the first one at which the pieces together keep to the budget.
 export function level_within(pieces: readonly Piece[], wanted: number, budget: number): number {
-  for (let level = wanted; level < levels - 1; level++)
-    if (segments_at(pieces, level) <= budget) return level;
+  for (let level = wanted; level < levels - 1; level++) if (segments_at(pieces, level) <= budget) return level;
   return levels - 1;
 }
 
-/// Where lines lie so thick upon each other that drawing them all costs more than the budget: of the runs of a piece only each so manieth is drawn. Odd,
-/// as ways there and back take turns.
+/// Where lines lie so thick upon each other that drawing them all costs more than the budget: of the runs of a piece
+/// only each so manieth is drawn. Odd, as ways there and back take turns.
 export function every_of(cost: number, budget: number): number {
   if (cost <= budget) return 1;
   return Math.min(most_apart, 2 ** Math.ceil(Math.log2(cost / budget)) + 1);

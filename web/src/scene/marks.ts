@@ -1,11 +1,27 @@
 // What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector2, Vector3, type Material, type Object3D } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  LatheGeometry,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  Vector2,
+  Vector3,
+  type Material,
+  type Object3D,
+} from "three";
+import { jump } from "../protocol/frames";
 import type { Theme } from "./colours";
-import { jump, type Point, type ToolShape } from "./types";
+import type { Point, ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
-const around = 64, up = new Vector3(0, 0, 1);
-const most_lit = 50_000;      // segments of one line that are lit: more are no longer told apart
+const around = 64,
+  up = new Vector3(0, 0, 1);
+const most_lit = 50_000; // segments of one line that are lit: more are no longer told apart
 
 export function empty(group: Object3D): void {
   for (const o of [...group.children] as Mesh[]) {
@@ -24,9 +40,22 @@ export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: The
     if (points.length < 2) return;
     if (points[points.length - 1]!.x > 0) points.push(new Vector2(0, points[points.length - 1]!.y));
     if (points[0]!.x > 0) points.unshift(new Vector2(0, points[0]!.y));
-    group.add(new Mesh(new LatheGeometry(points, around).rotateX(Math.PI / 2), new MeshLambertMaterial({ color: colour, transparent: true, opacity, flatShading: true, side: DoubleSide })));
+    group.add(
+      new Mesh(
+        new LatheGeometry(points, around).rotateX(Math.PI / 2),
+        new MeshLambertMaterial({ color: colour, transparent: true, opacity, flatShading: true, side: DoubleSide }),
+      ),
+    );
   };
-  if (!shape || shape.cutting.every(([d]) => d <= 0)) lathe([[0, 0], [cone * 0.5, cone]], theme.tool, 0.85);
+  if (!shape || shape.cutting.every(([d]) => d <= 0))
+    lathe(
+      [
+        [0, 0],
+        [cone * 0.5, cone],
+      ],
+      theme.tool,
+      0.85,
+    );
   else {
     lathe(shape.cutting, theme.tool, 0.85);
     lathe(shape.shank, theme.holder, 0.6);
@@ -39,7 +68,6 @@ export function put_tool(tool: Group, at: Point, lean: Point | null): void {
   tool.position.set(...at);
   tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
 }
-
 
 /// Ends of every segment that a line of the program made, at full fineness.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {
@@ -56,8 +84,12 @@ export function lit_points(all: readonly Drawn[], line: number, file: number, ze
 
 /// The three axes at the picture's zero: X red, Y green, Z blue, as everywhere.
 export function axes(length: number): LineSegments {
-  const g = new BufferGeometry(), c = [0.85, 0.2, 0.2, 0.85, 0.2, 0.2, 0.15, 0.6, 0.25, 0.15, 0.6, 0.25, 0.2, 0.4, 0.95, 0.2, 0.4, 0.95];
-  g.setAttribute("position", new BufferAttribute(new Float32Array([0, 0, 0, length, 0, 0, 0, 0, 0, 0, length, 0, 0, 0, 0, 0, 0, length]), 3));
+  const g = new BufferGeometry(),
+    c = [0.85, 0.2, 0.2, 0.85, 0.2, 0.2, 0.15, 0.6, 0.25, 0.15, 0.6, 0.25, 0.2, 0.4, 0.95, 0.2, 0.4, 0.95];
+  g.setAttribute(
+    "position",
+    new BufferAttribute(new Float32Array([0, 0, 0, length, 0, 0, 0, 0, 0, 0, length, 0, 0, 0, 0, 0, 0, length]), 3),
+  );
   g.setAttribute("color", new BufferAttribute(new Float32Array(c), 3));
   return new LineSegments(g, new LineBasicMaterial({ vertexColors: true }));
 }

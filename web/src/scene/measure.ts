@@ -1,13 +1,12 @@
-// What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre, a straight way an edge.
+// What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre,
+// a straight way an edge.
 import { cross, dot, length, minus, plus, type Circle } from "./arc";
-import type { Point } from "./types";
-
-export interface Anchor { kind: "point" | "edge" | "centre"; place: Point; direction?: Point; radius?: number; line: number } // direction: of an edge, length 1
-export interface Distance { from: Point; to: Point; distance: number; delta: Point; angle: number | null } // angle: degrees between two edges that are not parallel
+import type { Anchor, Distance, Point } from "./types";
 
 /// `part` of the way from `a` to `b` was hit: at its ends it is a point.
 export function anchor_of(a: Point, b: Point, part: number, arc: Circle | null, line: number): Anchor {
-  const way = minus(b, a), long = length(way);
+  const way = minus(b, a),
+    long = length(way);
   if (part === 0 || part === 1 || !(long > 0)) return { kind: "point", place: part === 0 ? a : b, line };
   if (arc) return { kind: "centre", place: arc.centre, radius: arc.radius, line };
   return { kind: "edge", place: plus(a, way, part), direction: [way[0] / long, way[1] / long, way[2] / long], line };
@@ -23,10 +22,16 @@ export function distance_between(a: Anchor, b: Anchor): Distance {
 }
 
 function between_edges(p: Point, u: Point, q: Point, v: Point): Distance {
-  const n = cross(u, v), sine = length(n);
+  const n = cross(u, v),
+    sine = length(n);
   if (sine < parallel) return told(p, foot(p, q, v), null);
-  const w = minus(p, q), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w), nn = sine * sine; // the shortest way between two lines
-  const s = (uv * vw - uw) / nn, t = (vw - uv * uw) / nn;
+  const w = minus(p, q),
+    uv = dot(u, v),
+    uw = dot(u, w),
+    vw = dot(v, w),
+    nn = sine * sine; // the shortest way between two lines
+  const s = (uv * vw - uw) / nn,
+    t = (vw - uv * uw) / nn;
   return told(plus(p, u, s), plus(q, v, t), Math.atan2(sine, Math.abs(uv)) * (180 / Math.PI));
 }
 

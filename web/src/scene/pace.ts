@@ -1,5 +1,11 @@
-// How many segments this browser draws in a picture without a stall: measured by the graphics card's own fences. Fewer while something moves, more at rest.
-export interface Bounds { least: number; first: number; most: number; wanted: number } // segments; ms a picture may take
+// How many segments this browser draws in a picture without a stall: measured by the graphics card's own fences. Fewer
+// while something moves, more at rest.
+export interface Bounds {
+  least: number;
+  first: number;
+  most: number;
+  wanted: number;
+} // segments; ms a picture may take
 
 // Without a graphics card a segment costs some thousand times what it costs with one.
 export const soft_moving: Bounds = { least: 20_000, first: 40_000, most: 200_000, wanted: 35 };
@@ -10,12 +16,16 @@ export const card_resting: Bounds = { least: 200_000, first: 1_500_000, most: 3_
 
 export class Pace {
   budget: number;
-  constructor(private b: Bounds) { this.budget = b.first; }
+  constructor(private b: Bounds) {
+    this.budget = b.first;
+  }
 
-  /// A picture of `segments` took `ms`. The budget follows: down at once, up by little, and only where it was what held the picture back.
+  /// A picture of `segments` took `ms`. The budget follows: down at once, up by little, and only where it was what held
+  /// the picture back.
   took(ms: number, segments: number): void {
     const { least, most, wanted } = this.b;
-    if (ms > 1.4 * wanted && segments > least) this.budget = Math.max(least, Math.min(this.budget, segments * Math.max(0.4, wanted / ms)));
+    if (ms > 1.4 * wanted && segments > least)
+      this.budget = Math.max(least, Math.min(this.budget, segments * Math.max(0.4, wanted / ms)));
     else if (ms < 0.5 * wanted && segments > this.budget / 3) this.budget = Math.min(most, this.budget * 1.1);
   }
 }
@@ -26,7 +36,10 @@ export const draws_softly = (renderer: string): boolean => /swiftshader|llvmpipe
 /// Tells after each picture how long the card took for it: at most one is watched at a time.
 export class Stopwatch {
   private fence: WebGLSync | null = null;
-  constructor(private gl: WebGL2RenderingContext, private told: (ms: number, segments: number, fine: boolean) => void) {}
+  constructor(
+    private gl: WebGL2RenderingContext,
+    private told: (ms: number, segments: number, fine: boolean) => void,
+  ) {}
 
   start(segments: number, fine: boolean): void {
     if (this.fence) return;
@@ -35,8 +48,12 @@ export class Stopwatch {
     const begin = performance.now();
     const look = (): void => {
       if (!this.fence) return;
-      const state = this.gl.clientWaitSync(this.fence, 0, 0), ms = performance.now() - begin;
-      if (state === this.gl.TIMEOUT_EXPIRED && ms < 5000) { setTimeout(look, 3); return; }
+      const state = this.gl.clientWaitSync(this.fence, 0, 0),
+        ms = performance.now() - begin;
+      if (state === this.gl.TIMEOUT_EXPIRED && ms < 5000) {
+        setTimeout(look, 3);
+        return;
+      }
       this.gl.deleteSync(this.fence);
       this.fence = null;
       if (state !== this.gl.WAIT_FAILED) this.told(ms, segments, fine);

@@ -1,24 +1,27 @@
 // The part as it is cut: what each tool made in the colour of that tool, the blank's own surface grey.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from "three";
+import type { PartFrame } from "../protocol/frames";
 import { by_tool, type Theme } from "./colours";
-import { decode_part } from "./frame";
 import type { Point } from "./types";
 
 const blank = 65535; // "made by" of what no tool has touched
-const pale = 0.55;   // how far a tool's colour goes towards that of the blank: the path, in full colour, stays to be seen on it
+const pale = 0.55; // how far a tool's colour goes towards that of the blank: the path, in full colour, stays to be seen on it
 
-/// Both sides are drawn, so that a section is not open. Null where the frame is none.
-export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes: Plane[]): Mesh | null {
-  const part = decode_part(frame);
-  if (!part) return null;
-  const g = new BufferGeometry(), n = part.points.length / 3, points = new Float32Array(3 * n), colours = new Uint8Array(3 * n);
+/// Both sides are drawn, so that a section is not open.
+export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Plane[]): Mesh {
+  const g = new BufferGeometry(),
+    n = part.points.length / 3,
+    points = new Float32Array(3 * n),
+    colours = new Uint8Array(3 * n);
   const of = new Map<number, [number, number, number]>();
   for (let i = 0; i < n; i++) {
     for (let k = 0; k < 3; k++) points[3 * i + k] = part.points[3 * i + k]! - zero[k]!;
     const tool = part.made_by[2 * i]!;
     let colour = of.get(tool);
-    if (!colour) of.set(tool, colour = part_colour(tool, theme));
-    colours[3 * i] = colour[0]; colours[3 * i + 1] = colour[1]; colours[3 * i + 2] = colour[2];
+    if (!colour) of.set(tool, (colour = part_colour(tool, theme)));
+    colours[3 * i] = colour[0];
+    colours[3 * i + 1] = colour[1];
+    colours[3 * i + 2] = colour[2];
   }
   g.setAttribute("position", new BufferAttribute(points, 3));
   g.setAttribute("color", new BufferAttribute(colours, 3, true));
@@ -27,7 +30,16 @@ export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes:
 }
 
 /// Flat shading: a face of the part keeps its edges, and the frame needs no normals.
-export const part_material = (planes: Plane[]): MeshLambertMaterial => new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+export const part_material = (planes: Plane[]): MeshLambertMaterial =>
+  new MeshLambertMaterial({
+    vertexColors: true,
+    flatShading: true,
+    side: DoubleSide,
+    clippingPlanes: planes,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
 
 /// Linear, as colours of vertices are taken.
 export function part_colour(tool: number, theme: Theme): [number, number, number] {

@@ -1,21 +1,52 @@
-// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a few milliseconds' worth in a picture.
-import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMaterial, LineDashedMaterial, LineSegments, Matrix4, Vector3, type Material } from "three";
+// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a
+// few milliseconds' worth in a picture.
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Frustum,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  Matrix4,
+  Vector3,
+  type Material,
+} from "three";
+import type { OfPathFrame } from "../protocol/frames";
 import { Bundle, most_pieces, type Part } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
-import { decode_leans, decode_path, decode_positions, type Piece } from "./frame";
+import { add_rows, piece_of, type Piece } from "./frame";
 import { every_of, level_of, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
 import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
 import type { ColourBy, Point, SceneFilter } from "./types";
 
 /// `built` tells of which look and level the lines are.
-interface Made { built: string; segments: Segments }
-export interface Drawn extends Part { piece: Piece; ordinal: number; box: Box3; now: Made | null; spare: Made | null }
-export interface Refreshed { drawn: number; all: number; finished: boolean; cost: number } // `cost`: in segments, as a budget counts
+interface Made {
+  built: string;
+  segments: Segments;
+}
+export interface Drawn extends Part {
+  piece: Piece;
+  ordinal: number;
+  box: Box3;
+  now: Made | null;
+  spare: Made | null;
+}
+export interface Refreshed {
+  drawn: number;
+  all: number;
+  finished: boolean;
+  cost: number;
+} // `cost`: in segments, as a budget counts
 
 const most_held = 2_000_000; // segments that are built, in view or not
-const view = new Frustum(), projection = new Matrix4(), screen = new Box3(), corner = new Vector3();
+const view = new Frustum(),
+  projection = new Matrix4(),
+  screen = new Box3(),
+  corner = new Vector3();
 
 export class PathView {
   readonly group = new Group();
@@ -23,61 +54,89 @@ export class PathView {
   zero: Point = [0, 0, 0];
   instant = 0;
   ranges: Ranges = no_ranges();
-  kinds = new Set<number>();        // that the program's own path has
-  private main: Piece[] = [];       // the program itself, channel 0, in order of time
+  kinds = new Set<number>(); // that the program's own path has
+  private main: Piece[] = []; // the program itself, channel 0, in order of time
   private last = new Map<string, Piece>(); // of each path and channel
   private bundles: Bundle<Drawn>[] = [];
   private open = new Map<string, Bundle<Drawn>>(); // of each path and channel the one that takes more pieces
-  private stamp = 0;                // counts what changes the lines of every piece
+  private stamp = 0; // counts what changes the lines of every piece
   private held = 0;
-  private whole = new Box3();       // of what the filter shows; machine coordinates
+  private whole = new Box3(); // of what the filter shows; machine coordinates
   private cutting = new Box3();
   private material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
-  private dashes = new LineDashedMaterial({ vertexColors: true, transparent: true, depthWrite: false, dashSize: 1, gapSize: 0.7 });
+  private dashes = new LineDashedMaterial({
+    vertexColors: true,
+    transparent: true,
+    depthWrite: false,
+    dashSize: 1,
+    gapSize: 0.7,
+  });
   private by: ColourBy = "kind";
   private theme: Theme = light;
-  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true, turned: true };
+  private filter: SceneFilter = {
+    rapids: true,
+    tools: null,
+    depth: null,
+    lines: null,
+    hideDone: false,
+    programmed: false,
+    other: true,
+    bounds: true,
+    turned: true,
+  };
 
-  constructor() { this.group.matrixAutoUpdate = false; }
+  constructor() {
+    this.group.matrixAutoUpdate = false;
+  }
 
   /// Lines of its materials, for whoever makes shaders ready.
   samples(): LineSegments[] {
-    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true)); // colours with an alpha have a shader of their own
+    // Colours with an alpha have a shader of their own.
+    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true));
     return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
   }
 
-  add(frame: ArrayBuffer): boolean {
-    const piece = decode_path(frame);
-    if (!piece) return this.add_to_last(frame);
-    const d: Drawn = { piece, ordinal: this.drawn.length, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
+  /// Directions of the tool and positions of what turns the part are of the piece that came before; false where there
+  /// is none that they fit.
+  add(frame: OfPathFrame): boolean {
+    const whose = `${frame.which} ${frame.channel}`;
+    if (frame.kind !== "path") {
+      const last = this.last.get(whose);
+      return last !== undefined && add_rows(last, frame);
+    }
+    const piece = piece_of(frame);
+    const d: Drawn = {
+      piece,
+      ordinal: this.drawn.length,
+      box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)),
+      segments: no_segments,
+      from: 0,
+      visible: false,
+      now: null,
+      spare: null,
+    };
     this.drawn.push(d);
     this.bundle_for(piece).parts.push(d);
-    this.last.set(`${piece.which} ${piece.channel}`, piece);
+    this.last.set(whose, piece);
     if (piece.which === 0 && piece.channel === 0) this.main.push(piece);
-    if (!(piece.which & 1)) { widen_ranges(this.ranges, piece); for (const k of piece.kinds_seen) this.kinds.add(k); }
+    if (!(piece.which & 1)) {
+      widen_ranges(this.ranges, piece);
+      for (const k of piece.kinds_seen) this.kinds.add(k);
+    }
     this.widen(piece);
     return true;
   }
 
   private bundle_for(piece: Piece): Bundle<Drawn> {
-    const whose = `${piece.which} ${piece.channel}`, open = this.open.get(whose);
+    const whose = `${piece.which} ${piece.channel}`,
+      open = this.open.get(whose);
     if (open && open.parts.length < most_pieces) return open;
-    const dashed = (piece.which & 2) !== 0, bundle = new Bundle<Drawn>((dashed ? this.dashes : this.material) as Material, dashed);
+    const dashed = (piece.which & 2) !== 0,
+      bundle = new Bundle<Drawn>((dashed ? this.dashes : this.material) as Material, dashed);
     this.bundles.push(bundle);
     this.open.set(whose, bundle);
     this.group.add(bundle.lines);
     return bundle;
-  }
-
-  /// Directions of the tool, positions of what turns the part: of the piece that came before.
-  private add_to_last(frame: ArrayBuffer): boolean {
-    const head = frame.byteLength >= 16 ? new Uint32Array(frame, 0, 4) : null;
-    const last = head && this.last.get(`${head[1]} ${head[3]}`);
-    if (!last) return false;
-    const leans = decode_leans(frame, last), positions = leans ? null : decode_positions(frame, last);
-    if (leans) last.leans = leans;
-    if (positions) last.positions = positions;
-    return Boolean(leans ?? positions);
   }
 
   /// Without `which` all goes; 1: the path that the program was compared with.
@@ -85,12 +144,18 @@ export class PathView {
     const goes = (d: Drawn): boolean => which === undefined || (d.piece.which & 1) === which;
     const of_those = (b: Bundle<Drawn>): boolean => goes(b.parts[0]!);
     for (const d of this.drawn.filter(goes)) this.drop(d);
-    for (const b of this.bundles.filter(of_those)) { b.drop(); this.group.remove(b.lines); }
+    for (const b of this.bundles.filter(of_those)) {
+      b.drop();
+      this.group.remove(b.lines);
+    }
     this.drawn = this.drawn.filter((d) => !goes(d));
     this.bundles = this.bundles.filter((b) => !of_those(b));
     this.last.clear();
     this.open.clear();
-    if (which !== 1) { this.main = []; this.kinds.clear(); }
+    if (which !== 1) {
+      this.main = [];
+      this.kinds.clear();
+    }
     this.measure();
   }
 
@@ -100,12 +165,28 @@ export class PathView {
     this.group.matrixWorldNeedsUpdate = true;
     if (this.filter.depth) this.stamp++;
   }
-  set_filter(f: SceneFilter): void { this.filter = f; this.stamp++; this.measure(); }
-  set_colour(by: ColourBy): void { this.by = by; this.stamp++; }
-  set_theme(theme: Theme): void { this.theme = theme; this.stamp++; }
-  place(time: number): Place | null { return place_at(this.main, time); }
-  get shows_bounds(): boolean { return this.filter.bounds; }
-  get turns_part(): boolean { return this.filter.turned; }
+  set_filter(f: SceneFilter): void {
+    this.filter = f;
+    this.stamp++;
+    this.measure();
+  }
+  set_colour(by: ColourBy): void {
+    this.by = by;
+    this.stamp++;
+  }
+  set_theme(theme: Theme): void {
+    this.theme = theme;
+    this.stamp++;
+  }
+  place(time: number): Place | null {
+    return place_at(this.main, time);
+  }
+  get shows_bounds(): boolean {
+    return this.filter.bounds;
+  }
+  get turns_part(): boolean {
+    return this.filter.turned;
+  }
 
   /// What cuts, or where nothing cuts all of the path; from the picture's zero.
   extent(cut: boolean): Box3 {
@@ -113,14 +194,23 @@ export class PathView {
     return box.isEmpty() ? new Box3() : box.clone().translate(new Vector3(...this.zero).negate());
   }
 
-  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how many there are.
-  /// `pixels`: of a line that cost as much as a segment.
+  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how
+  /// many there are. `pixels`: of a line that cost as much as a segment.
   refresh(eye: Eye, budget: number, pixels: number, deadline = Infinity): Refreshed {
-    const seen = this.seen(eye), pieces = seen.map((d) => d.piece);
-    const level = level_of(pieces, eye.mm_per_pixel, budget), all = segments_at(pieces, 0), kept = segments_at(pieces, level);
-    const length = Number.isFinite(pixels) ? seen.reduce((sum, d) => sum + d.piece.length * this.part_seen(d.box), 0) : 0;
-    const full = kept + length / eye.mm_per_pixel / pixels, every = every_of(full, budget), wanted = `${this.stamp}:${level}:${every}`;
-    let drawn = 0, finished = true, built = 0;
+    const seen = this.seen(eye),
+      pieces = seen.map((d) => d.piece);
+    const level = level_of(pieces, eye.mm_per_pixel, budget),
+      all = segments_at(pieces, 0),
+      kept = segments_at(pieces, level);
+    const length = Number.isFinite(pixels)
+      ? seen.reduce((sum, d) => sum + d.piece.length * this.part_seen(d.box), 0)
+      : 0;
+    const full = kept + length / eye.mm_per_pixel / pixels,
+      every = every_of(full, budget),
+      wanted = `${this.stamp}:${level}:${every}`;
+    let drawn = 0,
+      finished = true,
+      built = 0;
     for (const d of seen) {
       if (d.now?.built !== wanted) {
         if (built > 0 && performance.now() > deadline) finished = false;
@@ -133,14 +223,25 @@ export class PathView {
     if (this.held > most_held) this.drop_unseen();
     for (const b of this.bundles) b.refresh();
     this.dash(eye);
-    return { drawn: kept < all || every > 1 || !finished ? Math.min(drawn, all) : all, all, finished, cost: full / every };
+    return {
+      drawn: kept < all || every > 1 || !finished ? Math.min(drawn, all) : all,
+      all,
+      finished,
+      cost: full / every,
+    };
   }
 
   /// How much of a box is on the screen; after seen().
   private part_seen(box: Box3): number {
     screen.makeEmpty();
-    for (let i = 0; i < 8; i++) screen.expandByPoint(corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).applyMatrix4(projection));
-    const along = (least: number, most: number): number => (most - least > 1e-6 ? Math.max(0, Math.min(1, most) - Math.max(-1, least)) / (most - least) : 1);
+    for (let i = 0; i < 8; i++)
+      screen.expandByPoint(
+        corner
+          .set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z)
+          .applyMatrix4(projection),
+      );
+    const along = (least: number, most: number): number =>
+      most - least > 1e-6 ? Math.max(0, Math.min(1, most) - Math.max(-1, least)) / (most - least) : 1;
     return along(screen.min.x, screen.max.x) * along(screen.min.y, screen.max.y);
   }
 
@@ -163,7 +264,16 @@ export class PathView {
   }
 
   private build(d: Drawn, level: number, every: number, built: string): boolean {
-    const segments = segments_of(d.piece, { level, every, runs_before: d.ordinal * runs, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero_z: this.zero[2] });
+    const segments = segments_of(d.piece, {
+      level,
+      every,
+      runs_before: d.ordinal * runs,
+      filter: this.filter,
+      by: this.by,
+      ranges: this.ranges,
+      theme: this.theme,
+      zero_z: this.zero[2],
+    });
     this.forget(d.spare);
     const stamp = built.slice(0, built.indexOf(":") + 1);
     d.spare = d.now?.built.startsWith(stamp) ? d.now : (this.forget(d.now), null);
@@ -173,7 +283,9 @@ export class PathView {
     return true;
   }
 
-  private forget(made: Made | null): void { if (made) this.held -= made.segments.ends.length; }
+  private forget(made: Made | null): void {
+    if (made) this.held -= made.segments.ends.length;
+  }
   private drop(d: Drawn): void {
     this.forget(d.now);
     this.forget(d.spare);
@@ -188,14 +300,21 @@ export class PathView {
 
   private hide_done(d: Drawn): void {
     const { piece: p, segments } = d;
-    d.from = this.filter.hideDone && p.which !== 1 ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant) : 0;
+    d.from =
+      this.filter.hideDone && p.which !== 1
+        ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant)
+        : 0;
   }
 
   /// Dashes keep their length on the screen, in steps, so that they do not swim while somebody zooms.
-  private dash(eye: Eye): void { this.dashes.scale = 1 / (6 * 2 ** Math.round(Math.log2(eye.mm_per_pixel))); }
+  private dash(eye: Eye): void {
+    this.dashes.scale = 1 / (6 * 2 ** Math.round(Math.log2(eye.mm_per_pixel)));
+  }
 
   /// After the last piece: the ramps of colour run over all of the path.
-  change(): void { if (is_ramp(this.by)) this.stamp++; }
+  change(): void {
+    if (is_ramp(this.by)) this.stamp++;
+  }
 
   private widen(p: Piece): void {
     if (!piece_shown(p, this.filter)) return;

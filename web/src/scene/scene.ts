@@ -1,5 +1,23 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, Plane, Raycaster, Scene as Stage, Vector2, Vector3, Vector4 } from "three";
+import {
+  AmbientLight,
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  ColorManagement,
+  DirectionalLight,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  Plane,
+  Raycaster,
+  Scene as Stage,
+  Vector2,
+  Vector3,
+  Vector4,
+} from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -9,21 +27,35 @@ import { dark, light, type Ranges, type Theme } from "./colours";
 import { Controls } from "./controls";
 import { bounded, box_lines, goes_beyond } from "./boxes";
 import { axes, empty, lit_points, put_tool, tool_mesh } from "./marks";
-import { distance_between, type Anchor } from "./measure";
+import { distance_between } from "./measure";
 import { part_material, part_mesh } from "./part_view";
 import { carry_of } from "./carry";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
+import type { OfPathFrame, PartFrame } from "../protocol/frames";
 import type { Joint } from "../protocol/types";
-import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneMode, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
+import {
+  type Anchor,
+  type ColourBy,
+  type Point,
+  type SceneBounds,
+  type SceneBox,
+  type SceneEvents,
+  type SceneFilter,
+  type SceneMode,
+  type SceneVertex,
+  type ToolShape,
+  type View,
+  type ViewName,
+} from "./types";
 
 export * from "./types";
 
 ColorManagement.enabled = false; // before the first colour is made
 
 const most_thick = 4000; // segments: a thick line costs some ten times as much as a thin one
-const still = 180;       // ms without a change, after which the picture is drawn finely
-const slice = 10;        // ms of a picture in which lines are built; the rest is built in the next ones
+const still = 180; // ms without a change, after which the picture is drawn finely
+const slice = 10; // ms of a picture in which lines are built; the rest is built in the next ones
 const refit_every = 200; // ms between looks at how far a path reaches that is still coming
 
 export class Scene {
@@ -32,22 +64,28 @@ export class Scene {
   private eye = new Eye();
   private path = new PathView();
   private boxes = new Group();
-  private machine = new Group();     // limits and zones; machine coordinates
+  private machine = new Group(); // limits and zones; machine coordinates
   private tool = new Group();
   private part = new Group();
   private origin = new Group();
-  private way = new Group();         // that a machine is to be led along
+  private way = new Group(); // that a machine is to be led along
   private ruler = new Group();
   private lamp = new DirectionalLight(0xffffff, 1.6);
-  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false, transparent: true }));
-  private lit_thin = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false, transparent: true }));
+  private lit = new LineSegments2(
+    new LineSegmentsGeometry(),
+    new LineMaterial({ linewidth: 2.5, depthTest: false, transparent: true }),
+  );
+  private lit_thin = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ depthTest: false, transparent: true }),
+  );
   private theme: Theme = document.documentElement.dataset.theme === "dark" ? dark : light;
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
   private shown_boxes: SceneBox[] = [];
   private bounds: SceneBounds | null = null;
-  private reach = new Box3();        // of the machine's limits and zones as they are drawn, from the zero
-  private part_frame: ArrayBuffer | null = null;
+  private reach = new Box3(); // of the machine's limits and zones as they are drawn, from the zero
+  private part_shown: PartFrame | null = null;
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
   private mode: SceneMode = "orbit";
@@ -58,76 +96,155 @@ export class Scene {
   private samples = new Mesh(new BufferGeometry(), part_material([])); // keeps the shader of a part
   private width = 1;
   private height = 1;
-  private old = false;               // the path is one that is being run anew
-  private fine = false;              // nothing has changed for a while
+  private old = false; // the path is one that is being run anew
+  private fine = false; // nothing has changed for a while
   private fitted_at = 0;
-  private own_view = false;          // the user has turned, moved or zoomed since the last fit
-  private joints: Joint[] = [];      // that turn the part
+  private own_view = false; // the user has turned, moved or zoomed since the last fit
+  private joints: Joint[] = []; // that turn the part
   private machine_at: { at: Point; tool: number } | null = null; // of a machine that is on
 
-  constructor(private host: HTMLElement, private events: SceneEvents) {
+  constructor(
+    private host: HTMLElement,
+    private events: SceneEvents,
+  ) {
     this.canvas = new Canvas();
     const canvas = this.canvas.element;
     canvas.tabIndex = 0;
     host.append(canvas);
-    for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
-    this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.way, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
+    for (const o of [this.lit, this.lit_thin]) {
+      o.renderOrder = 2;
+      o.frustumCulled = false;
+      o.visible = false;
+    }
+    this.stage.add(
+      this.path.group,
+      this.boxes,
+      this.machine,
+      this.tool,
+      this.part,
+      this.origin,
+      this.way,
+      this.ruler,
+      this.lit,
+      this.lit_thin,
+      new AmbientLight(0xffffff, 1.6),
+      this.lamp,
+    );
     new Controls(canvas, this.eye, {
-      changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place).applyMatrix4(this.eye.carry); },
-      hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
+      changed: () => {
+        this.own_view = true;
+        this.touch();
+      },
+      click: (x, y) => this.click(x, y),
+      pivot: (x, y) => {
+        const h = this.pick(x, y);
+        return h && new Vector3(...h.place).applyMatrix4(this.eye.carry);
+      },
+      hover: (x, y) => {
+        this.pointer = [x, y];
+        this.ask();
+      },
+      leave: () => {
+        this.pointer = null;
+        this.events.hover(null, 0, 0);
+      },
     });
     new ResizeObserver(() => this.resize()).observe(host);
     canvas.addEventListener("webglcontextrestored", () => this.touch());
     this.setTheme(this.theme === dark);
-    this.canvas.prepare(this.stage, this.eye.camera, [...this.path.samples(), tool_mesh(undefined, 1, this.theme), axes(1), this.samples]);
+    this.canvas.prepare(this.stage, this.eye.camera, [
+      ...this.path.samples(),
+      tool_mesh(undefined, 1, this.theme),
+      axes(1),
+      this.samples,
+    ]);
     this.resize();
   }
 
   /// A path that is run anew takes the place of the old one with its first piece, so that the view does not go blank.
-  addPath(frame: ArrayBuffer): void {
+  addPath(frame: OfPathFrame): void {
     if (this.old) this.clearPath();
     if (!this.path.add(frame)) return;
     this.touch();
     if (performance.now() - this.fitted_at > refit_every) this.refit();
   }
-  clearPath(which?: number): void { this.old = false; this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
-  replacePath(): void { this.old = true; }
+  clearPath(which?: number): void {
+    this.old = false;
+    this.path.clear(which);
+    if (which === undefined) {
+      this.highlight(0, 0);
+      this.measure_from([]);
+    }
+    this.path.change();
+    this.touch();
+  }
+  replacePath(): void {
+    this.old = true;
+  }
   /// After the last piece.
-  endPath(): void { if (this.old) this.clearPath(); this.path.change(); this.draw_machine(); this.refit(); }
+  endPath(): void {
+    if (this.old) this.clearPath();
+    this.path.change();
+    this.draw_machine();
+    this.refit();
+  }
 
   setZero(zero: Point): void {
     this.path.set_zero(zero);
     this.draw_machine();
-    this.setPart(this.part_frame);
+    this.setPart(this.part_shown);
     this.relight();
     this.setInstant(this.path.instant);
   }
 
-  setColour(by: ColourBy): void { this.path.set_colour(by); this.touch(); }
-  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); this.setInstant(this.path.instant); }
-  setProjection(flat: boolean): void { this.eye.flat = flat; this.touch(); }
-  setMode(mode: SceneMode): void { this.mode = mode; this.measure_from([]); }
-  setTools(shapes: ToolShape[]): void { this.shapes = shapes; this.tool_drawn = ""; this.setInstant(this.path.instant); }
+  setColour(by: ColourBy): void {
+    this.path.set_colour(by);
+    this.touch();
+  }
+  setFilter(f: SceneFilter): void {
+    this.path.set_filter(f);
+    this.draw_machine();
+    this.setInstant(this.path.instant);
+  }
+  setProjection(flat: boolean): void {
+    this.eye.flat = flat;
+    this.touch();
+  }
+  setMode(mode: SceneMode): void {
+    this.mode = mode;
+    this.measure_from([]);
+  }
+  setTools(shapes: ToolShape[]): void {
+    this.shapes = shapes;
+    this.tool_drawn = "";
+    this.setInstant(this.path.instant);
+  }
 
   setTheme(is_dark: boolean): void {
     this.theme = is_dark ? dark : light;
     this.canvas.renderer.setClearColor(this.theme.ground);
     this.path.set_theme(this.theme);
-    for (const o of [this.lit, this.lit_thin]) (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
+    for (const o of [this.lit, this.lit_thin])
+      (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
     this.tool_drawn = "";
     this.draw_machine();
     this.setBoxes(this.shown_boxes);
-    this.setPart(this.part_frame);
+    this.setPart(this.part_shown);
     this.setInstant(this.path.instant);
   }
 
   /// What turns the part; the path is drawn in the part's frame all the same.
-  setJoints(joints: Joint[]): void { this.joints = joints; this.setInstant(this.path.instant); }
+  setJoints(joints: Joint[]): void {
+    this.joints = joints;
+    this.setInstant(this.path.instant);
+  }
 
   setInstant(at: number): void {
     this.path.instant = at;
     const place = this.machine_at ? { ...this.machine_at, lean: null, positions: null } : this.path.place(at);
-    this.eye.set_carry(this.path.turns_part && place?.positions ? carry_of(this.joints, place.positions, this.path.zero) : new Matrix4());
+    this.eye.set_carry(
+      this.path.turns_part && place?.positions ? carry_of(this.joints, place.positions, this.path.zero) : new Matrix4(),
+    );
     this.tool.visible = Boolean(place);
     if (place) {
       this.draw_tool(place.tool);
@@ -142,11 +259,17 @@ export class Scene {
     this.machine_at = machine;
     const left = this.drawn_at + 2 * this.canvas.took - performance.now(); // half of the time is the page's, however slow pictures are
     if (left <= 0) this.setInstant(this.path.instant);
-    else this.follows ??= setTimeout(() => { this.follows = undefined; this.setInstant(this.path.instant); }, left);
+    else
+      this.follows ??= setTimeout(() => {
+        this.follows = undefined;
+        this.setInstant(this.path.instant);
+      }, left);
   }
 
   /// No picture is begun for so long: what a key does is shown first.
-  hush(ms: number): void { this.hushed_until = performance.now() + ms; }
+  hush(ms: number): void {
+    this.hushed_until = performance.now() + ms;
+  }
 
   /// A way that is to be gone, machine coordinates of the tip; its end is marked.
   showWay(tips: Point[]): void {
@@ -170,19 +293,30 @@ export class Scene {
   }
 
   /// Limits and zones of the machine, in the coordinates of the path's frames.
-  setBounds(bounds: SceneBounds | null): void { this.bounds = bounds; this.draw_machine(); }
+  setBounds(bounds: SceneBounds | null): void {
+    this.bounds = bounds;
+    this.draw_machine();
+  }
 
   private draw_machine(): void {
     empty(this.machine);
     this.reach.makeEmpty();
-    const z = new Vector3(...this.path.zero), all = this.extent(false).translate(z), path = this.path.extent(false).translate(z);
+    const z = new Vector3(...this.path.zero),
+      all = this.extent(false).translate(z),
+      path = this.path.extent(false).translate(z);
     const draw = (box: SceneBox): void => {
       this.machine.add(box_lines(box, this.theme));
       this.reach.union(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])).translate(z.clone().negate()));
     };
     if (this.path.shows_bounds && this.bounds) {
       const { limits, zones } = this.bounds;
-      if (limits.some((side) => side.some((v) => v !== null))) draw({ name: "", kind: "limits", box: bounded(limits, all), over: !this.joints.length && goes_beyond(path, limits) });
+      if (limits.some((side) => side.some((v) => v !== null)))
+        draw({
+          name: "",
+          kind: "limits",
+          box: bounded(limits, all),
+          over: !this.joints.length && goes_beyond(path, limits),
+        });
       for (const zone of zones) draw({ name: String(zone.number), kind: "zone", box: bounded(zone.box, all) });
     }
     this.machine.matrixAutoUpdate = false; // it stands where it is, while the part turns
@@ -196,11 +330,10 @@ export class Scene {
     this.refit();
   }
 
-  setPart(frame: ArrayBuffer | null): void {
-    this.part_frame = frame;
+  setPart(part: PartFrame | null): void {
+    this.part_shown = part;
     empty(this.part);
-    const mesh = frame && part_mesh(frame, this.path.zero, this.theme, this.planes);
-    if (mesh) this.part.add(mesh);
+    if (part) this.part.add(part_mesh(part, this.path.zero, this.theme, this.planes));
     this.touch();
   }
 
@@ -230,17 +363,28 @@ export class Scene {
     return { ...r, depth: [r.depth[0] - zero[2], r.depth[1] - zero[2]] };
   }
   /// Kinds of motion that the path has.
-  kinds(): number[] { return [...this.path.kinds].sort((a, b) => a - b); }
+  kinds(): number[] {
+    return [...this.path.kinds].sort((a, b) => a - b);
+  }
 
-  redraw(): void { this.touch(); }
-  thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
+  redraw(): void {
+    this.touch();
+  }
+  thinned(): { drawn: number; all: number } {
+    return { drawn: this.counted[0], all: this.counted[1] };
+  }
 
   picture(): Promise<Blob> {
     this.render(true, Infinity); // whole; the canvas keeps its picture only until this task ends
-    return new Promise((yes, no) => this.canvas.element.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
+    return new Promise((yes, no) =>
+      this.canvas.element.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"),
+    );
   }
 
-  private from_zero(p: Point): Point { const z = this.path.zero; return [p[0] - z[0], p[1] - z[1], p[2] - z[2]]; }
+  private from_zero(p: Point): Point {
+    const z = this.path.zero;
+    return [p[0] - z[0], p[1] - z[1], p[2] - z[2]];
+  }
 
   /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
   private refit(): void {
@@ -258,11 +402,19 @@ export class Scene {
   }
 
   private draw_tool(number: number): void {
-    const box = this.path.extent(true), cone = Math.min(20, Math.max(2, 0.08 * box.min.distanceTo(box.max))), wanted = `${number}:${cone}`;
+    const box = this.path.extent(true),
+      cone = Math.min(20, Math.max(2, 0.08 * box.min.distanceTo(box.max))),
+      wanted = `${number}:${cone}`;
     if (this.tool_drawn === wanted) return;
     this.tool_drawn = wanted;
     empty(this.tool);
-    this.tool.add(tool_mesh(this.shapes.find((s) => s.number === number), cone, this.theme));
+    this.tool.add(
+      tool_mesh(
+        this.shapes.find((s) => s.number === number),
+        cone,
+        this.theme,
+      ),
+    );
     empty(this.origin);
     this.origin.add(axes(cone * 1.5));
   }
@@ -274,11 +426,14 @@ export class Scene {
     this.lit_thin.visible = count > most_thick;
     for (const o of [this.lit, this.lit_thin]) o.geometry.dispose();
     if (this.lit.visible) this.lit.geometry = new LineSegmentsGeometry().setPositions(points);
-    if (this.lit_thin.visible) this.lit_thin.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
+    if (this.lit_thin.visible)
+      this.lit_thin.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
     this.touch();
   }
 
-  private pick(x: number, y: number): Hit | null { return pick(this.path.drawn, this.eye, x, y, this.width, this.height, this.path.zero); }
+  private pick(x: number, y: number): Hit | null {
+    return pick(this.path.drawn, this.eye, x, y, this.width, this.height, this.path.zero);
+  }
 
   /// Of the part, as it is seen there.
   private surface(x: number, y: number): { place: Point; normal: Point } | null {
@@ -305,7 +460,8 @@ export class Scene {
   private measure_from(ends: Anchor[]): void {
     this.ends = ends;
     empty(this.ruler);
-    const [a, b] = ends, distance = a && b ? distance_between(a, b) : null;
+    const [a, b] = ends,
+      distance = a && b ? distance_between(a, b) : null;
     for (const e of ends) this.ruler.add(thick([...e.place, ...e.place], 8, this.theme.bright));
     if (distance) this.ruler.add(thick([...distance.from, ...distance.to], 2.5, this.theme.bright));
     this.events.measured({ ends, distance });
@@ -326,7 +482,14 @@ export class Scene {
     this.dirty = true;
     this.ask();
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => { this.fine = true; this.dirty = true; this.ask(); }, still + 5 * this.canvas.took); // a key may be pressed as soon as it stands
+    this.rest = setTimeout(
+      () => {
+        this.fine = true;
+        this.dirty = true;
+        this.ask();
+      },
+      still + 5 * this.canvas.took,
+    ); // a key may be pressed as soon as it stands
     this.fine = false;
   }
   private drawn_at = 0;
@@ -335,7 +498,11 @@ export class Scene {
   private waits: ReturnType<typeof setTimeout> | undefined;
   private ask(): void {
     const left = this.hushed_until - performance.now();
-    if (left > 0) this.waits ??= setTimeout(() => { this.waits = undefined; this.ask(); }, left);
+    if (left > 0)
+      this.waits ??= setTimeout(() => {
+        this.waits = undefined;
+        this.ask();
+      }, left);
     else this.asked ||= requestAnimationFrame(() => this.frame());
   }
 
@@ -344,7 +511,8 @@ export class Scene {
     if (performance.now() < this.hushed_until) return this.ask();
     if (this.dirty) this.render(this.fine);
     if (!this.pointer) return;
-    const [x, y] = this.pointer, v: SceneVertex | null = this.pick(x, y)?.vertex ?? null;
+    const [x, y] = this.pointer,
+      v: SceneVertex | null = this.pick(x, y)?.vertex ?? null;
     this.pointer = null;
     this.events.hover(v, x, y);
   }
@@ -356,11 +524,24 @@ export class Scene {
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point, this.reach);
     this.eye.update();
-    this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6).transformDirection(this.eye.carry_back); // over the viewer's shoulder
+    this.lamp.position
+      .copy(this.eye.towards)
+      .addScaledVector(this.eye.right, 0.4)
+      .addScaledVector(this.eye.up, 0.6)
+      .transformDirection(this.eye.carry_back); // over the viewer's shoulder
     this.machine.matrix.makeTranslation(new Vector3(...this.path.zero).negate()).premultiply(this.eye.carry_back);
     this.machine.matrixWorldNeedsUpdate = true;
-    const { drawn, all: count, finished, cost } = this.path.refresh(this.eye, this.canvas.budget(fine), this.canvas.pixels, until);
-    if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
+    const {
+      drawn,
+      all: count,
+      finished,
+      cost,
+    } = this.path.refresh(this.eye, this.canvas.budget(fine), this.canvas.pixels, until);
+    if (!finished) {
+      this.dirty = true;
+      this.ask();
+      if (fine) return;
+    } // what stands is shown until all of the finer lines are there
     this.drawn_at = performance.now();
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, cost);
     this.events.turned(this.seen());
@@ -370,7 +551,9 @@ export class Scene {
   }
 
   private seen(): View {
-    const { camera } = this.eye, m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse), p = new Vector4();
+    const { camera } = this.eye,
+      m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
+      p = new Vector4();
     const place = ([x, y, z]: Point): [number, number] | null => {
       p.set(x, y, z, 1).applyMatrix4(m);
       return p.w > 0 ? [(p.x / p.w + 1) * 0.5 * this.width, (1 - p.y / p.w) * 0.5 * this.height] : null;
@@ -381,7 +564,10 @@ export class Scene {
 }
 
 function thick(points: number[], width: number, colour: number): LineSegments2 {
-  const line = new LineSegments2(new LineSegmentsGeometry().setPositions(points), new LineMaterial({ linewidth: width, depthTest: false, color: colour }));
+  const line = new LineSegments2(
+    new LineSegmentsGeometry().setPositions(points),
+    new LineMaterial({ linewidth: width, depthTest: false, color: colour }),
+  );
   line.renderOrder = 3;
   return line;
 }

@@ -1,35 +1,85 @@
 // What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
 import type { Bounds, Box } from "../protocol/types";
-import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
 export type ColourBy = "kind" | "tool" | "feed" | "speed" | "slowed" | "time" | "depth";
 /// What a click is for.
 export type SceneMode = "orbit" | "measure" | "touch";
 export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | "iso" | "fit";
-export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number; length?: number }
-export interface SceneFilter {
-  rapids: boolean; tools: number[] | null; depth: [number, number] | null; lines: [number, number] | null;
-  hideDone: boolean; programmed: boolean; other: boolean; bounds: boolean; turned: boolean; // turned: the part as it stands on the machine
+export interface SceneVertex {
+  which: number;
+  at: Point;
+  time: number;
+  line: number;
+  file: number;
+  number: number;
+  kind: number;
+  tool: number;
+  feed: number;
+  speed: number;
+  radius?: number;
+  length?: number;
 }
-export interface SceneBox { name: string; kind: "stock" | "extents" | "limits" | "zone"; box: Box; over?: boolean }
+export interface SceneFilter {
+  rapids: boolean;
+  tools: number[] | null;
+  depth: [number, number] | null;
+  lines: [number, number] | null;
+  hideDone: boolean;
+  programmed: boolean;
+  other: boolean;
+  bounds: boolean;
+  turned: boolean; // turned: the part as it stands on the machine
+}
+export interface SceneBox {
+  name: string;
+  kind: "stock" | "extents" | "limits" | "zone";
+  box: Box;
+  over?: boolean;
+}
 export type SceneBounds = Bounds;
 /// Outlines of [diameter, height over the tip], from below upwards.
-export interface ToolShape { number: number; cutting: [number, number][]; shank: [number, number][]; holder: [number, number][] }
-export interface Measured { ends: Anchor[]; distance: Distance | null }
+export interface ToolShape {
+  number: number;
+  cutting: [number, number][];
+  shank: [number, number][];
+  holder: [number, number][];
+}
+/// What a click in the view measures from. `direction`: of an edge, length 1.
+export interface Anchor {
+  kind: "point" | "edge" | "centre";
+  place: Point;
+  direction?: Point;
+  radius?: number;
+  line: number;
+}
+/// `angle`: degrees between two edges that are not parallel.
+export interface Distance {
+  from: Point;
+  to: Point;
+  distance: number;
+  delta: Point;
+  angle: number | null;
+}
+export interface Measured {
+  ends: Anchor[];
+  distance: Distance | null;
+}
 /// How the eye stands: axes of the screen, and where a point from the picture's zero is on it (null behind the eye).
-export interface View { right: Point; up: Point; towards: Point; place(p: Point): [number, number] | null }
+export interface View {
+  right: Point;
+  up: Point;
+  towards: Point;
+  place(p: Point): [number, number] | null;
+}
 export interface SceneEvents {
   pick(v: SceneVertex | null): void;
   hover(v: SceneVertex | null, x: number, y: number): void;
   measured(m: Measured): void;
   touched(place: Point, normal: Point): void; // the part's surface, where the mode asks for it
   thinned(drawn: number, all: number): void;
-  turned(view: View): void;            // after each picture
+  turned(view: View): void; // after each picture
 }
 
 /// Thrown where the browser gives no WebGL: the page goes on without this view.
 export class NoWebGl extends Error {}
-
-export const jump = 0, rapid = 1, home = 6;
-export const is_rapid = (kind: number): boolean => kind === rapid || kind === home;

@@ -2,7 +2,18 @@
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
-import { Decoration, EditorView, GutterMarker, WidgetType, type DecorationSet, drawSelection, gutterLineClass, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import {
+  Decoration,
+  EditorView,
+  GutterMarker,
+  WidgetType,
+  type DecorationSet,
+  drawSelection,
+  gutterLineClass,
+  highlightActiveLine,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
 import { h } from "../ui/dom";
@@ -11,18 +22,34 @@ import { gcode } from "./gcode";
 import { phrases, phrases_now } from "./phrases";
 import { problem_marks, watch_problems } from "./problems";
 
-export interface SourceView { show_line(line: number, beside?: string): void; focus(): void; close(): void; readonly editor?: EditorView }
+export interface SourceView {
+  show_line(line: number, beside?: string): void;
+  focus(): void;
+  close(): void;
+  readonly editor?: EditorView;
+}
 
-interface Running { line: number; beside: string }
+interface Running {
+  line: number;
+  beside: string;
+}
 const set_running = StateEffect.define<Running>();
 const running_line = Decoration.line({ class: "cm-running" });
-const running_gutter = new (class extends GutterMarker { override elementClass = "cm-running-number"; })();
+const running_gutter = new (class extends GutterMarker {
+  override elementClass = "cm-running-number";
+})();
 
 /// Values of the variables that the running line uses, behind its end.
 class Beside extends WidgetType {
-  constructor(private text: string) { super(); }
-  override eq(other: Beside): boolean { return other.text === this.text; }
-  toDOM(): HTMLElement { return h("span", { class: "cm-beside" }, this.text); }
+  constructor(private text: string) {
+    super();
+  }
+  override eq(other: Beside): boolean {
+    return other.text === this.text;
+  }
+  toDOM(): HTMLElement {
+    return h("span", { class: "cm-beside" }, this.text);
+  }
 }
 
 const running = StateField.define<Running>({
@@ -33,32 +60,75 @@ const running = StateField.define<Running>({
   },
   provide: (f) => [
     EditorView.decorations.compute([f, "doc"], (s) => running_marks(s, s.field(f))),
-    gutterLineClass.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f).line); return at < 0 ? RangeSet.empty : RangeSet.of(running_gutter.range(at)); }),
+    gutterLineClass.compute([f, "doc"], (s) => {
+      const at = start_of(s, s.field(f).line);
+      return at < 0 ? RangeSet.empty : RangeSet.of(running_gutter.range(at));
+    }),
   ],
 });
 function running_marks(s: EditorState, now: Running): DecorationSet {
   const at = start_of(s, now.line);
   if (at < 0) return Decoration.none;
   const line = running_line.range(at);
-  return now.beside ? Decoration.set([line, Decoration.widget({ widget: new Beside(now.beside), side: 1 }).range(s.doc.lineAt(at).to)]) : Decoration.set(line);
+  return now.beside
+    ? Decoration.set([line, Decoration.widget({ widget: new Beside(now.beside), side: 1 }).range(s.doc.lineAt(at).to)])
+    : Decoration.set(line);
 }
-const start_of = (s: EditorState, line: number): number => (line >= 1 && line <= s.doc.lines ? s.doc.line(line).from : -1);
+const start_of = (s: EditorState, line: number): number =>
+  line >= 1 && line <= s.doc.lines ? s.doc.line(line).from : -1;
 
-export function editor_view(app: App, host: HTMLElement, text: string, picked: (line: number) => void, save: () => void): SourceView {
+export function editor_view(
+  app: App,
+  host: HTMLElement,
+  text: string,
+  picked: (line: number) => void,
+  save: () => void,
+): SourceView {
   let watch: ReturnType<typeof watch_problems> | undefined;
   const view = new EditorView({
     parent: host,
-    state: EditorState.create({ doc: text, extensions: [
-      lineNumbers(), history(), drawSelection(), highlightActiveLine(), search({ top: true }), highlightSelectionMatches(),
-      gcode, problem_marks, explain(app), running, phrases.of(phrases_now()),
-      EditorState.readOnly.of(!app.opened?.editable),
-      EditorView.contentAttributes.of({ "aria-label": t("source"), spellcheck: "false", autocapitalize: "characters" }),
-      keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...defaultKeymap, ...historyKeymap, ...searchKeymap]),
-      EditorView.updateListener.of((u) => {
-        if (u.docChanged) { app.set_text(u.state.doc.toString()); watch?.changed(); }
-        else if (u.selectionSet && u.transactions.some((tr) => tr.isUserEvent("select"))) picked(u.state.doc.lineAt(u.state.selection.main.head).number);
-      }),
-    ] }),
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        lineNumbers(),
+        history(),
+        drawSelection(),
+        highlightActiveLine(),
+        search({ top: true }),
+        highlightSelectionMatches(),
+        gcode,
+        problem_marks,
+        explain(app),
+        running,
+        phrases.of(phrases_now()),
+        EditorState.readOnly.of(!app.opened?.editable),
+        EditorView.contentAttributes.of({
+          "aria-label": t("source"),
+          spellcheck: "false",
+          autocapitalize: "characters",
+        }),
+        keymap.of([
+          {
+            key: "Mod-s",
+            preventDefault: true,
+            run: () => {
+              save();
+              return true;
+            },
+          },
+          ...defaultKeymap,
+          ...historyKeymap,
+          ...searchKeymap,
+        ]),
+        EditorView.updateListener.of((u) => {
+          if (u.docChanged) {
+            app.set_text(u.state.doc.toString());
+            watch?.changed();
+          } else if (u.selectionSet && u.transactions.some((tr) => tr.isUserEvent("select")))
+            picked(u.state.doc.lineAt(u.state.selection.main.head).number);
+        }),
+      ],
+    }),
   });
   watch = watch_problems(app, view);
   const off = on_language(() => view.dispatch({ effects: phrases.reconfigure(phrases_now()) }));
@@ -71,12 +141,17 @@ export function editor_view(app: App, host: HTMLElement, text: string, picked: (
       view.dispatch({ effects });
     },
     focus: () => view.focus(),
-    close: () => { off(); watch?.close(); view.destroy(); },
+    close: () => {
+      off();
+      watch?.close();
+      view.destroy();
+    },
   };
 }
 
 /// The line is seen, so that the text does not jump while the slider moves.
 function seen(view: EditorView, at: number): boolean {
-  const block = view.lineBlockAt(at), box = view.scrollDOM;
+  const block = view.lineBlockAt(at),
+    box = view.scrollDOM;
   return block.top >= box.scrollTop && block.bottom <= box.scrollTop + box.clientHeight;
 }

@@ -1,4 +1,5 @@
-// Colours of the words that are seen in the editor. No word of G-code goes over a line's end, so a line needs nothing of those before it.
+// Colours of the words that are seen in the editor. No word of G-code goes over a line's end, so a line needs nothing
+// of those before it.
 import { RangeSetBuilder } from "@codemirror/state";
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
 import { token_at } from "./tokens";
@@ -16,7 +17,8 @@ function colours(view: EditorView): DecorationSet {
   const out = new RangeSetBuilder<Decoration>();
   for (const { from, to } of view.visibleRanges) {
     for (let at = from; at <= to;) {
-      const line = view.state.doc.lineAt(at), text = line.text.slice(0, longest);
+      const line = view.state.doc.lineAt(at),
+        text = line.text.slice(0, longest);
       for (let i = 0; i < text.length;) {
         const { kind, length } = token_at(text, i);
         if (kind) out.add(line.from + i, line.from + Math.min(text.length, i + length), mark(kind));
@@ -28,8 +30,15 @@ function colours(view: EditorView): DecorationSet {
   return out.finish();
 }
 
-export const gcode = ViewPlugin.fromClass(class {
-  decorations: DecorationSet;
-  constructor(view: EditorView) { this.decorations = colours(view); }
-  update(u: ViewUpdate): void { if (u.docChanged || u.viewportChanged) this.decorations = colours(u.view); }
-}, { decorations: (v) => v.decorations });
+export const gcode = ViewPlugin.fromClass(
+  class {
+    decorations: DecorationSet;
+    constructor(view: EditorView) {
+      this.decorations = colours(view);
+    }
+    update(u: ViewUpdate): void {
+      if (u.docChanged || u.viewportChanged) this.decorations = colours(u.view);
+    }
+  },
+  { decorations: (v) => v.decorations },
+);

@@ -1,4 +1,5 @@
-// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead each other.
+// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead
+// each other.
 import type { App } from "../model/app";
 import { t, on_language } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";
@@ -11,7 +12,10 @@ import type { Fix, State } from "../protocol/types";
 const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
 
 /// What a text that may be edited is shown with; a report has none.
-export interface Editing { view: typeof editor_view; fix: typeof apply_fix }
+export interface Editing {
+  view: typeof editor_view;
+  fix: typeof apply_fix;
+}
 
 export class SourcePane {
   readonly element = h("section", { class: "pane source", "aria-label": "" });
@@ -22,7 +26,11 @@ export class SourcePane {
   private shown_file = 0;
   private name = "";
 
-  constructor(private app: App, private picked: (line: number, file: number) => void, private editing: Editing | null = null) {
+  constructor(
+    private app: App,
+    private picked: (line: number, file: number) => void,
+    private editing: Editing | null = null,
+  ) {
     this.element.append(h("header", { class: "pane-head" }, this.title, this.tools), this.host);
     app.on_opened.on(() => this.show_program());
     app.on_dirty.on(() => this.head());
@@ -40,12 +48,23 @@ export class SourcePane {
     if (this.shown_file !== 0) this.show_file(0, "");
     this.view?.show_line(line);
   }
-  fix(fix: Fix): void { if (this.view?.editor) { this.editing?.fix(this.view.editor, fix); this.view.focus(); } }
+  fix(fix: Fix): void {
+    if (this.view?.editor) {
+      this.editing?.fix(this.view.editor, fix);
+      this.view.focus();
+    }
+  }
 
   private show_program(): void {
     const { app } = this;
     // The editor keeps its undo and its cursor while the same text is run again.
-    if (this.view?.editor && this.shown_file === 0 && this.name === app.opened?.file && this.view.editor.state.doc.toString() === app.text) return this.head();
+    if (
+      this.view?.editor &&
+      this.shown_file === 0 &&
+      this.name === app.opened?.file &&
+      this.view.editor.state.doc.toString() === app.text
+    )
+      return this.head();
     this.name = app.opened?.file ?? "";
     this.show_file(0, "");
   }
@@ -56,8 +75,16 @@ export class SourcePane {
     this.host.replaceChildren();
     this.shown_file = file;
     const picked = (line: number): void => this.picked(line, file);
-    if (file === 0 && app.text !== null && this.editing) this.view = this.editing.view(app, this.host, app.text, picked, () => void save(app));
-    else this.view = virtual_view(this.host, file === 0 ? app.opened?.lines ?? 0 : called_lines, async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines, picked, (line, text) => this.explained(line, text));
+    if (file === 0 && app.text !== null && this.editing)
+      this.view = this.editing.view(app, this.host, app.text, picked, () => void save(app));
+    else
+      this.view = virtual_view(
+        this.host,
+        file === 0 ? (app.opened?.lines ?? 0) : called_lines,
+        async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines,
+        picked,
+        (line, text) => this.explained(line, text),
+      );
     this.head(name);
   }
 
@@ -69,17 +96,35 @@ export class SourcePane {
   private head(called = ""): void {
     const { app } = this;
     this.element.setAttribute("aria-label", t("source"));
-    fill(this.title, called || app.opened?.file || t("source"), app.dirty && h("span", { class: "dirty", title: t("unsaved") }, " ●"));
-    fill(this.tools,
-      this.shown_file !== 0 && button(t("back_to_program"), () => { this.show_file(0, ""); }),
+    fill(
+      this.title,
+      called || app.opened?.file || t("source"),
+      app.dirty && h("span", { class: "dirty", title: t("unsaved") }, " ●"),
+    );
+    fill(
+      this.tools,
+      this.shown_file !== 0 &&
+        button(t("back_to_program"), () => {
+          this.show_file(0, "");
+        }),
       app.opened && !app.opened.editable && h("span", { class: "note" }, t("read_only")),
-      app.opened?.editable && button(t("save"), () => void save(app), { disabled: !app.dirty || !app.hello?.may_change, title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change") }));
+      app.opened?.editable &&
+        button(t("save"), () => void save(app), {
+          disabled: !app.dirty || !app.hello?.may_change,
+          title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change"),
+        }),
+    );
   }
 }
 
 /// The variables that this line names or has changed, with their values.
 function beside(s: State): string {
   const text = s.text ?? "";
-  const named = (name: string): boolean => new RegExp(`${name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(?!\\d)`).test(text);
-  return (s.variables ?? []).filter((v) => v.changed || named(v.name)).slice(0, 6).map((v) => `${v.name} = ${typeof v.value === "number" ? Number(v.value.toPrecision(7)) : v.value ?? "–"}`).join("  ");
+  const named = (name: string): boolean =>
+    new RegExp(`${name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(?!\\d)`).test(text);
+  return (s.variables ?? [])
+    .filter((v) => v.changed || named(v.name))
+    .slice(0, 6)
+    .map((v) => `${v.name} = ${typeof v.value === "number" ? Number(v.value.toPrecision(7)) : (v.value ?? "–")}`)
+    .join("  ");
 }

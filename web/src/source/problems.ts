@@ -1,4 +1,5 @@
-// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while somebody types.
+// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while
+// somebody types.
 import { linter, lintGutter, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import type { EditorState, Text } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";
@@ -13,7 +14,14 @@ export const problem_marks = [linter(null, { delay: 0 }), lintGutter()];
 
 export function watch_problems(app: App, view: EditorView): { changed: () => void; close: () => void } {
   let asked = 0;
-  const show = (): void => { view.dispatch(setDiagnostics(view.state, diagnostics(view.state, app.checked ?? app.problems.filter((p) => of_program(p, app.opened?.file ?? "")), view))); };
+  const show = (): void => {
+    view.dispatch(
+      setDiagnostics(
+        view.state,
+        diagnostics(view.state, app.checked ?? app.problems.filter((p) => of_program(p, app.opened?.file ?? "")), view),
+      ),
+    );
+  };
   const check = debounce(quiet, async () => {
     const mine = ++asked;
     try {
@@ -21,23 +29,41 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
       if (mine !== asked) return; // a newer text is under way, this answer speaks of an old one
       app.checked = problems;
       app.on_problems.emit();
-    } catch (e) { app.tell(e); }
+    } catch (e) {
+      app.tell(e);
+    }
   });
   const off = app.on_problems.on(show);
   show();
-  return { changed: () => { asked++; check(); }, close: () => { asked++; off(); } };
+  return {
+    changed: () => {
+      asked++;
+      check();
+    },
+    close: () => {
+      asked++;
+      off();
+    },
+  };
 }
 
 function diagnostics(state: EditorState, problems: Problem[], view: EditorView): Diagnostic[] {
   const severities = { alarm: "error", warning: "warning", note: "info" } as const;
-  return problems.filter((p) => p.line >= 1 && p.line <= state.doc.lines).slice(0, 2000).map((p) => {
-    const [from, to] = span(state.doc, p);
-    return {
-      from, to, severity: severities[p.severity] ?? "info",
-      message: "", renderMessage: () => message(p),
-      actions: p.fix ? [{ name: p.fix.text, apply: () => apply_fix(view, p.fix!) }] : [],
-    };
-  }).sort((a, b) => a.from - b.from);
+  return problems
+    .filter((p) => p.line >= 1 && p.line <= state.doc.lines)
+    .slice(0, 2000)
+    .map((p) => {
+      const [from, to] = span(state.doc, p);
+      return {
+        from,
+        to,
+        severity: severities[p.severity] ?? "info",
+        message: "",
+        renderMessage: () => message(p),
+        actions: p.fix ? [{ name: p.fix.text, apply: () => apply_fix(view, p.fix!) }] : [],
+      };
+    })
+    .sort((a, b) => a.from - b.from);
 }
 
 function span(doc: Text, p: Problem): [number, number] {
@@ -52,7 +78,12 @@ function message(p: Problem): HTMLElement {
   const text = document.createElement("strong");
   text.textContent = p.text;
   e.append(text);
-  if (p.hint) { const hint = document.createElement("div"); hint.className = "hint"; hint.textContent = p.hint; e.append(hint); }
+  if (p.hint) {
+    const hint = document.createElement("div");
+    hint.className = "hint";
+    hint.textContent = p.hint;
+    e.append(hint);
+  }
   return e;
 }
 

@@ -1,11 +1,16 @@
-// The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. What a word means the control knows, not this table.
-export type TokenKind = "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
+// The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. What a word means the
+// control knows, not this table.
+export type TokenKind =
+  "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
 
+const keywords =
+  "IF THEN ELSE GOTO WHILE DO END ELSEIF ENDIF ENDWHILE SUB ENDSUB CALL RETURN REPEAT ENDREPEAT " +
+  "EQ NE GT GE LT LE AND OR XOR MOD SIN COS TAN ATAN ASIN ACOS SQRT ABS FIX FUP ROUND LN EXP";
 const rules: [TokenKind, RegExp][] = [
   ["comment", /^\([^)]*\)?/],
   ["comment", /^;.*/],
   ["variable", /^#(?:<[^>]*>?|\[|\d+)?/],
-  ["keyword", /^(?:IF|THEN|ELSE|GOTO|WHILE|DO|END|ELSEIF|ENDIF|ENDWHILE|SUB|ENDSUB|CALL|RETURN|REPEAT|ENDREPEAT|EQ|NE|GT|GE|LT|LE|AND|OR|XOR|MOD|SIN|COS|TAN|ATAN|ASIN|ACOS|SQRT|ABS|FIX|FUP|ROUND|LN|EXP)(?![A-Z])\d*/i],
+  ["keyword", new RegExp(`^(?:${keywords.replaceAll(" ", "|")})(?![A-Z])\\d*`, "i")],
   ["program", /^[O:](?:<[^>]*>|\d+)?/i],
   ["label", /^N\s*\d+/i],
   ["motion", /^G\s*\d+(?:\.\d+)?/i],
@@ -20,7 +25,8 @@ export function token_at(line: string, from: number): { kind: TokenKind; length:
   const rest = line.slice(from, from + 400);
   for (const [kind, rule] of rules) {
     const found = rule.exec(rest);
-    if (found && found[0].length > 0) return { kind, length: kind === "comment" ? comment_length(line, from, found[0].length) : found[0].length };
+    if (found && found[0].length > 0)
+      return { kind, length: kind === "comment" ? comment_length(line, from, found[0].length) : found[0].length };
   }
   return { kind: "", length: 1 };
 }

@@ -1,4 +1,5 @@
-// A program too long to be held here: only the lines that are seen are asked for and drawn. The number of elements stays the same for any length.
+// A program too long to be held here: only the lines that are seen are asked for and drawn. The number of elements
+// stays the same for any length.
 import { debounce } from "../model/latest";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";
@@ -7,15 +8,31 @@ import { token_at } from "./tokens";
 import { ScrollMap } from "./virtual_map";
 
 export type Fetch = (from: number, count: number) => Promise<string[]>;
-const window_lines = 500, windows_kept = 40; // 20,000 lines are kept, some 1 MB
+const window_lines = 500,
+  windows_kept = 40; // 20,000 lines are kept, some 1 MB
 
-export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, picked: (line: number) => void, hover?: (line: number, text: string) => Promise<string>): SourceView {
+export function virtual_view(
+  host: HTMLElement,
+  lines: number,
+  fetch: Fetch,
+  picked: (line: number) => void,
+  hover?: (line: number, text: string) => Promise<string>,
+): SourceView {
   const rows = h("div", { class: "virtual-rows" });
   const space = h("div", { class: "virtual-space" });
-  const box = h("div", { class: "virtual", tabindex: "0", role: "listbox", "aria-label": t("source"), "aria-readonly": "true" }, space, rows);
+  const box = h(
+    "div",
+    { class: "virtual", tabindex: "0", role: "listbox", "aria-label": t("source"), "aria-readonly": "true" },
+    space,
+    rows,
+  );
   host.append(box);
-  const kept = new Map<number, string[]>(), asked = new Set<number>();
-  let map = new ScrollMap(lines, 20, 100), top = 0, running = 0, cursor = 1;
+  const kept = new Map<number, string[]>(),
+    asked = new Set<number>();
+  let map = new ScrollMap(lines, 20, 100),
+    top = 0,
+    running = 0,
+    cursor = 1;
 
   const row_height = (): number => parseFloat(getComputedStyle(box).getPropertyValue("--row")) || 20;
   const measure = (): void => {
@@ -31,7 +48,15 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
   };
   const draw = (): void => {
     const { first, count } = map.seen(top);
-    while (rows.childElementCount < count) rows.append(h("div", { class: "virtual-row", role: "option" }, h("span", { class: "virtual-number" }), h("span", { class: "virtual-text" })));
+    while (rows.childElementCount < count)
+      rows.append(
+        h(
+          "div",
+          { class: "virtual-row", role: "option" },
+          h("span", { class: "virtual-number" }),
+          h("span", { class: "virtual-text" }),
+        ),
+      );
     while (rows.childElementCount > count) rows.lastElementChild!.remove();
     rows.style.transform = `translateY(${box.scrollTop - (top % map.row)}px)`;
     for (let i = 0; i < count; i++) draw_row(rows.children[i] as HTMLElement, first + i);
@@ -48,7 +73,8 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
   };
   // Scrolled past at speed, windows are not asked for: only where it rests.
   const want = debounce(40, (first: number, count: number) => {
-    for (let w = Math.floor((first - 1) / window_lines); w <= Math.floor((first + count - 2) / window_lines); w++) void get(w);
+    for (let w = Math.floor((first - 1) / window_lines); w <= Math.floor((first + count - 2) / window_lines); w++)
+      void get(w);
   });
   const get = async (w: number): Promise<void> => {
     if (kept.has(w) || asked.has(w)) return;
@@ -57,7 +83,9 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
       kept.set(w, await fetch(w * window_lines + 1, Math.min(window_lines, lines - w * window_lines)));
       if (kept.size > windows_kept) kept.delete(kept.keys().next().value!);
       draw();
-    } catch { /* lost: asked again when it is drawn next */ }
+    } catch {
+      /* lost: asked again when it is drawn next */
+    }
     asked.delete(w);
   };
   const move = (line: number): void => {
@@ -70,19 +98,43 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
     if (Math.abs(map.scroll_of(top) - box.scrollTop) > 0.5) top = map.bounded(map.top_of(box.scrollTop));
     draw();
   });
-  box.addEventListener("wheel", (e) => { if (map.scaled) { e.preventDefault(); go(top + e.deltaY * (e.deltaMode ? map.row : 1)); } }, { passive: false });
-  box.addEventListener("click", (e) => { const row = (e.target as Element).closest<HTMLElement>(".virtual-row"); if (row) move(Number(row.dataset.line)); });
+  box.addEventListener(
+    "wheel",
+    (e) => {
+      if (map.scaled) {
+        e.preventDefault();
+        go(top + e.deltaY * (e.deltaMode ? map.row : 1));
+      }
+    },
+    { passive: false },
+  );
+  box.addEventListener("click", (e) => {
+    const row = (e.target as Element).closest<HTMLElement>(".virtual-row");
+    if (row) move(Number(row.dataset.line));
+  });
   box.addEventListener("keydown", (e) => {
     const page = Math.max(1, Math.floor(map.view / map.row) - 1);
-    const to = { ArrowDown: cursor + 1, ArrowUp: cursor - 1, PageDown: cursor + page, PageUp: cursor - page, Home: 1, End: lines }[e.key];
-    if (to !== undefined) { e.preventDefault(); e.stopPropagation(); move(to); }
+    const to = {
+      ArrowDown: cursor + 1,
+      ArrowUp: cursor - 1,
+      PageDown: cursor + page,
+      PageUp: cursor - page,
+      Home: 1,
+      End: lines,
+    }[e.key];
+    if (to !== undefined) {
+      e.preventDefault();
+      e.stopPropagation();
+      move(to);
+    }
   });
   box.addEventListener("mouseover", (e) => {
     const row = (e.target as Element).closest<HTMLElement>(".virtual-row");
     if (row && hover) explain(row);
   });
   const explain = debounce(350, async (row: HTMLElement) => {
-    const line = row.dataset.line, said = await hover!(Number(line), row.children[1]!.textContent ?? "").catch(() => "");
+    const line = row.dataset.line,
+      said = await hover!(Number(line), row.children[1]!.textContent ?? "").catch(() => "");
     for (const r of rows.children) r.removeAttribute("title");
     if (row.dataset.line === line && said) row.title = said;
   });
@@ -90,9 +142,15 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
   watch.observe(box);
   measure();
   return {
-    show_line(line) { running = line; go(map.top_showing(line, top)); },
+    show_line(line) {
+      running = line;
+      go(map.top_showing(line, top));
+    },
     focus: () => box.focus(),
-    close: () => { watch.disconnect(); box.remove(); },
+    close: () => {
+      watch.disconnect();
+      box.remove();
+    },
   };
 }
 
@@ -101,7 +159,10 @@ function coloured(text: string): Node[] {
   const shown = text.length > 2000 ? `${text.slice(0, 2000)}…` : text;
   for (let i = 0, plain = ""; i <= shown.length;) {
     const { kind, length } = i < shown.length ? token_at(shown, i) : { kind: "" as const, length: 1 };
-    if ((kind || i === shown.length) && plain) { out.push(document.createTextNode(plain)); plain = ""; }
+    if ((kind || i === shown.length) && plain) {
+      out.push(document.createTextNode(plain));
+      plain = "";
+    }
     if (kind) out.push(h("span", { class: `tok-${kind}` }, shown.slice(i, i + length)));
     else plain += shown[i] ?? "";
     i += length;

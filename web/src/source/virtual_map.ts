@@ -1,19 +1,36 @@
-// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element be.
+// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element
+// be.
 export const greatest_height = 8_000_000; // px: Firefox stops at some 17.9 million, Chromium at 33.5; both halved by zooming in
 
 export class ScrollMap {
-  constructor(readonly lines: number, readonly row: number, readonly view: number) {}
+  constructor(
+    readonly lines: number,
+    readonly row: number,
+    readonly view: number,
+  ) {}
 
   /// px of all lines, as if there were no bound.
-  get whole(): number { return this.lines * this.row; }
+  get whole(): number {
+    return this.lines * this.row;
+  }
   /// px that the scrolled element is given.
-  get height(): number { return Math.min(Math.max(this.whole, this.view), greatest_height); }
-  get scaled(): boolean { return this.whole > greatest_height; }
+  get height(): number {
+    return Math.min(Math.max(this.whole, this.view), greatest_height);
+  }
+  get scaled(): boolean {
+    return this.whole > greatest_height;
+  }
 
   /// The px of the whole that are at the upper edge, for a place of the scroll bar; and the other way round.
-  top_of(scroll: number): number { return this.scaled ? scroll * this.ratio : scroll; }
-  scroll_of(top: number): number { return this.scaled ? top / this.ratio : top; }
-  bounded(top: number): number { return Math.min(Math.max(top, 0), Math.max(0, this.whole - this.view)); }
+  top_of(scroll: number): number {
+    return this.scaled ? scroll * this.ratio : scroll;
+  }
+  scroll_of(top: number): number {
+    return this.scaled ? top / this.ratio : top;
+  }
+  bounded(top: number): number {
+    return Math.min(Math.max(top, 0), Math.max(0, this.whole - this.view));
+  }
 
   /// First line (from 1) and number of lines that are seen, even in part.
   seen(top: number): { first: number; count: number } {
@@ -29,5 +46,7 @@ export class ScrollMap {
     return this.bounded(y - (this.view - this.row) / 2);
   }
 
-  private get ratio(): number { return (this.whole - this.view) / Math.max(1, this.height - this.view); }
+  private get ratio(): number {
+    return (this.whole - this.view) / Math.max(1, this.height - this.view);
+  }
 }

@@ -87,7 +87,9 @@ export const en = {
   measure_next: "now the second one",
   distance: "Distance",
   thinned: "{drawn} of {all} segments drawn",
-  thinned_long: "Far away, motions that differ by less than half a pixel are drawn as one; while the view moves, more of them. A click finds each of them all the same.",
+  thinned_long:
+    "Far away, motions that differ by less than half a pixel are drawn as one; while the view moves, more of them. " +
+    "A click finds each of them all the same.",
   beyond_limits: "The path leaves the machine's limits",
   no_webgl: "This browser has no WebGL: the view is left out, all else works.",
   save_picture: "Save the picture as PNG",
@@ -346,7 +348,8 @@ export const en = {
   undo_line: "Undo",
   undo_line_long: "Control and virtual machine as they were before the last line; a machine of iron could not do that",
   touch: "Touch the part",
-  touch_how: "Click on the part as it is cut (tab Cut): the probe in the spindle touches there, along the axis that the surface looks to.",
+  touch_how:
+    "Click on the part as it is cut (tab Cut): the probe in the spindle touches there, along the axis that the surface looks to.",
   touch_none: "No axis can touch there: the surface lies aslant, or looks down.",
   touch_clearance: "Over Z",
   touch_away: "Before it",
@@ -506,7 +509,9 @@ export const en = {
   convert_flat: "Calls, loops and cycles written out",
   convert_force: "Written even if it is not proven",
   convert_go: "Convert",
-  convert_long: "It is written in several ways, the one that keeps most first. The first that the other control carries out as the original is taken; where none is, nothing is.",
+  convert_long:
+    "It is written in several ways, the one that keeps most first. " +
+    "The first that the other control carries out as the original is taken; where none is, nothing is.",
   convert_working: "It is written, carried out and held against the original…",
   convert_written: "Written: {way}. Held against the original within {by} mm.",
   convert_unproven: "Written all the same, {way}: this program is NOT proven to do the same.",

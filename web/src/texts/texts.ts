@@ -7,7 +7,10 @@ import { ru } from "./ru";
 
 const tables: Record<Language, Record<TextKey, string>> = { en, ru };
 const changed = new Signal<Language>();
-let current: Language = remembered<Language>("language", (globalThis.navigator?.language ?? "en").startsWith("ru") ? "ru" : "en");
+let current: Language = remembered<Language>(
+  "language",
+  (globalThis.navigator?.language ?? "en").startsWith("ru") ? "ru" : "en",
+);
 
 export const language = (): Language => current;
 export function set_language(lang: Language): void {
@@ -18,7 +21,8 @@ export function set_language(lang: Language): void {
 }
 export const on_language = (f: () => void): (() => void) => changed.on(f);
 
-/// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session knows: it stands for itself.
+/// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session
+/// knows: it stands for itself.
 export function t(key: TextKey, with_?: Record<string, string | number>): string {
   return (tables[current][key] ?? key).replace(/\{(\w+)\}/g, (all, name: string) => String(with_?.[name] ?? all));
 }

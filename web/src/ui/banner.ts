@@ -5,7 +5,8 @@ import { h } from "./dom";
 
 export function banner(app: App): HTMLElement {
   const e = h("div", { class: "banner", role: "alert", hidden: true });
-  let line = "connecting", ever = false;
+  let line = "connecting",
+    ever = false;
   const draw = (): void => {
     e.hidden = line === "open" || (!ever && line === "connecting");
     e.textContent = line === "refused" ? t("refused") : ever ? t("lost") : t("no_server");

@@ -10,14 +10,21 @@ import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, fill, h } from "./dom";
 
-export interface CompareVerbs { begin(): void; line(line: number): void }
+export interface CompareVerbs {
+  begin(): void;
+  line(line: number): void;
+}
 
 /// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
 export function show_compare(app: App, verbs: CompareVerbs): void {
   if (document.querySelector("dialog.docked .compare")) return;
-  const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), list = h("ol", { class: "differences" }), host = h("div", { class: "merge" });
+  const file = h("select", { "aria-label": t("other_version") }),
+    told = h("p", { class: "note", "aria-live": "polite" }),
+    list = h("ol", { class: "differences" }),
+    host = h("div", { class: "merge" });
   let merge: MergeView | null = null;
-  const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
+  const here = app.opened!.file,
+    folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
   const go = async (): Promise<void> => {
     if (!file.value) return;
     const wanted = file.value;
@@ -27,34 +34,103 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
     try {
       const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
       told.textContent = c.text;
-      list.replaceChildren(...c.differences.map((d) => h("li", null, button(difference_text(d), () => { app.seek_block(d.a.number); verbs.line(d.a.line); }))));
-    } catch (e) { told.textContent = ""; app.tell(e); }
+      list.replaceChildren(
+        ...c.differences.map((d) =>
+          h(
+            "li",
+            null,
+            button(difference_text(d), () => {
+              app.seek_block(d.a.number);
+              verbs.line(d.a.line);
+            }),
+          ),
+        ),
+      );
+    } catch (e) {
+      told.textContent = "";
+      app.tell(e);
+    }
     merge?.destroy();
     const other = wanted === here ? app.saved_text : await text_of(app, wanted);
     if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
-    else merge = new MergeView({ a: side(other), b: side(app.text, (n) => verbs.line(n)), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
+    else
+      merge = new MergeView({
+        a: side(other),
+        b: side(app.text, (n) => verbs.line(n)),
+        parent: host,
+        collapseUnchanged: { margin: 3, minSize: 8 },
+      });
   };
-  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), list, host), { docked: "left", closed: () => { merge?.destroy(); verbs.begin(); } });
+  open_dialog(
+    t("compare"),
+    h(
+      "div",
+      { class: "compare" },
+      h(
+        "div",
+        { class: "row" },
+        h("label", { class: "field" }, h("span", null, t("other_version")), file),
+        button(t("compare"), () => void go(), { class: "main" }),
+        told,
+      ),
+      list,
+      host,
+    ),
+    {
+      docked: "left",
+      closed: () => {
+        merge?.destroy();
+        verbs.begin();
+      },
+    },
+  );
   void fill_files(app, folder, here, file);
 }
 
-const side = (doc: string, clicked?: (line: number) => void) => ({ doc, extensions: [EditorView.updateListener.of((u) => { if (u.selectionSet) clicked?.(u.state.doc.lineAt(u.state.selection.main.head).number); }), lineNumbers(), gcode, phrases_now(), EditorState.readOnly.of(true), EditorView.editable.of(false)] });
+const side = (doc: string, clicked?: (line: number) => void) => ({
+  doc,
+  extensions: [
+    EditorView.updateListener.of((u) => {
+      if (u.selectionSet) clicked?.(u.state.doc.lineAt(u.state.selection.main.head).number);
+    }),
+    lineNumbers(),
+    gcode,
+    phrases_now(),
+    EditorState.readOnly.of(true),
+    EditorView.editable.of(false),
+  ],
+});
 
 async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
   try {
     const { entries } = await app.client.ask("files", { folder });
-    const names = entries.filter((e) => e.kind === "program").map((e) => (folder ? `${folder}/${e.name}` : e.name)).filter((n) => n !== here);
-    fill(select, app.dirty && h("option", { value: here }, t("as_saved", { file: here })), ...names.map((n) => h("option", { value: n }, n)));
-  } catch (e) { app.tell(e); }
+    const names = entries
+      .filter((e) => e.kind === "program")
+      .map((e) => (folder ? `${folder}/${e.name}` : e.name))
+      .filter((n) => n !== here);
+    fill(
+      select,
+      app.dirty && h("option", { value: here }, t("as_saved", { file: here })),
+      ...names.map((n) => h("option", { value: n }, n)),
+    );
+  } catch (e) {
+    app.tell(e);
+  }
 }
 
 /// Null: it cannot be shown here.
 async function text_of(app: App, file: string): Promise<string | null> {
-  try { return (await app.client.ask("read", { file })).text; } catch (e) { app.tell(e); return null; }
+  try {
+    return (await app.client.ask("read", { file })).text;
+  } catch (e) {
+    app.tell(e);
+    return null;
+  }
 }
 
 /// "12 – 15 | 12 – 14: feed: F100 mm/min — F200 mm/min"; the first lines are those of the program that is open.
 export function difference_text(d: Difference): string {
-  const lines = (s: { line: number; to_line: number }): string => (s.to_line > s.line ? `${s.line} – ${s.to_line}` : `${s.line}`);
+  const lines = (s: { line: number; to_line: number }): string =>
+    s.to_line > s.line ? `${s.line} – ${s.to_line}` : `${s.line}`;
   return `${lines(d.a)} | ${lines(d.b)}: ${d.text}`;
 }

@@ -11,31 +11,62 @@ import { tool_picture } from "./outline";
 import { fact } from "./summary";
 
 const kinds = ["flat", "ball", "bull", "drill", "taper", "chamfer", "tslot", "form", "turning"];
-const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flutes" | "length"))[] = ["diameter", "corner", "angle", "tip", "flutes", "length"];
-const sizes_of: Record<string, string[]> = { flat: [], ball: [], bull: ["corner"], drill: ["angle", "tip"], chamfer: ["angle", "tip"], taper: ["angle"] };
+const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flutes" | "length"))[] = [
+  "diameter",
+  "corner",
+  "angle",
+  "tip",
+  "flutes",
+  "length",
+];
+const sizes_of: Record<string, string[]> = {
+  flat: [],
+  ball: [],
+  bull: ["corner"],
+  drill: ["angle", "tip"],
+  chamfer: ["angle", "tip"],
+  taper: ["angle"],
+};
 
 export class CutPanel {
   readonly element = h("div", { class: "cut" });
   private stock = "";
   private tools: Tool[] = [];
-  private files: string[] = [];       // tools files beside the program
+  private files: string[] = []; // tools files beside the program
   private fixtures: string[] = [];
   private resolution = "";
   private known = false;
-  private of: string | null = null;   // the program that blank and tools are of
-  private touched = false;            // by a person
+  private of: string | null = null; // the program that blank and tools are of
+  private touched = false; // by a person
   private start = h("div", { class: "row cut-start" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
   private part: PartAnswer | null = null;
 
-  constructor(private app: App, private shown: (stock: Box | null, tools: Tool[]) => void, private jump: (line: number) => void) {
+  constructor(
+    private app: App,
+    private shown: (stock: Box | null, tools: Tool[]) => void,
+    private jump: (line: number) => void,
+  ) {
     this.element.append(this.start, this.told, this.form);
-    this.element.addEventListener("change", () => { this.touched = true; });
-    app.on_opening.on(() => { this.known = false; this.part = null; this.draw(); });
+    this.element.addEventListener("change", () => {
+      this.touched = true;
+    });
+    app.on_opening.on(() => {
+      this.known = false;
+      this.part = null;
+      this.draw();
+    });
     app.on_done.on(() => void this.propose());
-    app.on_cut.on((part) => { if (part === null) this.part = app.cut_ready ? this.part : null; this.draw_told(part); if (part === null || part === 0) this.draw_run(); });
-    app.on_part_told.on((p) => { this.part = p; this.draw_told(null); });
+    app.on_cut.on((part) => {
+      if (part === null) this.part = app.cut_ready ? this.part : null;
+      this.draw_told(part);
+      if (part === null || part === 0) this.draw_run();
+    });
+    app.on_part_told.on((p) => {
+      this.part = p;
+      this.draw_told(null);
+    });
     on_language(() => this.draw());
     this.draw();
   }
@@ -44,7 +75,8 @@ export class CutPanel {
     try {
       const p = await this.app.client.ask("proposals", {});
       const opened = this.app.opened?.file ?? null;
-      if (opened === null || opened !== this.of || !this.touched) { // what a person has changed stays while the program is edited
+      if (opened === null || opened !== this.of || !this.touched) {
+        // what a person has changed stays while the program is edited
         this.touched = false;
         this.stock = p.stock ?? "";
         this.tools = p.tools ?? [];
@@ -54,21 +86,63 @@ export class CutPanel {
       this.of = opened;
       this.files = p.files ?? [];
       this.known = true;
-    } catch { this.known = true; /* a program that goes nowhere has no blank: the form stays empty */ }
+    } catch {
+      this.known = true; /* a program that goes nowhere has no blank: the form stays empty */
+    }
     this.draw();
   }
 
   /// Tools as a file beside the program has them.
   private async take_file(file: string): Promise<void> {
-    try { this.tools = (await this.app.client.ask("proposals", { tools: file })).tools; } catch (e) { this.app.tell(e); }
+    try {
+      this.tools = (await this.app.client.ask("proposals", { tools: file })).tools;
+    } catch (e) {
+      this.app.tell(e);
+    }
     this.draw();
   }
 
   private draw(): void {
     if (!this.known) fill(this.form, h("p", { class: "note" }, this.app.opened ? t("running") : t("open_a_program")));
-    else fill(this.form, h("h3", null, t("stock")), this.stock_form(), this.fixtures_form(), h("h3", null, t("tools")), this.files_form(), ...this.tools.map((x) => this.tool_form(x)),
-      button(t("add_tool"), () => { this.touched = true; this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }));
-    fill(this.start, this.known && h("div", { class: "cut-run" }), this.known && h("label", { class: "field" }, h("span", null, t("resolution")), this.input(this.resolution, (v) => { this.resolution = v; }, { placeholder: t("auto"), inputmode: "decimal" }), h("span", { class: "dim" }, t("mm"))));
+    else
+      fill(
+        this.form,
+        h("h3", null, t("stock")),
+        this.stock_form(),
+        this.fixtures_form(),
+        h("h3", null, t("tools")),
+        this.files_form(),
+        ...this.tools.map((x) => this.tool_form(x)),
+        button(t("add_tool"), () => {
+          this.touched = true;
+          this.tools.push({
+            number: Math.max(0, ...this.tools.map((x) => x.number)) + 1,
+            kind: "flat",
+            diameter: 10,
+            flutes: 20,
+            length: 50,
+          });
+          this.draw();
+        }),
+      );
+    fill(
+      this.start,
+      this.known && h("div", { class: "cut-run" }),
+      this.known &&
+        h(
+          "label",
+          { class: "field" },
+          h("span", null, t("resolution")),
+          this.input(
+            this.resolution,
+            (v) => {
+              this.resolution = v;
+            },
+            { placeholder: t("auto"), inputmode: "decimal" },
+          ),
+          h("span", { class: "dim" }, t("mm")),
+        ),
+    );
     this.draw_run();
     this.draw_told(null);
     if (this.known) this.shown(box_of(this.stock), this.tools);
@@ -76,37 +150,145 @@ export class CutPanel {
 
   private draw_run(): void {
     const e = this.start.querySelector(".cut-run");
-    if (e) fill(e, this.app.cutting ? button(t("stop"), () => this.app.stop(), { class: "stop" }) : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done }));
+    if (e)
+      fill(
+        e,
+        this.app.cutting
+          ? button(t("stop"), () => this.app.stop(), { class: "stop" })
+          : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done }),
+      );
   }
 
   private stock_form(): HTMLElement {
     const box = box_of(this.stock);
-    const text = h("label", { class: "field" }, h("span", null, t("stock_as_text")), this.input(this.stock, (v) => { this.stock = v; this.draw(); }, { class: "wide" }));
+    const text = h(
+      "label",
+      { class: "field" },
+      h("span", null, t("stock_as_text")),
+      this.input(
+        this.stock,
+        (v) => {
+          this.stock = v;
+          this.draw();
+        },
+        { class: "wide" },
+      ),
+    );
     if (!box) return text;
-    const cell = (corner: 0 | 1, i: number): HTMLElement => h("td", null, this.input(String(box[corner][i]), (v) => { box[corner][i] = Number(v.replace(",", ".")); this.stock = stock_of(box); this.draw(); }, { inputmode: "decimal", "aria-label": `${"XYZ"[i]} ${t(corner ? "to" : "from")}` }));
-    return h("div", null, h("table", { class: "list stock-form" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("from")), h("th", { scope: "col" }, t("to")))),
-      h("tbody", null, ...[0, 1, 2].map((i) => h("tr", null, h("th", { scope: "row" }, "XYZ"[i]!), cell(0, i), cell(1, i))))), !proper(box) && h("p", { class: "hint error" }, t("stock_inside_out")), text);
+    const cell = (corner: 0 | 1, i: number): HTMLElement =>
+      h(
+        "td",
+        null,
+        this.input(
+          String(box[corner][i]),
+          (v) => {
+            box[corner][i] = Number(v.replace(",", "."));
+            this.stock = stock_of(box);
+            this.draw();
+          },
+          { inputmode: "decimal", "aria-label": `${"XYZ"[i]} ${t(corner ? "to" : "from")}` },
+        ),
+      );
+    return h(
+      "div",
+      null,
+      h(
+        "table",
+        { class: "list stock-form" },
+        h(
+          "thead",
+          null,
+          h("tr", null, h("th", null), h("th", { scope: "col" }, t("from")), h("th", { scope: "col" }, t("to"))),
+        ),
+        h(
+          "tbody",
+          null,
+          ...[0, 1, 2].map((i) => h("tr", null, h("th", { scope: "row" }, "XYZ"[i]!), cell(0, i), cell(1, i))),
+        ),
+      ),
+      !proper(box) && h("p", { class: "hint error" }, t("stock_inside_out")),
+      text,
+    );
   }
 
   private fixtures_form(): HTMLElement {
-    const text = h("textarea", { rows: String(Math.max(1, this.fixtures.length)), placeholder: "box:X0,Y0,Z0,X1,Y1,Z1", onchange: () => { this.fixtures = text.value.split("\n").map((line) => line.trim()).filter((line) => line !== ""); this.draw(); } }, this.fixtures.join("\n"));
+    const text = h(
+      "textarea",
+      {
+        rows: String(Math.max(1, this.fixtures.length)),
+        placeholder: "box:X0,Y0,Z0,X1,Y1,Z1",
+        onchange: () => {
+          this.fixtures = text.value
+            .split("\n")
+            .map((line) => line.trim())
+            .filter((line) => line !== "");
+          this.draw();
+        },
+      },
+      this.fixtures.join("\n"),
+    );
     return h("label", { class: "field" }, h("span", null, t("fixtures")), text);
   }
 
   private files_form(): HTMLElement | false {
     if (!this.files.length) return false;
-    const select = h("select", { onchange: () => { if (select.value) void this.take_file(select.value); } }, option("", "…", true), ...this.files.map((f) => option(f, f, false)));
+    const select = h(
+      "select",
+      {
+        onchange: () => {
+          if (select.value) void this.take_file(select.value);
+        },
+      },
+      option("", "…", true),
+      ...this.files.map((f) => option(f, f, false)),
+    );
     return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
   }
 
   private tool_form(x: Tool): HTMLElement {
     const more = sizes_of[x.kind] ?? ["corner", "angle", "tip"];
-    const select = h("select", { "aria-label": t("kind"), onchange: () => { x.kind = select.value; this.draw(); } }, ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)));
-    const fields = sizes.filter((s) => ["diameter", "flutes", "length", ...more].includes(s)).map((s) =>
-      h("label", { class: "field small" }, h("span", null, t(s)), this.input(x[s] === undefined ? "" : String(x[s]), (v) => { if (v.trim() === "") delete x[s]; else x[s] = Number(v.replace(",", ".")); this.draw(); }, { inputmode: "decimal" })));
-    return h("fieldset", { class: x.known === false ? "tool-form unknown" : "tool-form" }, h("legend", null, `T${x.number} ${x.name ?? ""}`),
+    const select = h(
+      "select",
+      {
+        "aria-label": t("kind"),
+        onchange: () => {
+          x.kind = select.value;
+          this.draw();
+        },
+      },
+      ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)),
+    );
+    const fields = sizes
+      .filter((s) => ["diameter", "flutes", "length", ...more].includes(s))
+      .map((s) =>
+        h(
+          "label",
+          { class: "field small" },
+          h("span", null, t(s)),
+          this.input(
+            x[s] === undefined ? "" : String(x[s]),
+            (v) => {
+              if (v.trim() === "") delete x[s];
+              else x[s] = Number(v.replace(",", "."));
+              this.draw();
+            },
+            { inputmode: "decimal" },
+          ),
+        ),
+      );
+    return h(
+      "fieldset",
+      { class: x.known === false ? "tool-form unknown" : "tool-form" },
+      h("legend", null, `T${x.number} ${x.name ?? ""}`),
       tool_picture(shape_of(x), `T${x.number}`, 44, 96),
-      h("div", { class: "tool-fields" }, x.known === false && h("p", { class: "hint" }, t("shape_unknown")), h("div", { class: "row" }, select, h("span", { class: "dim from" }, x.from ?? "")), h("div", { class: "fields" }, ...fields)));
+      h(
+        "div",
+        { class: "tool-fields" },
+        x.known === false && h("p", { class: "hint" }, t("shape_unknown")),
+        h("div", { class: "row" }, select, h("span", { class: "dim from" }, x.from ?? "")),
+        h("div", { class: "fields" }, ...fields),
+      ),
+    );
   }
 
   private input(v: string, changed: (v: string) => void, more: Record<string, unknown> = {}): HTMLInputElement {
@@ -117,18 +299,65 @@ export class CutPanel {
   private run(): void {
     const r = Number(this.resolution.replace(",", "."));
     const tools = this.tools.map(({ from: _, known: __, ...shape }) => shape);
-    void this.app.run_cut({ stock: this.stock, tools, ...(this.fixtures.length ? { fixtures: this.fixtures } : {}), ...(r > 0 ? { resolution: r } : {}) });
+    void this.app.run_cut({
+      stock: this.stock,
+      tools,
+      ...(this.fixtures.length ? { fixtures: this.fixtures } : {}),
+      ...(r > 0 ? { resolution: r } : {}),
+    });
   }
 
   private draw_told(part: number | null): void {
-    const { app } = this, c = app.cut;
-    const bar = part !== null && app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
-    fill(this.told, bar, c && !c.error && h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`)),
-      this.part && h("p", { class: "note" }, t("part_told", { left: short(this.part.left, 1), triangles: short(this.part.triangles), cell: short(this.part.cell, 3) })),
+    const { app } = this,
+      c = app.cut;
+    const bar =
+      part !== null && app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
+    fill(
+      this.told,
+      bar,
+      c &&
+        !c.error &&
+        h(
+          "dl",
+          { class: "facts" },
+          ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`),
+          ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`),
+          ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`),
+          ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`),
+        ),
+      this.part &&
+        h(
+          "p",
+          { class: "note" },
+          t("part_told", {
+            left: short(this.part.left, 1),
+            triangles: short(this.part.triangles),
+            cell: short(this.part.cell, 3),
+          }),
+        ),
       ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),
       c && !c.error && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
-      ...app.findings.slice(0, 500).map((f) => h("div", { class: "problem alarm" }, h("button", { type: "button", class: "problem-go", onclick: () => { app.seek(f.at); this.jump(f.line); } },
-        icon("alarm", t("alarm")), h("span", { class: "problem-text" }, f.text), h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`)))),
-      app.findings.length > 500 && h("p", { class: "note" }, `… +${app.findings.length - 500}`));
+      ...app.findings.slice(0, 500).map((f) =>
+        h(
+          "div",
+          { class: "problem alarm" },
+          h(
+            "button",
+            {
+              type: "button",
+              class: "problem-go",
+              onclick: () => {
+                app.seek(f.at);
+                this.jump(f.line);
+              },
+            },
+            icon("alarm", t("alarm")),
+            h("span", { class: "problem-text" }, f.text),
+            h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`),
+          ),
+        ),
+      ),
+      app.findings.length > 500 && h("p", { class: "note" }, `… +${app.findings.length - 500}`),
+    );
   }
 }

@@ -2,15 +2,24 @@
 type Child = Node | string | number | null | undefined | false;
 type Attributes = Record<string, unknown>;
 
-/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the attribute out.
-export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes?: Attributes | null, ...children: Child[]): HTMLElementTagNameMap[K] {
+/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the
+/// attribute out.
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes?: Attributes | null,
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
   const e = document.createElement(tag);
   set_attributes(e, attributes);
   add(e, children);
   return e;
 }
 
-export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes?: Attributes | null, ...children: Child[]): SVGElementTagNameMap[K] {
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes?: Attributes | null,
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
   const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
   set_attributes(e, attributes);
   add(e, children);
@@ -31,7 +40,8 @@ function set_attributes(e: Element, attributes?: Attributes | null): void {
 }
 
 function add(e: Element, children: Child[]): void {
-  for (const c of children) if (c !== null && c !== undefined && c !== false) e.append(c instanceof Node ? c : String(c));
+  for (const c of children)
+    if (c !== null && c !== undefined && c !== false) e.append(c instanceof Node ? c : String(c));
 }
 
 export function button(text: string | Node, action: () => void, attributes?: Attributes): HTMLButtonElement {
@@ -44,21 +54,41 @@ export function option(value: string, text: string, chosen: boolean): HTMLOption
   return o;
 }
 
-/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by their names.
+/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by
+/// their names.
 export function redraw(root: HTMLElement, draw: () => void): void {
-  const name = (i: Element): string => i.getAttribute("aria-label") ?? "", active = document.activeElement;
-  const typed = new Map([...root.querySelectorAll("input")].filter((i) => i.type !== "range" && i.value !== i.defaultValue).map((i) => [name(i), i.value]));
+  const name = (i: Element): string => i.getAttribute("aria-label") ?? "",
+    active = document.activeElement;
+  const typed = new Map(
+    [...root.querySelectorAll("input")]
+      .filter((i) => i.type !== "range" && i.value !== i.defaultValue)
+      .map((i) => [name(i), i.value]),
+  );
   const focused = active && active !== root && root.contains(active) ? `${active.tagName} ${name(active)}` : null;
   draw();
-  for (const i of root.querySelectorAll("input")) if (typed.has(name(i))) { i.value = typed.get(name(i))!; keep_change(i); }
-  if (focused) [...root.querySelectorAll<HTMLElement>("input, select, button")].find((e) => `${e.tagName} ${name(e)}` === focused)?.focus();
+  for (const i of root.querySelectorAll("input"))
+    if (typed.has(name(i))) {
+      i.value = typed.get(name(i))!;
+      keep_change(i);
+    }
+  if (focused)
+    [...root.querySelectorAll<HTMLElement>("input, select, button")]
+      .find((e) => `${e.tagName} ${name(e)}` === focused)
+      ?.focus();
 }
 
-/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is left or Enter is pressed.
+/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is
+/// left or Enter is pressed.
 function keep_change(input: HTMLInputElement): void {
   let told = false;
-  const tell = (): void => { if (!told && input.value !== input.defaultValue) input.dispatchEvent(new Event("change")); };
-  input.addEventListener("change", () => { told = true; });
-  input.addEventListener("keydown", (e) => { if (e.key === "Enter") tell(); });
+  const tell = (): void => {
+    if (!told && input.value !== input.defaultValue) input.dispatchEvent(new Event("change"));
+  };
+  input.addEventListener("change", () => {
+    told = true;
+  });
+  input.addEventListener("keydown", (e) => {
+    if (e.key === "Enter") tell();
+  });
   input.addEventListener("blur", tell);
 }

@@ -20,7 +20,8 @@ export function grouped(v: number): string {
 /// h:mm:ss, or m:ss.t below an hour.
 export function clock(seconds: number | undefined | null): string {
   if (seconds === undefined || seconds === null || !Number.isFinite(seconds)) return "–";
-  const tenths = Math.round(Math.max(0, seconds) * 10), s = Math.floor(tenths / 10);
+  const tenths = Math.round(Math.max(0, seconds) * 10),
+    s = Math.floor(tenths / 10);
   const two = (n: number): string => String(n).padStart(2, "0");
   if (s >= 3600) return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
   return `${Math.floor(s / 60)}:${two(s % 60)}.${tenths % 10}`;

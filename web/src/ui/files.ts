@@ -1,4 +1,5 @@
-// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs from; tape, other controls.
+// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs
+// from; tape, other controls.
 import type { App } from "../model/app";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -11,7 +12,12 @@ const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastI
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
 
 /// `folder`: the one that is shown.
-export interface FilesVerbs { from_drawing(folder: string, drawing?: string): void; to_tape(): void; from_tape(folder: string): void; convert(): void }
+export interface FilesVerbs {
+  from_drawing(folder: string, drawing?: string): void;
+  to_tape(): void;
+  from_tape(folder: string): void;
+  convert(): void;
+}
 
 export class FilesDrawer {
   readonly element = h("nav", { class: "pane files", "aria-label": "" });
@@ -22,13 +28,19 @@ export class FilesDrawer {
   private verbs_row = h("div", { class: "files-verbs" });
   private names = new Set<string>();
 
-  constructor(private app: App, private verbs: FilesVerbs) {
+  constructor(
+    private app: App,
+    private verbs: FilesVerbs,
+  ) {
     this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list, this.verbs_row);
     app.on_files.on((file) => void this.go(folder_of(file)));
-    app.on_line.on((l) => { if (l === "open") void this.go(this.folder); });
+    app.on_line.on((l) => {
+      if (l === "open") void this.go(this.folder);
+    });
     app.on_opened.on((o) => {
       const folder = folder_of(o.file);
-      if (this.fresh && folder !== this.folder) void this.go(folder); // what was open before a reload is shown where it lies
+      if (this.fresh && folder !== this.folder)
+        void this.go(folder); // what was open before a reload is shown where it lies
       else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has been saved just now
       this.fresh = false;
       this.mark();
@@ -41,28 +53,59 @@ export class FilesDrawer {
       const { entries, more } = await this.app.client.ask("files", { folder });
       this.folder = folder;
       this.draw(entries, more === true);
-    } catch (e) { this.app.tell(e); }
+    } catch (e) {
+      this.app.tell(e);
+    }
   }
 
   private draw(entries: FileEntry[], more: boolean): void {
     this.element.setAttribute("aria-label", t("files"));
     const parts = this.folder ? this.folder.split("/") : [];
-    fill(this.crumbs, button(this.app.hello?.folder || "/", () => void this.go("")),
-      ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]));
-    fill(this.list, ...entries.map((e) => this.row(e)), more && h("li", { class: "note" }, t("more_files")), !entries.length && h("li", { class: "note" }, t("empty_folder")));
+    fill(
+      this.crumbs,
+      button(this.app.hello?.folder || "/", () => void this.go("")),
+      ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]),
+    );
+    fill(
+      this.list,
+      ...entries.map((e) => this.row(e)),
+      more && h("li", { class: "note" }, t("more_files")),
+      !entries.length && h("li", { class: "note" }, t("empty_folder")),
+    );
     this.names = new Set(entries.map((e) => (this.folder ? `${this.folder}/${e.name}` : e.name)));
-    fill(this.verbs_row, button(t("new_from_drawing"), () => this.verbs.from_drawing(this.folder)), button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }), button(t("from_tape"), () => this.verbs.from_tape(this.folder)),
-      button(t("convert"), () => this.verbs.convert(), { "data-needs": "program" }));
+    fill(
+      this.verbs_row,
+      button(t("new_from_drawing"), () => this.verbs.from_drawing(this.folder)),
+      button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }),
+      button(t("from_tape"), () => this.verbs.from_tape(this.folder)),
+      button(t("convert"), () => this.verbs.convert(), { "data-needs": "program" }),
+    );
     this.mark();
   }
 
   private row(e: FileEntry): HTMLElement {
     const path = this.folder ? `${this.folder}/${e.name}` : e.name;
     const draws = e.kind === "other" && is_drawing(e.name);
-    const can = draws || e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
-    return h("li", null, h("button", { type: "button", class: `file-row ${e.kind}`, disabled: !can, "data-path": path, title: e.kind === "setup" ? t("use_setup") : draws ? `${path}: ${t("new_from_drawing")}` : path, onclick: () => void this.choose(e, path) },
-      icon(e.kind), h("span", { class: "file-name" }, e.name),
-      e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size))));
+    const can =
+      draws || e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
+    return h(
+      "li",
+      null,
+      h(
+        "button",
+        {
+          type: "button",
+          class: `file-row ${e.kind}`,
+          disabled: !can,
+          "data-path": path,
+          title: e.kind === "setup" ? t("use_setup") : draws ? `${path}: ${t("new_from_drawing")}` : path,
+          onclick: () => void this.choose(e, path),
+        },
+        icon(e.kind),
+        h("span", { class: "file-name" }, e.name),
+        e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size)),
+      ),
+    );
   }
 
   private async choose(e: FileEntry, path: string): Promise<void> {
@@ -75,9 +118,11 @@ export class FilesDrawer {
 
   private mark(): void {
     for (const b of this.list.querySelectorAll<HTMLElement>(".file-row")) {
-      if (b.dataset.path === this.app.opened?.file) b.setAttribute("aria-current", "true"); else b.removeAttribute("aria-current");
+      if (b.dataset.path === this.app.opened?.file) b.setAttribute("aria-current", "true");
+      else b.removeAttribute("aria-current");
       if (b.classList.contains("setup")) (b as HTMLButtonElement).disabled = this.app.opened === null;
     }
-    for (const b of this.verbs_row.querySelectorAll<HTMLButtonElement>("[data-needs=program]")) b.disabled = this.app.opened === null;
+    for (const b of this.verbs_row.querySelectorAll<HTMLButtonElement>("[data-needs=program]"))
+      b.disabled = this.app.opened === null;
   }
 }

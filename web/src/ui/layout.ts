@@ -3,12 +3,27 @@ import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, h } from "./dom";
 
-const sizes: Record<string, [number, number, number]> = { left: [380, 200, 900], right: [340, 260, 800], bottom: [150, 110, 400], lower: [260, 80, 900] }; // px: at first, least, most
+const sizes: Record<string, [number, number, number]> = {
+  left: [380, 200, 900],
+  right: [340, 260, 800],
+  bottom: [150, 110, 400],
+  lower: [260, 80, 900],
+}; // px: at first, least, most
 
-export interface Panes { top: HTMLElement; banner: HTMLElement; files: HTMLElement; source: HTMLElement; scene: HTMLElement; state: HTMLElement; tabs: HTMLElement; bottom: HTMLElement }
+export interface Panes {
+  top: HTMLElement;
+  banner: HTMLElement;
+  files: HTMLElement;
+  source: HTMLElement;
+  scene: HTMLElement;
+  state: HTMLElement;
+  tabs: HTMLElement;
+  bottom: HTMLElement;
+}
 
 export function layout(p: Panes): HTMLElement {
-  const left = h("div", { class: "left" }, p.files, p.source), right = h("div", { class: "right" }, p.state, bar("lower", "y", -1), p.tabs);
+  const left = h("div", { class: "left" }, p.files, p.source),
+    right = h("div", { class: "right" }, p.state, bar("lower", "y", -1), p.tabs);
   const main = h("main", { class: "main-panes" }, left, bar("left", "x", 1), p.scene, bar("right", "x", -1), right);
   return h("div", { class: "page" }, p.top, p.banner, main, bar("bottom", "y", -1), p.bottom);
 }
@@ -17,7 +32,14 @@ export function layout(p: Panes): HTMLElement {
 function bar(name: string, direction: "x" | "y", way: 1 | -1): HTMLElement {
   const [first, least, most] = sizes[name]!;
   let size = remembered(`size.${name}`, first);
-  const e = h("div", { class: `splitter ${direction}`, role: "separator", tabindex: "0", "aria-orientation": direction === "x" ? "vertical" : "horizontal", "aria-valuemin": least, "aria-valuemax": most });
+  const e = h("div", {
+    class: `splitter ${direction}`,
+    role: "separator",
+    tabindex: "0",
+    "aria-orientation": direction === "x" ? "vertical" : "horizontal",
+    "aria-valuemin": least,
+    "aria-valuemax": most,
+  });
   const set = (v: number): void => {
     size = Math.min(most, Math.max(least, v));
     document.documentElement.style.setProperty(`--${name}`, `${size}px`);
@@ -25,9 +47,17 @@ function bar(name: string, direction: "x" | "y", way: 1 | -1): HTMLElement {
     e.setAttribute("aria-label", t("resize"));
     remember(`size.${name}`, size);
   };
-  let from = 0, before = 0;
-  e.addEventListener("pointerdown", (event) => { e.setPointerCapture(event.pointerId); from = direction === "x" ? event.clientX : event.clientY; before = size; });
-  e.addEventListener("pointermove", (event) => { if (e.hasPointerCapture(event.pointerId)) set(before + way * ((direction === "x" ? event.clientX : event.clientY) - from)); });
+  let from = 0,
+    before = 0;
+  e.addEventListener("pointerdown", (event) => {
+    e.setPointerCapture(event.pointerId);
+    from = direction === "x" ? event.clientX : event.clientY;
+    before = size;
+  });
+  e.addEventListener("pointermove", (event) => {
+    if (e.hasPointerCapture(event.pointerId))
+      set(before + way * ((direction === "x" ? event.clientX : event.clientY) - from));
+  });
   e.addEventListener("dblclick", () => set(first));
   e.addEventListener("keydown", (event) => {
     const step = { ArrowLeft: -16, ArrowUp: -16, ArrowRight: 16, ArrowDown: 16 }[event.key];
@@ -40,7 +70,12 @@ function bar(name: string, direction: "x" | "y", way: 1 | -1): HTMLElement {
   return e;
 }
 
-export interface Tab { name: TextKey; element: HTMLElement; badge?: () => string; whole?: () => boolean } // whole: it takes the place of the pane above
+export interface Tab {
+  name: TextKey;
+  element: HTMLElement;
+  badge?: () => string;
+  whole?: () => boolean;
+} // whole: it takes the place of the pane above
 
 /// Tabs as ARIA knows them: one is in the tab order, arrows go between them.
 export class Tabs {
@@ -65,13 +100,32 @@ export class Tabs {
     this.draw();
   }
 
-  choose(name: TextKey): void { this.chosen = name; this.draw(); }
+  choose(name: TextKey): void {
+    this.chosen = name;
+    this.draw();
+  }
 
   draw(): void {
-    fill(this.list, ...this.tabs.map((x) => {
-      const on = x.name === this.chosen, badge = x.badge?.();
-      return h("button", { type: "button", role: "tab", "aria-selected": String(on), tabindex: on ? "0" : "-1", "data-tab": x.name, onclick: () => this.choose(x.name) }, t(x.name), badge ? h("span", { class: "count" }, badge) : null);
-    }));
+    fill(
+      this.list,
+      ...this.tabs.map((x) => {
+        const on = x.name === this.chosen,
+          badge = x.badge?.();
+        return h(
+          "button",
+          {
+            type: "button",
+            role: "tab",
+            "aria-selected": String(on),
+            tabindex: on ? "0" : "-1",
+            "data-tab": x.name,
+            onclick: () => this.choose(x.name),
+          },
+          t(x.name),
+          badge ? h("span", { class: "count" }, badge) : null,
+        );
+      }),
+    );
     const tab = this.tabs.find((x) => x.name === this.chosen)!;
     this.element.classList.toggle("whole", Boolean(tab.whole?.()));
     if (this.host.firstChild !== tab.element) this.host.replaceChildren(tab.element);
@@ -81,8 +135,14 @@ export class Tabs {
 
 /// The focus goes to the next pane, or to the one before.
 export function next_pane(way: 1 | -1): void {
-  const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter((e) => !e.hidden);
+  const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter(
+    (e) => !e.hidden,
+  );
   const here = panes.findIndex((e) => e.contains(document.activeElement));
   const next = panes[(here + way + panes.length) % panes.length]!;
-  (next.querySelector<HTMLElement>("[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas") ?? next).focus();
+  (
+    next.querySelector<HTMLElement>(
+      "[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas",
+    ) ?? next
+  ).focus();
 }

@@ -1,20 +1,44 @@
 // What the colours of the path mean: a ramp with its figures, or one line a kind of motion or a tool.
+import { is_rapid, spline } from "../protocol/frames";
 import { colour_of_tool, is_ramp, ramp, type Range, type Rgba, type Theme } from "../scene/colours";
 import type { ColourBy } from "../scene/types";
 import { t, type TextKey } from "../texts/texts";
 import { h } from "./dom";
 import { clock, coordinate, short } from "./figures";
 
-export interface Coloured { by: ColourBy; range: Range | null; kinds: number[]; tools: { tool: number; name?: string }[]; theme: Theme }
+export interface Coloured {
+  by: ColourBy;
+  range: Range | null;
+  kinds: number[];
+  tools: { tool: number; name?: string }[];
+  theme: Theme;
+}
 
 const css = ([r, g, b, a]: Rgba): string => `rgba(${r}, ${g}, ${b}, ${Math.max(0.5, a / 255)})`;
-const ticks = 5, most_tools = 12;
+const ticks = 5,
+  most_tools = 12;
 
 export function legend(c: Coloured): HTMLElement | null {
   if (is_ramp(c.by)) return ramp_legend(c.by, c.range);
-  const rows = c.by === "kind" ? c.kinds.map((k) => swatch(css(k === 1 || k === 6 ? c.theme.rapid : c.theme.kinds[Math.min(k, c.theme.kinds.length - 1)]!), t(`motion_${Math.min(8, k)}` as TextKey)))
-    : c.tools.slice(0, most_tools).map((x) => swatch(css(colour_of_tool(x.tool)), `T${x.tool} ${x.name ?? ""}`));
-  return rows.length ? h("div", { class: "legend" }, ...rows, c.by === "tool" && c.tools.length > most_tools && h("div", { class: "dim" }, `… +${c.tools.length - most_tools}`)) : null;
+  const rows =
+    c.by === "kind"
+      ? c.kinds.map((k) =>
+          swatch(
+            css(is_rapid(k) ? c.theme.rapid : c.theme.kinds[Math.min(k, c.theme.kinds.length - 1)]!),
+            t(`motion_${Math.min(spline, k)}` as TextKey),
+          ),
+        )
+      : c.tools.slice(0, most_tools).map((x) => swatch(css(colour_of_tool(x.tool)), `T${x.tool} ${x.name ?? ""}`));
+  return rows.length
+    ? h(
+        "div",
+        { class: "legend" },
+        ...rows,
+        c.by === "tool" &&
+          c.tools.length > most_tools &&
+          h("div", { class: "dim" }, `… +${c.tools.length - most_tools}`),
+      )
+    : null;
 }
 
 /// The figure at each tick of a ramp.
@@ -25,16 +49,29 @@ export function ramp_figures(by: ColourBy, [low, high]: Range): string[] {
   return Array.from({ length: ticks }, (_, i) => told(low + ((high - low) * i) / (ticks - 1)));
 }
 
-const units_of = (by: ColourBy): string => (by === "time" ? "" : by === "depth" ? t("mm") : by === "slowed" ? "%" : t("mm_min"));
+const units_of = (by: ColourBy): string =>
+  by === "time" ? "" : by === "depth" ? t("mm") : by === "slowed" ? "%" : t("mm_min");
 
 function ramp_legend(by: ColourBy, range: Range | null): HTMLElement | null {
   const figures = range ? ramp_figures(by, range) : [];
   if (!figures.length) return null;
-  const shades = Array.from({ length: 13 }, (_, i) => css(ramp(i, [0, 12]))).reverse().join(", "), unit = units_of(by);
+  const shades = Array.from({ length: 13 }, (_, i) => css(ramp(i, [0, 12])))
+      .reverse()
+      .join(", "),
+    unit = units_of(by);
   const strip = h("div", { class: "legend-ramp" });
   strip.style.background = figures.length > 1 ? `linear-gradient(${shades})` : css(ramp(0, [0, 0]));
-  return h("div", { class: "legend" }, h("div", { class: "dim" }, `${t(`colour_${by}`)}${unit ? `, ${unit}` : ""}`),
-    h("div", { class: "legend-scale" }, strip, h("div", { class: "legend-figures" }, ...figures.reverse().map((f) => h("span", null, f)))));
+  return h(
+    "div",
+    { class: "legend" },
+    h("div", { class: "dim" }, `${t(`colour_${by}`)}${unit ? `, ${unit}` : ""}`),
+    h(
+      "div",
+      { class: "legend-scale" },
+      strip,
+      h("div", { class: "legend-figures" }, ...figures.reverse().map((f) => h("span", null, f))),
+    ),
+  );
 }
 
 function swatch(colour: string, name: string): HTMLElement {

@@ -10,12 +10,29 @@ export class Player {
   loop: [number, number] | null = null;
   private last = 0;
 
-  constructor(private app: App) { app.on_opening.on(() => { this.loop = null; this.stop(); }); }
+  constructor(private app: App) {
+    app.on_opening.on(() => {
+      this.loop = null;
+      this.stop();
+    });
+  }
 
-  toggle(): void { if (this.playing) this.stop(); else this.start(); }
-  stop(): void { this.playing = false; this.changed.emit(); }
-  set_times(times: number): void { this.times = times; this.changed.emit(); }
-  set_loop(loop: [number, number] | null): void { this.loop = loop; this.changed.emit(); }
+  toggle(): void {
+    if (this.playing) this.stop();
+    else this.start();
+  }
+  stop(): void {
+    this.playing = false;
+    this.changed.emit();
+  }
+  set_times(times: number): void {
+    this.times = times;
+    this.changed.emit();
+  }
+  set_loop(loop: [number, number] | null): void {
+    this.loop = loop;
+    this.changed.emit();
+  }
 
   private start(): void {
     const { app } = this;

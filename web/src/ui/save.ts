@@ -11,7 +11,8 @@ export async function save(app: App): Promise<void> {
 }
 
 async function save_over(app: App, digest: string | null): Promise<void> {
-  const file = app.opened!.file, text = app.text!;
+  const file = app.opened!.file,
+    text = app.text!;
   try {
     const saved = await app.client.ask("save", { file, text, digest });
     app.saved(text, saved.digest);
@@ -24,21 +25,38 @@ async function save_over(app: App, digest: string | null): Promise<void> {
 }
 
 async function conflict(app: App, file: string, text: string): Promise<void> {
-  const choice = await ask(t("conflict"), t("conflict_long", { file }), [["theirs", t("conflict_theirs")], ["copy", t("conflict_copy")], ["cancel", t("cancel")]]);
+  const choice = await ask(t("conflict"), t("conflict_long", { file }), [
+    ["theirs", t("conflict_theirs")],
+    ["copy", t("conflict_copy")],
+    ["cancel", t("cancel")],
+  ]);
   if (choice === "theirs") await app.open({ file, ...app.choice }, app.instant);
   if (choice !== "copy") return;
   const name = file.replace(/(\.[^./]*)?$/, (end) => `_2${end}`);
   try {
     await app.client.ask("save", { file: name, text, digest: null });
     await app.open({ file: name, ...app.choice }, app.instant);
-  } catch (e) { app.tell(e); }
+  } catch (e) {
+    app.tell(e);
+  }
 }
 
 /// What is not saved here is asked about before another program is opened.
 export async function may_leave(app: App): Promise<boolean> {
-  return !app.dirty || (await ask(t("unsaved"), t("unsaved_long", { file: app.opened?.file ?? "" }), [["leave", t("discard")], ["cancel", t("cancel")]])) !== "cancel";
+  return (
+    !app.dirty ||
+    (await ask(t("unsaved"), t("unsaved_long", { file: app.opened?.file ?? "" }), [
+      ["leave", t("discard")],
+      ["cancel", t("cancel")],
+    ])) !== "cancel"
+  );
 }
 
 export async function may_replace(file: string): Promise<boolean> {
-  return (await ask(t("file_there"), t("file_there_long", { file }), [["replace", t("replace")], ["cancel", t("cancel")]])) === "replace";
+  return (
+    (await ask(t("file_there"), t("file_there_long", { file }), [
+      ["replace", t("replace")],
+      ["cancel", t("cancel")],
+    ])) === "replace"
+  );
 }

@@ -1,7 +1,17 @@
-// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its corners.
+// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its
+// corners.
+import { spline } from "../protocol/frames";
 import { figure_places } from "../scene/boxes";
 import { dark, is_ramp, light } from "../scene/colours";
-import { Scene, type ColourBy, type Measured, type Point, type SceneFilter, type SceneVertex, type View } from "../scene/scene";
+import {
+  Scene,
+  type ColourBy,
+  type Measured,
+  type Point,
+  type SceneFilter,
+  type SceneVertex,
+  type View,
+} from "../scene/scene";
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
@@ -27,7 +37,10 @@ export class ScenePane {
   private thinned_told = h("div", { class: "scene-thinned" });
   private legend = h("div", { class: "scene-legend" });
   private flags = new Flags((time) => this.app.seek(time));
-  private cube = new ViewCube((v) => this.scene?.view(v), (towards) => this.scene?.look_from(towards));
+  private cube = new ViewCube(
+    (v) => this.scene?.view(v),
+    (towards) => this.scene?.look_from(towards),
+  );
   private box: [Point, Point] | null = null; // extents, whose figures stand at its edges
   private tip = h("div", { class: "scene-tip", hidden: true });
   private colour = remembered<ColourBy>("colour", "kind");
@@ -36,14 +49,39 @@ export class ScenePane {
   private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // segments that are drawn, and all
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
-  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true, turned: true };
+  filter: SceneFilter = {
+    rapids: true,
+    tools: null,
+    depth: null,
+    lines: null,
+    hideDone: false,
+    programmed: false,
+    other: true,
+    bounds: true,
+    turned: true,
+  };
 
-  constructor(private app: App, picked: (v: SceneVertex) => void) {
+  constructor(
+    private app: App,
+    picked: (v: SceneVertex) => void,
+  ) {
     const host = h("div", { class: "scene-host" });
-    this.element.append(host, this.flags.element, this.legend, this.cube.element, this.bar, this.below, this.told, this.tip);
+    this.element.append(
+      host,
+      this.flags.element,
+      this.legend,
+      this.cube.element,
+      this.bar,
+      this.below,
+      this.told,
+      this.tip,
+    );
     this.scene = this.make(host, picked);
     for (const s of [app.on_done, app.on_opening, app.on_opened]) s.on(() => this.draw());
-    on_language(() => { this.draw(); this.mark(); });
+    on_language(() => {
+      this.draw();
+      this.mark();
+    });
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
     app.on_opening.on(() => this.scene?.setJoints([]));
@@ -70,19 +108,33 @@ export class ScenePane {
     this.told.textContent = this.measuring ? t("measure_how") : "";
     this.draw();
   }
-  leave(): void { if (this.measuring) this.toggle_measure(); }
-  toggle_rapids(): void { this.set_filter({ rapids: !this.filter.rapids }); }
-  picture(): Promise<Blob> { return this.scene ? this.scene.picture() : Promise.reject(new Error("no view")); }
+  leave(): void {
+    if (this.measuring) this.toggle_measure();
+  }
+  toggle_rapids(): void {
+    this.set_filter({ rapids: !this.filter.rapids });
+  }
+  picture(): Promise<Blob> {
+    return this.scene ? this.scene.picture() : Promise.reject(new Error("no view"));
+  }
 
   private make(host: HTMLElement, picked: (v: SceneVertex) => void): Scene | null {
     try {
       return new Scene(host, {
-        pick: (v) => { if (v) picked(v); },
+        pick: (v) => {
+          if (v) picked(v);
+        },
         hover: (v, x, y) => this.hover(v, x, y),
         touched: (place, normal) => this.touched?.(place, normal),
-        measured: (m) => { this.told.textContent = this.measured(m); },
+        measured: (m) => {
+          this.told.textContent = this.measured(m);
+        },
         turned: (view) => this.turn(view),
-        thinned: (drawn, all) => { this.counted = [drawn, all]; this.tell_thinned(); this.draw_legend(); },
+        thinned: (drawn, all) => {
+          this.counted = [drawn, all];
+          this.tell_thinned();
+          this.draw_legend();
+        },
       });
     } catch {
       host.append(h("p", { class: "note no-webgl" }, t("no_webgl"))); // source, state and times work without it
@@ -92,7 +144,8 @@ export class ScenePane {
 
   private tell_thinned(): void {
     const [drawn, all] = this.counted;
-    this.thinned_told.textContent = drawn < all && all >= worth_telling ? t("thinned", { drawn: short(drawn), all: short(all) }) : "";
+    this.thinned_told.textContent =
+      drawn < all && all >= worth_telling ? t("thinned", { drawn: short(drawn), all: short(all) }) : "";
     this.thinned_told.title = t("thinned_long");
   }
 
@@ -100,15 +153,27 @@ export class ScenePane {
     this.legend.style.top = `${this.bar.offsetTop + this.bar.offsetHeight + 8}px`;
     this.cube.turn(view);
     const { box } = this;
-    if (box) this.flags.set("figures", figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({ kind: "figure" as const, at, text: coordinate(box[1][k]! - box[0][k]!) })));
+    if (box)
+      this.flags.set(
+        "figures",
+        figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({
+          kind: "figure" as const,
+          at,
+          text: coordinate(box[1][k]! - box[0][k]!),
+        })),
+      );
     this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
   }
 
   /// What stands in the view of the program that has been run.
   private mark(): void {
-    const { app, scene } = this, box = app.done?.extents.cutting;
+    const { app, scene } = this,
+      box = app.done?.extents.cutting;
     this.box = box ? (box as [Point, Point]) : null;
-    this.flags.set("marks", scene && app.done ? flags_of(app.marks, app.done.seconds, (at) => scene.positionAt(at)) : []);
+    this.flags.set(
+      "marks",
+      scene && app.done ? flags_of(app.marks, app.done.seconds, (at) => scene.positionAt(at)) : [],
+    );
     if (!box) this.flags.set("figures", []);
     this.draw_legend();
     scene?.redraw();
@@ -116,7 +181,15 @@ export class ScenePane {
 
   private draw_legend(): void {
     const { scene, colour } = this;
-    const made = scene && legend({ by: colour, range: is_ramp(colour) ? scene.ranges()[colour] : null, kinds: scene.kinds(), tools: this.tools(), theme: document.documentElement.dataset.theme === "dark" ? dark : light });
+    const made =
+      scene &&
+      legend({
+        by: colour,
+        range: is_ramp(colour) ? scene.ranges()[colour] : null,
+        kinds: scene.kinds(),
+        tools: this.tools(),
+        theme: document.documentElement.dataset.theme === "dark" ? dark : light,
+      });
     fill(this.legend, made);
   }
   private tools(): { tool: number; name?: string }[] {
@@ -127,18 +200,27 @@ export class ScenePane {
   private measured({ ends, distance }: Measured): string {
     const [a, b] = ends;
     if (!a) return this.measuring ? t("measure_how") : "";
-    const named = (e: typeof a): string => `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${coordinate(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
+    const named = (e: typeof a): string =>
+      `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${coordinate(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
     const at = (p: Point): string => `X ${coordinate(p[0])}  Y ${coordinate(p[1])}  Z ${coordinate(p[2])}`;
     if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
     const d = distance.delta.map(Math.abs) as Point;
-    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}${distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`}`;
+    const parts = `ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}`;
+    const angle = distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`;
+    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ${parts}${angle}`;
   }
 
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
-    const kind = t(`motion_${Math.min(8, v.kind)}` as TextKey);
-    this.tip.textContent = `${t("line_n", { line: v.line })} · ${kind}${v.radius ? ` · R ${coordinate(v.radius)}` : ""}${v.length ? ` · L ${coordinate(v.length)}` : ""} · T${v.tool}\nX ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}\n${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`;
+    const kind = t(`motion_${Math.min(spline, v.kind)}` as TextKey);
+    const radius = v.radius ? ` · R ${coordinate(v.radius)}` : "",
+      length = v.length ? ` · L ${coordinate(v.length)}` : "";
+    this.tip.textContent = [
+      `${t("line_n", { line: v.line })} · ${kind}${radius}${length} · T${v.tool}`,
+      `X ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}`,
+      `${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`,
+    ].join("\n");
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
     this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;
@@ -147,30 +229,101 @@ export class ScenePane {
   private draw(): void {
     this.element.setAttribute("aria-label", t("view_3d"));
     this.bar.setAttribute("aria-label", t("view_3d"));
-    const look = h("select", { "aria-label": t("colour_by"), title: t("colour_by"), onchange: () => { this.colour = look.value as ColourBy; remember("colour", this.colour); this.scene?.setColour(this.colour); this.draw_legend(); } },
-      ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)));
-    fill(this.bar, ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })), look,
-      button(t(this.flat ? "orthographic" : "perspective"), () => { this.flat = !this.flat; remember("orthographic", this.flat); this.scene?.setProjection(this.flat); this.draw(); }, { title: t("projection") }),
-      filter_form(this.app, this.filter, (f) => this.set_filter(f)));
+    const look = h(
+      "select",
+      {
+        "aria-label": t("colour_by"),
+        title: t("colour_by"),
+        onchange: () => {
+          this.colour = look.value as ColourBy;
+          remember("colour", this.colour);
+          this.scene?.setColour(this.colour);
+          this.draw_legend();
+        },
+      },
+      ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)),
+    );
+    fill(
+      this.bar,
+      ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })),
+      look,
+      button(
+        t(this.flat ? "orthographic" : "perspective"),
+        () => {
+          this.flat = !this.flat;
+          remember("orthographic", this.flat);
+          this.scene?.setProjection(this.flat);
+          this.draw();
+        },
+        { title: t("projection") },
+      ),
+      filter_form(this.app, this.filter, (f) => this.set_filter(f)),
+    );
     this.tell_thinned();
     this.draw_section();
   }
 
   private draw_section(): void {
-    const { section } = this, box = this.app.done?.extents.all;
+    const { section } = this,
+      box = this.app.done?.extents.all;
     const change = (): void => this.cut_through();
-    const axis = h("select", { "aria-label": t("section"), title: t("section"), onchange: () => { section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2); change(); this.draw_section(); } },
-      option("", t("section_none"), section.axis === null), ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)));
-    const at = h("input", { type: "range", min: "0", max: "1", step: "0.002", value: String(section.part), "aria-label": t("section_at"), oninput: () => { section.part = Number(at.value); change(); } });
-    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }),
-      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }), button("PNG", () => void this.save_picture(), { title: t("save_picture") }), this.thinned_told);
+    const axis = h(
+      "select",
+      {
+        "aria-label": t("section"),
+        title: t("section"),
+        onchange: () => {
+          section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2);
+          change();
+          this.draw_section();
+        },
+      },
+      option("", t("section_none"), section.axis === null),
+      ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)),
+    );
+    const at = h("input", {
+      type: "range",
+      min: "0",
+      max: "1",
+      step: "0.002",
+      value: String(section.part),
+      "aria-label": t("section_at"),
+      oninput: () => {
+        section.part = Number(at.value);
+        change();
+      },
+    });
+    fill(
+      this.below,
+      axis,
+      section.axis !== null && box && at,
+      section.axis !== null &&
+        button(
+          icon("flip"),
+          () => {
+            section.flip = !section.flip;
+            change();
+          },
+          { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") },
+        ),
+      section.axis !== null && h("span", { class: "section-told" }),
+      button(t("measure"), () => this.toggle_measure(), {
+        "aria-pressed": this.measuring,
+        title: `${t("measure")} (M)`,
+      }),
+      button("PNG", () => void this.save_picture(), { title: t("save_picture") }),
+      this.thinned_told,
+    );
     change();
   }
 
   private cut_through(): void {
-    const { axis, part, flip } = this.section, box = this.app.done?.extents.all;
+    const { axis, part, flip } = this.section,
+      box = this.app.done?.extents.all;
     if (axis === null || !box) return this.scene?.setSection(null, 0, false);
-    const margin = 5, low = box[0][axis]! - margin, high = box[1][axis]! + margin; // mm: the blank is a little larger than the path
+    const margin = 5,
+      low = box[0][axis]! - margin,
+      high = box[1][axis]! + margin; // mm: the blank is a little larger than the path
     const at = low + part * (high - low);
     this.scene?.setSection(axis, at, flip);
     const told = this.below.querySelector(".section-told");
@@ -188,6 +341,8 @@ export class ScenePane {
       const address = URL.createObjectURL(await this.picture());
       h("a", { href: address, download: `${(this.app.opened?.file ?? "kadr").replace(/.*\//, "")}.png` }).click();
       setTimeout(() => URL.revokeObjectURL(address), 10_000);
-    } catch { toast(t("no_picture"), true); }
+    } catch {
+      toast(t("no_picture"), true);
+    }
   }
 }

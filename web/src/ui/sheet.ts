@@ -1,4 +1,5 @@
-// The set-up sheet: tools with their shapes, zeros, extents, stops and the programmer's notes, with the picture; printed by the browser.
+// The set-up sheet: tools with their shapes, zeros, extents, stops and the programmer's notes, with the picture;
+// printed by the browser.
 import type { App } from "../model/app";
 import type { Sheet, SheetTool } from "../protocol/types";
 import type { Shape } from "../model/tool_shape";
@@ -11,39 +12,134 @@ import { extents, fact } from "./summary";
 
 export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes: Shape[]): Promise<void> {
   let sheet: Sheet;
-  try { sheet = await app.client.ask("sheet", {}); } catch (e) { return app.tell(e); }
-  const image = await picture().then((b) => URL.createObjectURL(b), () => ""); // without a picture the sheet is still a sheet
+  try {
+    sheet = await app.client.ask("sheet", {});
+  } catch (e) {
+    return app.tell(e);
+  }
+  const image = await picture().then(
+    (b) => URL.createObjectURL(b),
+    () => "",
+  ); // without a picture the sheet is still a sheet
   open_dialog(t("sheet"), sheet_element(sheet, image, shapes), {
-    wide: true, tools: button(t("print"), () => window.print(), { class: "main" }), closed: () => { if (image) URL.revokeObjectURL(image); },
+    wide: true,
+    tools: button(t("print"), () => window.print(), { class: "main" }),
+    closed: () => {
+      if (image) URL.revokeObjectURL(image);
+    },
   });
 }
 
 export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLElement {
-  return h("article", { class: "sheet" },
-    h("div", { class: "sheet-top" },
-      h("div", null, h("h1", null, s.program), h("dl", { class: "facts" }, ...fact(t("control"), s.control), ...fact(t("machine"), s.machine ?? "–"), ...fact(t("date"), s.date), ...fact(t("time"), clock(s.seconds)))),
-      image && h("img", { src: image, alt: t("picture"), class: "sheet-picture" })),
-    h("h3", null, t("tools")), tool_table(s.tools, shapes),
-    h("div", { class: "sheet-columns" },
+  return h(
+    "article",
+    { class: "sheet" },
+    h(
+      "div",
+      { class: "sheet-top" },
+      h(
+        "div",
+        null,
+        h("h1", null, s.program),
+        h(
+          "dl",
+          { class: "facts" },
+          ...fact(t("control"), s.control),
+          ...fact(t("machine"), s.machine ?? "–"),
+          ...fact(t("date"), s.date),
+          ...fact(t("time"), clock(s.seconds)),
+        ),
+      ),
+      image && h("img", { src: image, alt: t("picture"), class: "sheet-picture" }),
+    ),
+    h("h3", null, t("tools")),
+    tool_table(s.tools, shapes),
+    h(
+      "div",
+      { class: "sheet-columns" },
       h("div", null, h("h3", null, t("zeros")), zeros(s)),
-      h("div", null, h("h3", null, t("extents")), extents(s.extents))),
-    s.stops.length > 0 && h("h3", null, t("stops")), s.stops.length > 0 && notes(s.stops.map((x) => [x.line, `${clock(x.at)}  ${x.text}`])),
-    s.comments.length > 0 && h("h3", null, t("notes")), s.comments.length > 0 && notes(s.comments.map((x) => [x.line, x.text])));
+      h("div", null, h("h3", null, t("extents")), extents(s.extents)),
+    ),
+    s.stops.length > 0 && h("h3", null, t("stops")),
+    s.stops.length > 0 && notes(s.stops.map((x) => [x.line, `${clock(x.at)}  ${x.text}`])),
+    s.comments.length > 0 && h("h3", null, t("notes")),
+    s.comments.length > 0 && notes(s.comments.map((x) => [x.line, x.text])),
+  );
 }
 
 function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
   const head = ["", t("tool"), t("name"), "R", "L", t("corrector"), t("time"), t("lines"), t("comment")];
-  return h("table", { class: "list sheet-tools" }, h("thead", null, h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 7, 8].includes(i) ? "text" : "" }, x)))),
-    h("tbody", null, ...tools.map((x) => {
-      const shape = shapes.find((y) => y.number === x.number) ?? { number: x.number, cutting: x.outline ?? [], shank: [], holder: [] };
-      return h("tr", null, h("td", null, tool_picture(shape, `T${x.number}`, 48, 72)), h("td", null, `T${x.number}`), h("td", { class: "text" }, x.name ?? ""), h("td", null, coordinate(x.radius)), h("td", null, coordinate(x.length)),
-        h("td", null, String(x.corrector ?? "–")), h("td", null, clock(x.seconds)), h("td", { class: "text" }, (x.lines ?? []).slice(0, 12).join(", ")), h("td", { class: "text" }, x.comment ?? ""));
-    })));
+  return h(
+    "table",
+    { class: "list sheet-tools" },
+    h(
+      "thead",
+      null,
+      h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 7, 8].includes(i) ? "text" : "" }, x))),
+    ),
+    h(
+      "tbody",
+      null,
+      ...tools.map((x) => {
+        const shape = shapes.find((y) => y.number === x.number) ?? {
+          number: x.number,
+          cutting: x.outline ?? [],
+          shank: [],
+          holder: [],
+        };
+        return h(
+          "tr",
+          null,
+          h("td", null, tool_picture(shape, `T${x.number}`, 48, 72)),
+          h("td", null, `T${x.number}`),
+          h("td", { class: "text" }, x.name ?? ""),
+          h("td", null, coordinate(x.radius)),
+          h("td", null, coordinate(x.length)),
+          h("td", null, String(x.corrector ?? "–")),
+          h("td", null, clock(x.seconds)),
+          h("td", { class: "text" }, (x.lines ?? []).slice(0, 12).join(", ")),
+          h("td", { class: "text" }, x.comment ?? ""),
+        );
+      }),
+    ),
+  );
 }
 
 function zeros(s: Sheet): HTMLElement {
   if (!s.zeros.length) return h("p", { class: "note" }, t("zeros_none"));
-  return h("table", { class: "list" }, h("tbody", null, ...s.zeros.map((z) => h("tr", null, h("th", { scope: "row" }, z.name), h("td", { class: "text" }, Object.entries(z.values).map(([a, v]) => `${a} ${coordinate(v)}`).join(", ") || t("zero_unstated"))))));
+  return h(
+    "table",
+    { class: "list" },
+    h(
+      "tbody",
+      null,
+      ...s.zeros.map((z) =>
+        h(
+          "tr",
+          null,
+          h("th", { scope: "row" }, z.name),
+          h(
+            "td",
+            { class: "text" },
+            Object.entries(z.values)
+              .map(([a, v]) => `${a} ${coordinate(v)}`)
+              .join(", ") || t("zero_unstated"),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
-const notes = (rows: [number, string][]): HTMLElement => h("table", { class: "list" }, h("tbody", null, ...rows.map(([line, text]) => h("tr", null, h("td", { class: "note-line" }, String(line)), h("td", { class: "text" }, text)))));
+const notes = (rows: [number, string][]): HTMLElement =>
+  h(
+    "table",
+    { class: "list" },
+    h(
+      "tbody",
+      null,
+      ...rows.map(([line, text]) =>
+        h("tr", null, h("td", { class: "note-line" }, String(line)), h("td", { class: "text" }, text)),
+      ),
+    ),
+  );

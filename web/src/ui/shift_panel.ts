@@ -14,9 +14,14 @@ export class ShiftPanel {
   constructor(private operator: Operator) {
     const head = (): void => fill(this.element, h("summary", null, h("b", null, t("shift"))), this.body);
     head();
-    on_language(() => { head(); this.draw(); });
+    on_language(() => {
+      head();
+      this.draw();
+    });
     this.element.addEventListener("toggle", () => void this.load());
-    operator.on_panel.on((p) => { this.element.hidden = !p; });
+    operator.on_panel.on((p) => {
+      this.element.hidden = !p;
+    });
     operator.on_stood.on(() => void this.load());
     this.element.hidden = true;
   }
@@ -29,14 +34,48 @@ export class ShiftPanel {
 
   private draw(): void {
     const time = (e: LogEntry): string => new Date(e.at).toLocaleString();
-    fill(this.body, h("div", { class: "row" }, button(t("tables_again"), () => void this.load()), button(t("shift_export"), () => this.save(), { disabled: !this.log.length })),
-      h("table", { class: "table-rows" }, h("tbody", null, ...this.log.slice(-most_shown).reverse().map((e) => h("tr", { class: ["alarm", "emergency"].includes(e.kind) ? "differs" : "" }, h("td", { class: "dim" }, time(e)), h("th", { scope: "row" }, t(`shift_${e.kind}` as TextKey)), h("td", null, e.line ? t("line_n", { line: e.line }) : ""), h("td", null, e.text))))));
+    fill(
+      this.body,
+      h(
+        "div",
+        { class: "row" },
+        button(t("tables_again"), () => void this.load()),
+        button(t("shift_export"), () => this.save(), { disabled: !this.log.length }),
+      ),
+      h(
+        "table",
+        { class: "table-rows" },
+        h(
+          "tbody",
+          null,
+          ...this.log
+            .slice(-most_shown)
+            .reverse()
+            .map((e) =>
+              h(
+                "tr",
+                { class: ["alarm", "emergency"].includes(e.kind) ? "differs" : "" },
+                h("td", { class: "dim" }, time(e)),
+                h("th", { scope: "row" }, t(`shift_${e.kind}` as TextKey)),
+                h("td", null, e.line ? t("line_n", { line: e.line }) : ""),
+                h("td", null, e.text),
+              ),
+            ),
+        ),
+      ),
+    );
   }
 
   private save(): void {
     const quoted = (s: string): string => `"${s.replace(/"/g, '""')}"`;
-    const text = ["time;what;line;text", ...this.log.map((e) => [e.at, e.kind, e.line || "", e.text].map((x) => quoted(String(x))).join(";"))].join("\r\n");
-    const a = h("a", { href: URL.createObjectURL(new Blob(["\ufeff", text], { type: "text/csv" })), download: `${(this.operator.name ?? "kadr").replace(/.*\//, "")}.csv` });
+    const text = [
+      "time;what;line;text",
+      ...this.log.map((e) => [e.at, e.kind, e.line || "", e.text].map((x) => quoted(String(x))).join(";")),
+    ].join("\r\n");
+    const a = h("a", {
+      href: URL.createObjectURL(new Blob(["\ufeff", text], { type: "text/csv" })),
+      download: `${(this.operator.name ?? "kadr").replace(/.*\//, "")}.csv`,
+    });
     a.click();
     URL.revokeObjectURL(a.href);
   }

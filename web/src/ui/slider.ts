@@ -1,4 +1,5 @@
-// The time slider: a bar over the whole time of the machine with its marks. The bar is an ARIA slider; marks are painted above it and can be clicked.
+// The time slider: a bar over the whole time of the machine with its marks. The bar is an ARIA slider; marks are
+// painted above it and can be clicked.
 import type { App } from "../model/app";
 import { clusters, instant_at, place_of } from "../model/time";
 import type { Mark } from "../protocol/types";
@@ -6,7 +7,16 @@ import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, h } from "./dom";
 import { clock } from "./figures";
 
-const signs: Partial<Record<Mark["kind"], string>> = { tool: "T", alarm: "!", warning: "!", stop: "■", optional_stop: "□", zero: "0", message: "i", end: "■" };
+const signs: Partial<Record<Mark["kind"], string>> = {
+  tool: "T",
+  alarm: "!",
+  warning: "!",
+  stop: "■",
+  optional_stop: "□",
+  zero: "0",
+  message: "i",
+  end: "■",
+};
 
 export class TimeSlider {
   readonly element = h("div", { class: "slider", role: "slider", tabindex: "0", "aria-valuemin": "0" });
@@ -18,9 +28,19 @@ export class TimeSlider {
   constructor(private app: App) {
     this.element.append(h("div", { class: "slider-track" }, this.done_bar, this.loop_bar), this.marks, this.knob);
     app.on_instant.on(() => this.draw());
-    for (const s of [app.on_run, app.on_done, app.on_cut]) s.on(() => { this.draw_marks(); this.draw(); });
-    on_language(() => { this.draw_marks(); this.draw(); });
-    new ResizeObserver(() => { this.draw_marks(); this.draw(); }).observe(this.element);
+    for (const s of [app.on_run, app.on_done, app.on_cut])
+      s.on(() => {
+        this.draw_marks();
+        this.draw();
+      });
+    on_language(() => {
+      this.draw_marks();
+      this.draw();
+    });
+    new ResizeObserver(() => {
+      this.draw_marks();
+      this.draw();
+    }).observe(this.element);
     this.drag();
     this.draw();
   }
@@ -34,7 +54,8 @@ export class TimeSlider {
   }
 
   private draw(): void {
-    const { instant, seconds } = this.app, part = seconds > 0 ? (instant / seconds) * 100 : 0;
+    const { instant, seconds } = this.app,
+      part = seconds > 0 ? (instant / seconds) * 100 : 0;
     this.done_bar.style.width = `${part}%`;
     this.knob.style.left = `${part}%`;
     this.element.setAttribute("aria-label", t("time"));
@@ -44,15 +65,26 @@ export class TimeSlider {
   }
 
   private draw_marks(): void {
-    const { app } = this, width = this.element.clientWidth;
-    fill(this.marks, ...clusters(app.marks, app.seconds, width, 12).map((c) => {
-      const names = c.marks.slice(0, 8).map((m) => `${clock(m.at)}  ${t(`mark_${m.kind}` as TextKey)}${m.text ? `: ${m.text}` : ""}`).join("\n");
-      const more = c.marks.length > 8 ? `\n… +${c.marks.length - 8}` : "";
-      const e = h("div", { class: `mark ${c.kind}`, title: names + more }, signs[c.kind] ?? "·");
-      e.style.left = `${place_of(c.at, 100, app.seconds)}%`;
-      e.addEventListener("pointerdown", (event) => { event.stopPropagation(); app.seek(c.at); this.element.focus(); });
-      return e;
-    }));
+    const { app } = this,
+      width = this.element.clientWidth;
+    fill(
+      this.marks,
+      ...clusters(app.marks, app.seconds, width, 12).map((c) => {
+        const names = c.marks
+          .slice(0, 8)
+          .map((m) => `${clock(m.at)}  ${t(`mark_${m.kind}` as TextKey)}${m.text ? `: ${m.text}` : ""}`)
+          .join("\n");
+        const more = c.marks.length > 8 ? `\n… +${c.marks.length - 8}` : "";
+        const e = h("div", { class: `mark ${c.kind}`, title: names + more }, signs[c.kind] ?? "·");
+        e.style.left = `${place_of(c.at, 100, app.seconds)}%`;
+        e.addEventListener("pointerdown", (event) => {
+          event.stopPropagation();
+          app.seek(c.at);
+          this.element.focus();
+        });
+        return e;
+      }),
+    );
   }
 
   private drag(): void {
@@ -60,7 +92,12 @@ export class TimeSlider {
       const box = this.element.getBoundingClientRect();
       this.app.seek(instant_at(e.clientX - box.left, box.width, this.app.seconds));
     };
-    this.element.addEventListener("pointerdown", (e) => { this.element.setPointerCapture(e.pointerId); go(e); });
-    this.element.addEventListener("pointermove", (e) => { if (this.element.hasPointerCapture(e.pointerId)) go(e); });
+    this.element.addEventListener("pointerdown", (e) => {
+      this.element.setPointerCapture(e.pointerId);
+      go(e);
+    });
+    this.element.addEventListener("pointermove", (e) => {
+      if (this.element.hasPointerCapture(e.pointerId)) go(e);
+    });
   }
 }

@@ -1,4 +1,5 @@
-// The control's screen at the instant of the slider: positions, feed, spindle, tool, modal codes, variables, calls, passes.
+// The control's screen at the instant of the slider: positions, feed, spindle, tool, modal codes, variables, calls,
+// passes.
 import type { App } from "../model/app";
 import type { Axes, Passes, State } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -19,10 +20,18 @@ export class StatePane {
     this.draw();
   });
 
-  constructor(private app: App, private jump: (line: number, file: number) => void) {
+  constructor(
+    private app: App,
+    private jump: (line: number, file: number) => void,
+  ) {
     this.element.append(h("header", { class: "pane-head" }, h("span", { class: "pane-title" })), this.body);
-    app.on_state.on((s) => { if (s) this.want_passes(s); this.draw(); });
-    app.on_opening.on(() => { this.passes_of = ""; });
+    app.on_state.on((s) => {
+      if (s) this.want_passes(s);
+      this.draw();
+    });
+    app.on_opening.on(() => {
+      this.passes_of = "";
+    });
     on_language(() => this.draw());
     this.draw();
   }
@@ -37,81 +46,220 @@ export class StatePane {
     this.element.setAttribute("aria-label", t("state"));
     this.element.querySelector(".pane-title")!.textContent = t("state");
     if (!s) return fill(this.body, h("p", { class: "note" }, this.app.opened ? t("running") : t("open_a_program")));
-    fill(this.body, this.block(s), this.positions(s), this.motion(s), this.tool(s), this.modal(s), this.zero(s), this.calls(s), this.variables(s));
+    fill(
+      this.body,
+      this.block(s),
+      this.positions(s),
+      this.motion(s),
+      this.tool(s),
+      this.modal(s),
+      this.zero(s),
+      this.calls(s),
+      this.variables(s),
+    );
   }
 
   private block(s: State): HTMLElement {
-    return h("div", { class: "block-told" },
-      h("div", { class: "row" }, h("span", { class: "dim" }, t("line_n", { line: s.line }), s.file_name ? ` · ${s.file_name}` : ""), h("span", { class: "grow" }), h("span", { class: "dim" }, t("left_time", { time: clock(s.left) }))),
+    return h(
+      "div",
+      { class: "block-told" },
+      h(
+        "div",
+        { class: "row" },
+        h("span", { class: "dim" }, t("line_n", { line: s.line }), s.file_name ? ` · ${s.file_name}` : ""),
+        h("span", { class: "grow" }),
+        h("span", { class: "dim" }, t("left_time", { time: clock(s.left) })),
+      ),
       h("code", { class: "block-text" }, s.text ?? ""),
-      this.pass(s));
+      this.pass(s),
+    );
   }
 
   private pass(s: State): HTMLElement | null {
     const p = this.passes;
     if (!p || this.passes_of !== `${s.file ?? 0}:${s.line}` || p.count < 2) return null;
-    const here = p.passes.findIndex((x) => x.number >= s.number), n = here < 0 ? p.passes.length - 1 : here;
-    const go = (i: number): void => { const to = p.passes[i]; if (to) this.app.seek_block(to.number); };
-    return h("div", { class: "row pass" }, h("span", null, t("pass_of", { n: (s.pass || n + 1), m: p.count })), h("span", { class: "grow" }),
-      button(icon("less"), () => go(n - 1), { class: "icon", disabled: n <= 0, "aria-label": t("pass_before"), title: t("pass_before") }),
-      button(icon("more"), () => go(n + 1), { class: "icon", disabled: n >= p.passes.length - 1, "aria-label": t("pass_after"), title: t("pass_after") }));
+    const here = p.passes.findIndex((x) => x.number >= s.number),
+      n = here < 0 ? p.passes.length - 1 : here;
+    const go = (i: number): void => {
+      const to = p.passes[i];
+      if (to) this.app.seek_block(to.number);
+    };
+    return h(
+      "div",
+      { class: "row pass" },
+      h("span", null, t("pass_of", { n: s.pass || n + 1, m: p.count })),
+      h("span", { class: "grow" }),
+      button(icon("less"), () => go(n - 1), {
+        class: "icon",
+        disabled: n <= 0,
+        "aria-label": t("pass_before"),
+        title: t("pass_before"),
+      }),
+      button(icon("more"), () => go(n + 1), {
+        class: "icon",
+        disabled: n >= p.passes.length - 1,
+        "aria-label": t("pass_after"),
+        title: t("pass_after"),
+      }),
+    );
   }
 
   private positions(s: State): HTMLElement {
     const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
     const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, coordinate(axes?.[name]));
     const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report knows the path alone
-    return h("table", { class: "positions" },
-      h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), has_machine && h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
-      h("tbody", null, ...names.map((n) => h("tr", null, h("th", { scope: "row" }, n), cell(s.position, n), has_machine && cell(s.machine, n), cell(s.togo, n)))));
+    return h(
+      "table",
+      { class: "positions" },
+      h(
+        "thead",
+        null,
+        h(
+          "tr",
+          null,
+          h("th", null),
+          h("th", { scope: "col" }, t("work")),
+          has_machine && h("th", { scope: "col" }, t("machine_position")),
+          h("th", { scope: "col" }, t("to_go")),
+        ),
+      ),
+      h(
+        "tbody",
+        null,
+        ...names.map((n) =>
+          h(
+            "tr",
+            null,
+            h("th", { scope: "row" }, n),
+            cell(s.position, n),
+            has_machine && cell(s.machine, n),
+            cell(s.togo, n),
+          ),
+        ),
+      ),
+    );
   }
 
   private motion(s: State): HTMLElement {
-    return h("div", { class: "figures" },
-      figure("F", short(s.feed, 1), t("feed_programmed")), figure("V", short(s.speed, 0), t("feed_reached")), s.rpm !== null && figure("S", short(s.rpm), t("spindle")),
-      s.limits ? h("div", { class: "limits" }, `${t("limited_by")} ${s.limits}`) : null);
+    return h(
+      "div",
+      { class: "figures" },
+      figure("F", short(s.feed, 1), t("feed_programmed")),
+      figure("V", short(s.speed, 0), t("feed_reached")),
+      s.rpm !== null && figure("S", short(s.rpm), t("spindle")),
+      s.limits ? h("div", { class: "limits" }, `${t("limited_by")} ${s.limits}`) : null,
+    );
   }
 
   private tool(s: State): HTMLElement {
-    const o = s.offsets ?? {}, lengths = lengths_told(o.length);
+    const o = s.offsets ?? {},
+      lengths = lengths_told(o.length);
     const name = this.app.done?.tools.find((x) => x.tool === s.tool)?.name;
     const knows = Object.keys(o).length > 0;
-    return h("div", { class: "figures" }, figure("T", String(s.tool || "–"), name || t("tool")), knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")), knows && figure(`H${o.H || ""}`, lengths, t("length")));
+    return h(
+      "div",
+      { class: "figures" },
+      figure("T", String(s.tool || "–"), name || t("tool")),
+      knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")),
+      knows && figure(`H${o.H || ""}`, lengths, t("length")),
+    );
   }
 
   private modal(s: State): HTMLElement {
-    return h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...(s.modal ?? []).map((m) =>
-      h("span", { class: m.changed ? "code changed" : "code", role: "listitem", title: m.changed ? `${m.group} · ${t("changed_here")}` : m.group }, m.code)));
+    return h(
+      "div",
+      { class: "modal", role: "list", "aria-label": t("modal") },
+      ...(s.modal ?? []).map((m) =>
+        h(
+          "span",
+          {
+            class: m.changed ? "code changed" : "code",
+            role: "listitem",
+            title: m.changed ? `${m.group} · ${t("changed_here")}` : m.group,
+          },
+          m.code,
+        ),
+      ),
+    );
   }
 
   private zero(s: State): HTMLElement | null {
     if (!Object.keys(s.zero ?? {}).length) return null;
-    return h("div", { class: "row zero" }, h("span", { class: "dim" }, t("zero")), ...Object.entries(s.zero ?? {}).map(([a, v]) => h("span", null, h("b", null, a), ` ${coordinate(v)}`)));
+    return h(
+      "div",
+      { class: "row zero" },
+      h("span", { class: "dim" }, t("zero")),
+      ...Object.entries(s.zero ?? {}).map(([a, v]) => h("span", null, h("b", null, a), ` ${coordinate(v)}`)),
+    );
   }
 
   private calls(s: State): HTMLElement | null {
     if (!s.calls?.length) return null;
-    return h("div", { class: "calls" }, h("h3", null, t("calls")), h("ol", null, ...s.calls.map((c) => h("li", null,
-      button(`${c.what} · ${t("line_n", { line: c.line })}`, () => this.jump(c.line, Number(c.file) || 0), { class: "link", title: c.block ?? "" })))));
+    return h(
+      "div",
+      { class: "calls" },
+      h("h3", null, t("calls")),
+      h(
+        "ol",
+        null,
+        ...s.calls.map((c) =>
+          h(
+            "li",
+            null,
+            button(`${c.what} · ${t("line_n", { line: c.line })}`, () => this.jump(c.line, Number(c.file) || 0), {
+              class: "link",
+              title: c.block ?? "",
+            }),
+          ),
+        ),
+      ),
+    );
   }
 
   private variables(s: State): HTMLElement | null {
     if (!s.variables?.length) return null;
     const sorted = [...s.variables].sort((a, b) => Number(b.changed ?? false) - Number(a.changed ?? false));
-    return h("div", { class: "variables" }, h("h3", null, t("variables")), h("div", { class: "variable-grid" }, ...sorted.slice(0, 200).map((v) =>
-      h("span", { class: v.changed ? "variable changed" : "variable", title: v.changed ? t("changed_here") : "" }, h("b", null, v.name), ` ${value(v.value)}`))));
+    return h(
+      "div",
+      { class: "variables" },
+      h("h3", null, t("variables")),
+      h(
+        "div",
+        { class: "variable-grid" },
+        ...sorted
+          .slice(0, 200)
+          .map((v) =>
+            h(
+              "span",
+              { class: v.changed ? "variable changed" : "variable", title: v.changed ? t("changed_here") : "" },
+              h("b", null, v.name),
+              ` ${value(v.value)}`,
+            ),
+          ),
+      ),
+    );
   }
 }
 
 /// Of the axes those that have a length; along Z alone, as on a mill, without its letter.
 export function lengths_told(length: Axes | undefined): string {
-  const all = Object.entries(length ?? {}), some = all.filter(([, v]) => Math.abs(v) >= 0.0005);
+  const all = Object.entries(length ?? {}),
+    some = all.filter(([, v]) => Math.abs(v) >= 0.0005);
   if (!some.length) return all.length ? coordinate(0) : "–";
-  return some.length === 1 && some[0]![0] === "Z" ? coordinate(some[0]![1]) : some.map(([a, v]) => `${a}${coordinate(v)}`).join(" ");
+  return some.length === 1 && some[0]![0] === "Z"
+    ? coordinate(some[0]![1])
+    : some.map(([a, v]) => `${a}${coordinate(v)}`).join(" ");
 }
 
-const value = (v: number | string | null): string => (typeof v === "number" ? String(Number(v.toPrecision(9))) : v ?? "–");
+const value = (v: number | string | null): string =>
+  typeof v === "number" ? String(Number(v.toPrecision(9))) : (v ?? "–");
 
 function figure(name: string, v: string, title: string): HTMLElement {
-  return h("div", { class: "figure", title }, h("span", { class: "figure-name" }, name), h("span", { class: "figure-value" }, v), h("span", { class: "figure-title" }, title));
+  return h(
+    "div",
+    { class: "figure", title },
+    h("span", { class: "figure-name" }, name),
+    h("span", { class: "figure-value" }, v),
+    h("span", { class: "figure-title" }, title),
+  );
 }

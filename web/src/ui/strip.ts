@@ -13,7 +13,11 @@ export class SpeedStrip {
   private redraw = debounce(250, () => this.draw(), 1500);
 
   /// `selected`: a stretch of time was drawn with the mouse; `hint` names what is under it.
-  constructor(private app: App, private selected: (loop: [number, number] | null) => void, private hint: (text: string) => void) {
+  constructor(
+    private app: App,
+    private selected: (loop: [number, number] | null) => void,
+    private hint: (text: string) => void,
+  ) {
     this.element.append(this.here);
     for (const s of [app.on_done, app.on_opening]) s.on(() => this.draw());
     app.on_path.on(() => this.redraw());
@@ -27,28 +31,74 @@ export class SpeedStrip {
     this.plot?.destroy();
     this.plot = null;
     this.here.hidden = true;
-    const width = this.element.clientWidth, height = this.element.clientHeight, seconds = this.app.seconds;
+    const width = this.element.clientWidth,
+      height = this.element.clientHeight,
+      seconds = this.app.seconds;
     if (!this.app.path.vertices || width < 50 || height < 20 || !(seconds > 0)) return;
     const b = this.app.path.bins(0, seconds, Math.max(50, Math.floor(width)));
-    const style = getComputedStyle(this.element), colour = (name: string): string => style.getPropertyValue(name).trim();
-    this.plot = new uPlot({
-      width, height, padding: [4, 0, 0, 0], legend: { show: false },
-      scales: { x: { time: false, range: [0, seconds] }, y: { range: (_u, _min, max) => [0, (max || 1) * 1.05] } },
-      axes: [{ show: false }, { show: false }],
-      cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
-      select: { show: true, left: 0, top: 0, width: 0, height: 0 },
-      series: [{}, this.series(t("fastest"), colour("--speed"), colour("--speed-fill")), this.series(t("slowest"), colour("--speed-low")), this.series("F", colour("--feed"), undefined, [4, 3])],
-      hooks: {
-        setSelect: [(u) => { if (u.select.width > 3) this.selected([u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x")]); }],
-        setCursor: [(u) => { const i = u.cursor.idx; this.hint(i === null || i === undefined ? "" : t("strip_at", { speed: short(b.greatest[i]), feed: short(b.feed[i]) })); }],
-        ready: [(u) => u.over.addEventListener("click", () => { if (u.select.width <= 3 && u.cursor.left !== undefined && u.cursor.left >= 0) { this.selected(null); this.app.seek(u.posToVal(u.cursor.left, "x")); } })],
+    const style = getComputedStyle(this.element),
+      colour = (name: string): string => style.getPropertyValue(name).trim();
+    this.plot = new uPlot(
+      {
+        width,
+        height,
+        padding: [4, 0, 0, 0],
+        legend: { show: false },
+        scales: { x: { time: false, range: [0, seconds] }, y: { range: (_u, _min, max) => [0, (max || 1) * 1.05] } },
+        axes: [{ show: false }, { show: false }],
+        cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
+        select: { show: true, left: 0, top: 0, width: 0, height: 0 },
+        series: [
+          {},
+          this.series(t("fastest"), colour("--speed"), colour("--speed-fill")),
+          this.series(t("slowest"), colour("--speed-low")),
+          this.series("F", colour("--feed"), undefined, [4, 3]),
+        ],
+        hooks: {
+          setSelect: [
+            (u) => {
+              if (u.select.width > 3)
+                this.selected([u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x")]);
+            },
+          ],
+          setCursor: [
+            (u) => {
+              const i = u.cursor.idx;
+              this.hint(
+                i === null || i === undefined
+                  ? ""
+                  : t("strip_at", { speed: short(b.greatest[i]), feed: short(b.feed[i]) }),
+              );
+            },
+          ],
+          ready: [
+            (u) =>
+              u.over.addEventListener("click", () => {
+                if (u.select.width <= 3 && u.cursor.left !== undefined && u.cursor.left >= 0) {
+                  this.selected(null);
+                  this.app.seek(u.posToVal(u.cursor.left, "x"));
+                }
+              }),
+          ],
+        },
       },
-    }, [[...b.at], gaps(b.greatest), gaps(b.least), gaps(b.feed)], this.element);
+      [[...b.at], gaps(b.greatest), gaps(b.least), gaps(b.feed)],
+      this.element,
+    );
     this.place();
   }
 
   private series(label: string, stroke: string, fill?: string, dash?: number[]): uPlot.Series {
-    return { label, stroke, fill, dash, width: 1, points: { show: false }, spanGaps: false, value: (_u, v) => short(v) };
+    return {
+      label,
+      stroke,
+      fill,
+      dash,
+      width: 1,
+      points: { show: false },
+      spanGaps: false,
+      value: (_u, v) => short(v),
+    };
   }
 
   /// An element of its own: the plot is not drawn anew for every instant.

@@ -16,34 +16,105 @@ export class SummaryPanel {
   }
 
   private draw(): void {
-    const d = this.app.done, o = this.app.opened;
+    const d = this.app.done,
+      o = this.app.opened;
     if (!d) return fill(this.element, h("p", { class: "note" }, o ? t("running") : t("open_a_program")));
-    fill(this.element,
+    fill(
+      this.element,
       d.unstated && h("p", { class: "hint" }, d.unstated),
-      h("dl", { class: "facts" },
-        ...fact(t("time"), clock(d.seconds)), ...fact(t("time_cutting"), clock(d.times.cutting)), ...fact(t("time_rapid"), clock(d.times.rapid)),
-        ...fact(t("time_dwell"), clock(d.times.dwell)), ...fact(t("time_tools"), clock(d.times.tools)),
-        ...fact(t("way_cutting"), metres(d.distances.cutting)), ...fact(t("way_rapid"), metres(d.distances.rapid)),
-        ...fact(t("blocks"), short(d.blocks)), ...fact(t("lines"), short(o?.lines)), ...fact(t("units"), t(d.units === "inch" ? "units_inch" : "units_mm"))),
-      h("h3", null, t("extents")), extents(d.extents, d.axes), this.tools());
+      h(
+        "dl",
+        { class: "facts" },
+        ...fact(t("time"), clock(d.seconds)),
+        ...fact(t("time_cutting"), clock(d.times.cutting)),
+        ...fact(t("time_rapid"), clock(d.times.rapid)),
+        ...fact(t("time_dwell"), clock(d.times.dwell)),
+        ...fact(t("time_tools"), clock(d.times.tools)),
+        ...fact(t("way_cutting"), metres(d.distances.cutting)),
+        ...fact(t("way_rapid"), metres(d.distances.rapid)),
+        ...fact(t("blocks"), short(d.blocks)),
+        ...fact(t("lines"), short(o?.lines)),
+        ...fact(t("units"), t(d.units === "inch" ? "units_inch" : "units_mm")),
+      ),
+      h("h3", null, t("extents")),
+      extents(d.extents, d.axes),
+      this.tools(),
+    );
   }
 
   private tools(): HTMLElement | null {
     const tools = this.app.done!.tools;
     if (!tools.length) return null;
-    return h("table", { class: "list" }, h("thead", null, h("tr", null, ...[t("tool"), t("name"), "R", "L", t("time"), ""].map((x) => h("th", { scope: "col" }, x)))),
-      h("tbody", null, ...tools.map((x) => h("tr", null, h("td", null, `T${x.tool}`), h("td", { class: "text" }, x.name ?? ""), h("td", null, coordinate(x.radius)), h("td", null, coordinate(x.length)), h("td", null, clock(x.seconds)),
-        h("td", null, button(icon("go"), () => this.app.seek(x.from), { class: "icon", title: t("go_to_start"), "aria-label": t("go_to_start") }))))));
+    return h(
+      "table",
+      { class: "list" },
+      h(
+        "thead",
+        null,
+        h("tr", null, ...[t("tool"), t("name"), "R", "L", t("time"), ""].map((x) => h("th", { scope: "col" }, x))),
+      ),
+      h(
+        "tbody",
+        null,
+        ...tools.map((x) =>
+          h(
+            "tr",
+            null,
+            h("td", null, `T${x.tool}`),
+            h("td", { class: "text" }, x.name ?? ""),
+            h("td", null, coordinate(x.radius)),
+            h("td", null, coordinate(x.length)),
+            h("td", null, clock(x.seconds)),
+            h(
+              "td",
+              null,
+              button(icon("go"), () => this.app.seek(x.from), {
+                class: "icon",
+                title: t("go_to_start"),
+                "aria-label": t("go_to_start"),
+              }),
+            ),
+          ),
+        ),
+      ),
+    );
   }
 }
 
-const metres = (mm: number): string => (mm >= 1000 ? `${(mm / 1000).toFixed(2)} ${t("m")}` : `${mm.toFixed(1)} ${t("mm")}`);
+const metres = (mm: number): string =>
+  mm >= 1000 ? `${(mm / 1000).toFixed(2)} ${t("m")}` : `${mm.toFixed(1)} ${t("mm")}`;
 export const fact = (name: string, v: string): HTMLElement[] => [h("dt", null, name), h("dd", null, v)];
 
 export function extents(e: { cutting: Box | null; all: Box | null }, axes: string[] = ["X", "Y", "Z"]): HTMLElement {
-  const row = (name: string, b: Box | null, i: number): HTMLElement => h("tr", null, h("th", { scope: "row" }, name), h("td", null, coordinate(b?.[0][i])), h("td", null, coordinate(b?.[1][i])), h("td", null, b ? coordinate(b[1][i]! - b[0][i]!) : "–"));
+  const row = (name: string, b: Box | null, i: number): HTMLElement =>
+    h(
+      "tr",
+      null,
+      h("th", { scope: "row" }, name),
+      h("td", null, coordinate(b?.[0][i])),
+      h("td", null, coordinate(b?.[1][i])),
+      h("td", null, b ? coordinate(b[1][i]! - b[0][i]!) : "–"),
+    );
   const names = ["X", "Y", "Z"].map((n, i) => axes[i] ?? n);
-  const part = (title: string, b: Box | null): Node[] => [h("tr", null, h("th", { colspan: "4", scope: "rowgroup", class: "group" }, title)), ...names.map((n, i) => row(n, b, i))];
-  return h("table", { class: "list" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("from")), h("th", { scope: "col" }, t("to")), h("th", { scope: "col" }, t("size")))),
-    h("tbody", null, ...part(t("extents_cutting"), e.cutting), ...part(t("extents_all"), e.all)));
+  const part = (title: string, b: Box | null): Node[] => [
+    h("tr", null, h("th", { colspan: "4", scope: "rowgroup", class: "group" }, title)),
+    ...names.map((n, i) => row(n, b, i)),
+  ];
+  return h(
+    "table",
+    { class: "list" },
+    h(
+      "thead",
+      null,
+      h(
+        "tr",
+        null,
+        h("th", null),
+        h("th", { scope: "col" }, t("from")),
+        h("th", { scope: "col" }, t("to")),
+        h("th", { scope: "col" }, t("size")),
+      ),
+    ),
+    h("tbody", null, ...part(t("extents_cutting"), e.cutting), ...part(t("extents_all"), e.all)),
+  );
 }

@@ -10,26 +10,54 @@ import { TimeSlider } from "./slider";
 import { SpeedStrip } from "./strip";
 
 export function timeline(app: App, player: Player, step_tool: (way: 1 | -1) => void): HTMLElement {
-  const controls = h("div", { class: "play" }), told = h("span", { class: "clock" }), hint = h("span", { class: "strip-hint" });
+  const controls = h("div", { class: "play" }),
+    told = h("span", { class: "clock" }),
+    hint = h("span", { class: "strip-hint" });
   const slider = new TimeSlider(app);
-  const strip = new SpeedStrip(app, (loop) => player.set_loop(loop), (text) => { hint.textContent = text; });
-  const pace = h("input", { type: "range", min: "0", max: "1", step: "0.01", class: "pace", oninput: () => player.set_times(times_of(Number(pace.value))) });
+  const strip = new SpeedStrip(
+    app,
+    (loop) => player.set_loop(loop),
+    (text) => {
+      hint.textContent = text;
+    },
+  );
+  const pace = h("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "0.01",
+    class: "pace",
+    oninput: () => player.set_times(times_of(Number(pace.value))),
+  });
   const pace_told = h("span", { class: "pace-told" });
 
-  const tell = (): void => { told.textContent = `${clock(app.instant)} / ${clock(app.seconds)}`; };
+  const tell = (): void => {
+    told.textContent = `${clock(app.instant)} / ${clock(app.seconds)}`;
+  };
   const draw = (): void => {
     pace.value = String(slider_of(player.times));
     pace.setAttribute("aria-label", t("pace"));
     pace.title = t("pace");
     pace_told.textContent = `${player.times}×`;
-    const b = (sign: IconName, title: string, f: () => void): HTMLElement => button(icon(sign), f, { class: "icon", title, "aria-label": title, disabled: !app.done });
-    fill(controls,
-      b("tool_back", t("tool_before"), () => step_tool(-1)), b("back", t("block_before"), () => app.step(-1)),
+    const b = (sign: IconName, title: string, f: () => void): HTMLElement =>
+      button(icon(sign), f, { class: "icon", title, "aria-label": title, disabled: !app.done });
+    fill(
+      controls,
+      b("tool_back", t("tool_before"), () => step_tool(-1)),
+      b("back", t("block_before"), () => app.step(-1)),
       b(player.playing ? "pause" : "play", player.playing ? t("pause") : t("play"), () => player.toggle()),
-      b("on", t("block_after"), () => app.step(1)), b("tool_on", t("tool_after"), () => step_tool(1)),
-      pace, pace_told, told,
-      player.loop && button(`${clock(player.loop[0])}–${clock(player.loop[1])} ×`, () => player.set_loop(null), { title: t("loop_off") }),
-      h("span", { class: "grow" }), hint);
+      b("on", t("block_after"), () => app.step(1)),
+      b("tool_on", t("tool_after"), () => step_tool(1)),
+      pace,
+      pace_told,
+      told,
+      player.loop &&
+        button(`${clock(player.loop[0])}–${clock(player.loop[1])} ×`, () => player.set_loop(null), {
+          title: t("loop_off"),
+        }),
+      h("span", { class: "grow" }),
+      hint,
+    );
     slider.show_loop(player.loop);
     tell();
   };

@@ -7,7 +7,14 @@ import { clock, short } from "./figures";
 import { icon } from "./icons";
 
 /// What there is no verb for has no button: a report has no files, runs nothing and compares nothing.
-export interface TopbarVerbs { files?(): void; sheet(): void; compare?(): void; licences?(): void; help(): void; theme(dark: boolean): void }
+export interface TopbarVerbs {
+  files?(): void;
+  sheet(): void;
+  compare?(): void;
+  licences?(): void;
+  help(): void;
+  theme(dark: boolean): void;
+}
 
 export class Topbar {
   readonly element = h("header", { class: "topbar", role: "banner" });
@@ -16,60 +23,146 @@ export class Topbar {
   private dark = remembered("dark", matchMedia("(prefers-color-scheme: dark)").matches);
   private shop = remembered("shop", false);
 
-  constructor(private app: App, private verbs: TopbarVerbs) {
+  constructor(
+    private app: App,
+    private verbs: TopbarVerbs,
+  ) {
     const draw = (): void => this.draw();
-    app.on_opened.on(draw); app.on_opening.on(draw); app.on_line.on(draw); app.on_done.on(draw); on_language(draw);
+    app.on_opened.on(draw);
+    app.on_opening.on(draw);
+    app.on_line.on(draw);
+    app.on_done.on(draw);
+    on_language(draw);
     let was_running = false;
-    app.on_run.on(() => { if (was_running !== app.running) this.draw(); else this.draw_progress(); was_running = app.running; });
+    app.on_run.on(() => {
+      if (was_running !== app.running) this.draw();
+      else this.draw_progress();
+      was_running = app.running;
+    });
     this.apply();
     draw();
   }
 
   private draw(): void {
-    const { app, verbs } = this, o = app.opened;
-    fill(this.element,
+    const { app, verbs } = this,
+      o = app.opened;
+    fill(
+      this.element,
       verbs.files && button(icon("menu"), verbs.files, { class: "icon", title: t("files"), "aria-label": t("files") }),
       h("span", { class: "brand" }, "Kadr"),
       h("span", { class: "file", title: o?.file ?? "" }, o?.file ?? t("no_program")),
-      o && (verbs.files ? this.choices() : h("span", { class: "note" }, `${o.control.name}${o.machine ? ` · ${o.machine}` : ""}`)),
-      o && verbs.files && (app.running ? button(t("stop"), () => app.stop(), { class: "stop" }) : button(t("run"), () => void app.run_again(), { class: "main", title: t("run_long") })),
+      o &&
+        (verbs.files
+          ? this.choices()
+          : h("span", { class: "note" }, `${o.control.name}${o.machine ? ` · ${o.machine}` : ""}`)),
+      o &&
+        verbs.files &&
+        (app.running
+          ? button(t("stop"), () => app.stop(), { class: "stop" })
+          : button(t("run"), () => void app.run_again(), { class: "main", title: t("run_long") })),
       this.told,
       h("span", { class: "grow" }),
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
       verbs.compare && button(t("compare"), verbs.compare, { disabled: !app.done }),
       verbs.licences && button(t("licences"), verbs.licences),
       button("?", verbs.help, { class: "icon", title: t("keys"), "aria-label": t("keys") }),
-      button(icon(this.dark ? "sun" : "moon"), () => { this.dark = !this.dark; this.apply(); this.draw(); }, { class: "icon", title: t("theme"), "aria-label": t("theme") }),
-      button(t("shop"), () => { this.shop = !this.shop; this.apply(); this.draw(); }, { "aria-pressed": this.shop, title: t("shop_long") }),
-      this.languages(), this.bar);
+      button(
+        icon(this.dark ? "sun" : "moon"),
+        () => {
+          this.dark = !this.dark;
+          this.apply();
+          this.draw();
+        },
+        { class: "icon", title: t("theme"), "aria-label": t("theme") },
+      ),
+      button(
+        t("shop"),
+        () => {
+          this.shop = !this.shop;
+          this.apply();
+          this.draw();
+        },
+        { "aria-pressed": this.shop, title: t("shop_long") },
+      ),
+      this.languages(),
+      this.bar,
+    );
     this.draw_progress();
   }
 
   private choices(): HTMLElement {
-    const { app } = this, o = app.opened!;
-    const controls = h("select", { class: o.control.guessed ? "is-guess" : "", "aria-label": t("control"), title: o.control.guessed ? `${t("guessed")}: ${o.control.why ?? ""}` : t("control"), onchange: () => void app.run_again({ ...app.choice, control: controls.value || undefined }) },
-      option("", t("guess"), false), ...(app.hello?.controls ?? []).map((c) => option(c.id, c.name, c.id === o.control.id)));
-    const machines = h("select", { "aria-label": t("machine"), title: t("machine"), onchange: () => void app.run_again({ ...app.choice, machine: machines.value || undefined }) },
-      option("", t("no_machine"), !o.machine), ...[...new Set([...(app.hello?.machines ?? []), ...(o.machine ? [o.machine] : [])])].map((m) => option(m, m, m === o.machine)));
-    const setup = h("input", { value: o.setup ?? "", placeholder: t("no_setup"), "aria-label": t("setup"), title: t("setup"), size: "9", onchange: () => void app.run_again({ ...app.choice, setup: setup.value || undefined }) });
-    return h("span", { class: "choices" }, controls, o.control.guessed && h("span", { class: "guessed", title: o.control.why ?? "" }, t("guessed")), machines, setup);
+    const { app } = this,
+      o = app.opened!;
+    const controls = h(
+      "select",
+      {
+        class: o.control.guessed ? "is-guess" : "",
+        "aria-label": t("control"),
+        title: o.control.guessed ? `${t("guessed")}: ${o.control.why ?? ""}` : t("control"),
+        onchange: () => void app.run_again({ ...app.choice, control: controls.value || undefined }),
+      },
+      option("", t("guess"), false),
+      ...(app.hello?.controls ?? []).map((c) => option(c.id, c.name, c.id === o.control.id)),
+    );
+    const machines = h(
+      "select",
+      {
+        "aria-label": t("machine"),
+        title: t("machine"),
+        onchange: () => void app.run_again({ ...app.choice, machine: machines.value || undefined }),
+      },
+      option("", t("no_machine"), !o.machine),
+      ...[...new Set([...(app.hello?.machines ?? []), ...(o.machine ? [o.machine] : [])])].map((m) =>
+        option(m, m, m === o.machine),
+      ),
+    );
+    const setup = h("input", {
+      value: o.setup ?? "",
+      placeholder: t("no_setup"),
+      "aria-label": t("setup"),
+      title: t("setup"),
+      size: "9",
+      onchange: () => void app.run_again({ ...app.choice, setup: setup.value || undefined }),
+    });
+    return h(
+      "span",
+      { class: "choices" },
+      controls,
+      o.control.guessed && h("span", { class: "guessed", title: o.control.why ?? "" }, t("guessed")),
+      machines,
+      setup,
+    );
   }
 
   private languages(): HTMLElement {
-    const one = (lang: "en" | "ru", text: string): HTMLElement => button(text, () => { if (language() !== lang) { set_language(lang); void this.app.speak(lang); } }, { "aria-pressed": language() === lang, lang });
+    const one = (lang: "en" | "ru", text: string): HTMLElement =>
+      button(
+        text,
+        () => {
+          if (language() !== lang) {
+            set_language(lang);
+            void this.app.speak(lang);
+          }
+        },
+        { "aria-pressed": language() === lang, lang },
+      );
     return h("span", { class: "switch", role: "group", "aria-label": t("language") }, one("en", "EN"), one("ru", "РУ"));
   }
 
   private draw_progress(): void {
-    const { app } = this, part = app.running ? app.progress?.part ?? 0 : 0;
+    const { app } = this,
+      part = app.running ? (app.progress?.part ?? 0) : 0;
     this.bar.style.width = `${part * 100}%`;
     this.bar.setAttribute("aria-valuenow", String(Math.round(part * 100)));
     this.bar.setAttribute("aria-label", t("running"));
     const d = app.done;
-    this.told.title = d ? this.told.textContent ?? "" : "";
-    this.told.className = `run-told ${app.running ? "running" : d?.state ?? ""}`;
-    this.told.textContent = app.running ? t("running_at", { blocks: short(app.progress?.blocks ?? 0), time: clock(app.progress?.seconds ?? 0) })
-      : d ? `${t(d.state === "ended" ? "state_ended" : d.state === "stopped" ? "state_stopped" : "state_cancelled")} · ${clock(d.seconds)}` : "";
+    this.told.title = d ? (this.told.textContent ?? "") : "";
+    this.told.className = `run-told ${app.running ? "running" : (d?.state ?? "")}`;
+    this.told.textContent = app.running
+      ? t("running_at", { blocks: short(app.progress?.blocks ?? 0), time: clock(app.progress?.seconds ?? 0) })
+      : d
+        ? `${t(d.state === "ended" ? "state_ended" : d.state === "stopped" ? "state_stopped" : "state_cancelled")} · ${clock(d.seconds)}`
+        : "";
   }
 
   private apply(): void {

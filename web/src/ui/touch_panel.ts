@@ -25,25 +25,48 @@ export class TouchPanel {
   private gone = false; // the way was gone along
   private drawn = "";
 
-  constructor(private app: App, private operator: Operator, private door: TouchDoor) {
-    operator.on_panel.on((p) => { if (!p) this.element.open = false; this.draw(); });
+  constructor(
+    private app: App,
+    private operator: Operator,
+    private door: TouchDoor,
+  ) {
+    operator.on_panel.on((p) => {
+      if (!p) this.element.open = false;
+      this.draw();
+    });
     operator.on_stood.on(() => this.draw());
-    on_language(() => { this.drawn = ""; this.draw(); });
-    this.element.addEventListener("toggle", () => { this.listen(); this.draw(); });
-    app.on_opening.on(() => { this.clearance = null; this.chosen = null; });
+    on_language(() => {
+      this.drawn = "";
+      this.draw();
+    });
+    this.element.addEventListener("toggle", () => {
+      this.listen();
+      this.draw();
+    });
+    app.on_opening.on(() => {
+      this.clearance = null;
+      this.chosen = null;
+    });
     this.draw();
   }
 
-  private listen(): void { this.door.ask(this.element.open ? (place, normal) => this.choose(place, normal) : null); }
+  private listen(): void {
+    this.door.ask(this.element.open ? (place, normal) => this.choose(place, normal) : null);
+  }
 
   /// Over all that the program goes through.
   private over(): number {
-    const p = this.operator.panel, all = this.app.done?.extents.all, zero = this.app.done?.zero;
-    return this.clearance ?? (p && all && zero ? Math.round(1000 * (all[1][2]! + zero[2] - (p.zero["Z"] ?? 0))) / 1000 : 0);
+    const p = this.operator.panel,
+      all = this.app.done?.extents.all,
+      zero = this.app.done?.zero;
+    return (
+      this.clearance ?? (p && all && zero ? Math.round(1000 * (all[1][2]! + zero[2] - (p.zero["Z"] ?? 0))) / 1000 : 0)
+    );
   }
 
   private choose(place: Point, normal: Point): void {
-    const p = this.operator.panel, zero = this.app.done?.zero;
+    const p = this.operator.panel,
+      zero = this.app.done?.zero;
     if (!p || !zero || this.app.opened?.file !== this.operator.name) return;
     this.chosen = touch_at(place, normal, zero, p, { ...this.rules, clearance: this.over() });
     this.gone = false;
@@ -62,26 +85,106 @@ export class TouchPanel {
     const p = this.operator.panel;
     this.element.hidden = !p;
     if (!p) return;
-    const may = p.holds && ["standing", "ended"].includes(p.mode), wanted = JSON.stringify([may, this.element.open, this.chosen, this.gone, this.rules, this.over(), p.takes_tables]);
+    const may = p.holds && ["standing", "ended"].includes(p.mode),
+      wanted = JSON.stringify([
+        may,
+        this.element.open,
+        this.chosen,
+        this.gone,
+        this.rules,
+        this.over(),
+        p.takes_tables,
+      ]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
     fill(this.element, h("summary", null, h("b", null, t("touch"))), this.body);
-    if (this.element.open) redraw(this.body, () => fill(this.body, h("p", { class: "note" }, t("touch_how")), this.fields(), this.chosen && this.result(this.chosen, may)));
+    if (this.element.open)
+      redraw(this.body, () =>
+        fill(
+          this.body,
+          h("p", { class: "note" }, t("touch_how")),
+          this.fields(),
+          this.chosen && this.result(this.chosen, may),
+        ),
+      );
   }
 
   private fields(): HTMLElement {
-    const field = (name: "touch_clearance" | "touch_away" | "touch_feed" | "touch_radius", value: number, set: (v: number) => void): HTMLElement => {
-      const input = h("input", { size: "6", inputmode: "decimal", value: String(value), "aria-label": t(name), onchange: () => { const v = Number(input.value.replace(",", ".")); if (Number.isFinite(v) && (name === "touch_clearance" || v >= 0)) set(v); this.chosen = null; remember("touch", this.rules); this.draw(); } });
+    const field = (
+      name: "touch_clearance" | "touch_away" | "touch_feed" | "touch_radius",
+      value: number,
+      set: (v: number) => void,
+    ): HTMLElement => {
+      const input = h("input", {
+        size: "6",
+        inputmode: "decimal",
+        value: String(value),
+        "aria-label": t(name),
+        onchange: () => {
+          const v = Number(input.value.replace(",", "."));
+          if (Number.isFinite(v) && (name === "touch_clearance" || v >= 0)) set(v);
+          this.chosen = null;
+          remember("touch", this.rules);
+          this.draw();
+        },
+      });
       return h("label", { class: "field" }, h("span", null, t(name)), input);
     };
-    return h("div", { class: "row wrap" }, field("touch_clearance", this.over(), (v) => { this.clearance = v; }), field("touch_away", this.rules.away, (v) => { this.rules.away = v; }), field("touch_feed", this.rules.feed, (v) => { this.rules.feed = v; }), field("touch_radius", this.rules.radius, (v) => { this.rules.radius = v; }));
+    return h(
+      "div",
+      { class: "row wrap" },
+      field("touch_clearance", this.over(), (v) => {
+        this.clearance = v;
+      }),
+      field("touch_away", this.rules.away, (v) => {
+        this.rules.away = v;
+      }),
+      field("touch_feed", this.rules.feed, (v) => {
+        this.rules.feed = v;
+      }),
+      field("touch_radius", this.rules.radius, (v) => {
+        this.rules.radius = v;
+      }),
+    );
   }
 
   private result(touch: Touch, may: boolean): HTMLElement {
-    const zero = this.door.zero(), wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
-    const set = (): void => { const v = Number(wanted.value.replace(",", ".")); if (zero && Number.isFinite(v)) { zero.shift(touch.axis, touch.at - v); this.chosen = null; this.draw(); } };
-    return h("div", null,
-      h("div", { class: "row" }, h("span", null, t("touch_place", { axis: touch.axis, sense: touch.sense > 0 ? "−" : "+", at: coordinate(touch.at) })), button(t("touch_go"), () => void this.go(), { class: "main", disabled: !may })),
-      this.gone && may && (zero ? h("div", { class: "row" }, h("span", null, t("touch_zero", { code: zero.code })), h("b", null, touch.axis), h("span", null, "="), wanted, button(t("touch_off_set"), set, { disabled: this.operator.panel!.takes_tables })) : h("p", { class: "note" }, t("touch_no_zero"))));
+    const zero = this.door.zero(),
+      wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
+    const set = (): void => {
+      const v = Number(wanted.value.replace(",", "."));
+      if (zero && Number.isFinite(v)) {
+        zero.shift(touch.axis, touch.at - v);
+        this.chosen = null;
+        this.draw();
+      }
+    };
+    return h(
+      "div",
+      null,
+      h(
+        "div",
+        { class: "row" },
+        h(
+          "span",
+          null,
+          t("touch_place", { axis: touch.axis, sense: touch.sense > 0 ? "−" : "+", at: coordinate(touch.at) }),
+        ),
+        button(t("touch_go"), () => void this.go(), { class: "main", disabled: !may }),
+      ),
+      this.gone &&
+        may &&
+        (zero
+          ? h(
+              "div",
+              { class: "row" },
+              h("span", null, t("touch_zero", { code: zero.code })),
+              h("b", null, touch.axis),
+              h("span", null, "="),
+              wanted,
+              button(t("touch_off_set"), set, { disabled: this.operator.panel!.takes_tables }),
+            )
+          : h("p", { class: "note" }, t("touch_no_zero"))),
+    );
   }
 }
