@@ -24,7 +24,11 @@ class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
       : spec_(spec),
-        blocks_(*spec.to, [this](std::string_view line) { return text_.append(line), text_.size() <= most_made; }),
+        blocks_(*spec.to,
+                [this](std::string_view line) {
+                  text_.append(line);
+                  return text_.size() <= most_made;
+                }),
         comments_(spec.source_text) {
     made_.as = as;
   }

@@ -110,7 +110,10 @@ void Cutting::note(const Action& action) {
 
 std::size_t Cutting::use_of(std::uint32_t tool) {
   const auto found = std::find_if(result_.tools.begin(), result_.tools.end(), [&](const ToolRemoval& t) { return t.tool == tool; });
-  if (found == result_.tools.end()) return result_.tools.push_back({tool, 0, 0, 0}), result_.tools.size() - 1;
+  if (found == result_.tools.end()) {
+    result_.tools.push_back({tool, 0, 0, 0});
+    return result_.tools.size() - 1;
+  }
   return std::size_t(found - result_.tools.begin());
 }
 

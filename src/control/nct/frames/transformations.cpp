@@ -124,7 +124,10 @@ namespace {
 
 /// Of the named axes; without axis words of all (INFERRED).
 Status end_mirror(Interpreter& m) {
-  if (!m.has_axis_words()) return clear_mirror(m), Status();
+  if (!m.has_axis_words()) {
+    clear_mirror(m);
+    return {};
+  }
   AxisMask named = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
