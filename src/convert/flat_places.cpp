@@ -147,7 +147,7 @@ class PlaceWriter {
     if (std::holds_alternative<FrameChange>(action.what)) flat_.system_changes();
     if (std::exchange(is_new_, false)) now_ = offsets_of(control_);
     has_acted_ = true;
-    note(flat_.take(action, nullptr, now_));
+    note(flat_.take(action, now_));
   }
 
   void note(const Status& status) {
