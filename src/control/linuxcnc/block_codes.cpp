@@ -18,12 +18,6 @@ namespace {
 
 bool is_one_of(std::int32_t code, std::initializer_list<std::int32_t> all) { return std::find(all.begin(), all.end(), code) != all.end(); }
 
-/// Number of the modal group that a row of [groups] stands for: "12" → 12, "M7" → 7.
-std::size_t group_of(const ControlDef& def, const CodeRow& row) {
-  const std::string& name = def.groups[row.group].name;
-  return static_cast<std::size_t>(std::atoi(name.c_str() + (name[0] == 'M' ? 1 : 0)));
-}
-
 class Checker {
  public:
   Checker(Interpreter& m, const LinuxCnc& control) : m_(m), control_(control) {
@@ -70,7 +64,7 @@ class Checker {
     const std::int32_t code = static_cast<std::int32_t>(nearest);
     const std::int32_t row = m_.def.row_of('G', code);
     if (row < 0) return wrong(AlarmId::rs274_codes, w.where, "Unknown g code used");
-    std::int32_t& of_group = codes_.g[group_of(m_.def, m_.def.codes[static_cast<std::size_t>(row)])];
+    std::int32_t& of_group = codes_.g[control_.groups.number(m_.def.codes[static_cast<std::size_t>(row)].group)];
     if (code == 800 && of_group >= 0) return {};
     if (of_group >= 0 && of_group != 800) return wrong(AlarmId::rs274_codes, w.where, "Two g codes used from same modal group");
     of_group = code;
@@ -100,7 +94,7 @@ class Checker {
     const CodeRow& of = m_.def.codes[static_cast<std::size_t>(row)];
     if (code >= 100) codes_.m[10] = code;
     if (of.group == 0) return {};
-    std::int32_t& of_group = codes_.m[group_of(m_.def, of)];
+    std::int32_t& of_group = codes_.m[control_.groups.number(of.group)];
     if (of_group >= 0) return wrong(AlarmId::rs274_codes, w.where, "Two m codes used from same modal group");
     of_group = code;
     return {};
@@ -226,9 +220,7 @@ class Checker {
 
   Status other_planes() const {
     const bool arc = codes_.motion == 20 || codes_.motion == 30;
-    std::int32_t plane = codes_.g[2];
-    for (std::size_t g = 1; g < m_.def.groups.size() && plane < 0; ++g)
-      if (m_.def.groups[g].name == "2" && m_.modal.rows[g] >= 0) plane = m_.def.codes[static_cast<std::size_t>(m_.modal.rows[g])].tenth;
+    const std::int32_t plane = codes_.g[2] >= 0 ? codes_.g[2] : control_.code_in_force(m_, 2);
     if (!arc || !is_one_of(plane, {171, 181, 191})) return {};
     return wrong(AlarmId::rs274_arc, m_.block->where, "Cannot do an arc in planes G17.1, G18.1, or G19.1");
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/result.h"
+#include "control/linuxcnc/modal_groups.h"
 
 namespace kadr {
 class Interpreter;
@@ -16,8 +17,8 @@ class LinuxCnc;
 
 /// Tenths of codes: G0 is 0, G38.2 is 382; -1: none.
 struct BlockCodes {
-  std::array<std::int32_t, 17> g{};  // by the number of the modal group
-  std::array<std::int32_t, 11> m{};
+  std::array<std::int32_t, g_groups> g{};  // by the number of the modal group
+  std::array<std::int32_t, m_groups> m{};
   std::int32_t motion = -1;  // that of the block: coded or in force; -1: none
   bool has_axis = false;     // X … W
   bool has_polar = false;    // @ ^

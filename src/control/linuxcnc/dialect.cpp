@@ -52,7 +52,8 @@ struct LinuxCnc::Remembered : DialectState {
 
 /// tool.tbl of the program memory, else the tools of the set-up (1.1).
 LinuxCnc::LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits)
-    : outputs({.root = limits.files,
+    : groups(m.def),
+      outputs({.root = limits.files,
                .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
                .untouched = limits.untouched}) {
   for (const AddressName& name : m.def.grammar.names)
@@ -295,21 +296,26 @@ std::int16_t LinuxCnc::motion_row(const Interpreter& m) const {
   return codes.has_axis ? any_motion : std::int16_t{-1};
 }
 
+std::int32_t LinuxCnc::code_in_force(const Interpreter& m, std::size_t group) const {
+  const std::size_t index = groups.index_of_g(group);
+  return index == 0 || m.modal.rows[index] < 0 ? -1 : m.def.codes[static_cast<std::size_t>(m.modal.rows[index])].tenth;
+}
+
 BlockChanges LinuxCnc::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
 
 void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   if (row.letter != 'G' || row.group == 0) return;
-  const std::string& group = m.def.groups[row.group].name;
-  if (group == "5") {  // G93, G94, G95 set F to 0, even if in force already (7.2)
+  const auto is_of = [&](std::size_t group) { return row.group == groups.index_of_g(group); };
+  if (is_of(5)) {  // G93, G94, G95 set F to 0, even if in force already (7.2)
     m.modal.feed = 0;
     m.modal.feed_known = false;
     return;
   }
-  if (group == "2" && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
+  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
-  if (group == "7" && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
-  if (group == "6") m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
-  if (group != "1" || !row.modal) return;
+  if (is_of(7) && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
+  if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
+  if (!is_of(1) || !row.modal) return;
   state.motion = row.tenth;
   if (!codes.is_cycle()) state.cycle_began = false;
 }

@@ -15,6 +15,7 @@
 #include "control/linuxcnc/block_codes.h"
 #include "control/linuxcnc/flow_table.h"
 #include "control/linuxcnc/machine_file.h"
+#include "control/linuxcnc/modal_groups.h"
 #include "control/linuxcnc/parameter_file.h"
 #include "control/linuxcnc/program_files.h"
 #include "control/linuxcnc/turning/cycles.h"
@@ -159,11 +160,15 @@ class LinuxCnc final : public Dialect {
   void take_system(Interpreter& m, std::uint32_t number);
   void store_shift(Interpreter& m);
 
+  /// Tenths of the G code in force of the group with that number; -1: none.
+  std::int32_t code_in_force(const Interpreter& m, std::size_t group) const;
+
   // ---- parameters
   Level& level() { return levels_.back(); }
   const Level& level() const { return levels_.back(); }
   std::vector<Level>& levels() { return levels_; }
 
+  const ModalGroups groups;
   State state;
   BlockCodes codes;  // of the block being carried out
   FlowTable flow;
