@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/code_literals.h"
 #include "base/result.h"
 #include "control/linuxcnc/modal_groups.h"
 
@@ -26,7 +27,7 @@ struct BlockCodes {
 
   std::int32_t g1() const { return g[1]; }
   bool has_g(int group, std::int32_t tenths) const { return g[static_cast<std::size_t>(group)] == tenths; }
-  bool is_cycle() const { return motion == 730 || motion == 740 || (motion >= 810 && motion <= 890); }
+  bool is_cycle() const { return motion == 73_g || motion == 74_g || (motion >= 81_g && motion <= 89_g); }
 };
 
 /// Reads and checks the codes and words of the interpreter's block.

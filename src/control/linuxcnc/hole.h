@@ -6,13 +6,14 @@
 #include <string>
 
 #include "base/alarm_ids.h"
+#include "base/code_literals.h"
 #include "base/span.h"
 #include "control/interpreter.h"
 
 namespace kadr::linuxcnc {
 
 struct Hole {
-  std::int32_t code = 810;
+  std::int32_t code = 81_g;
   std::size_t first = 0, second = 1, drill = 2;  // axes
   double at_first = 0, at_second = 0;
   double step_first = 0, step_second = 0;  // G91, from repetition to repetition

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "action/plane_spline.h"
+#include "base/code_literals.h"
 #include "control/dialect.h"
 #include "control/linuxcnc/block_codes.h"
 #include "control/linuxcnc/flow_table.h"
@@ -80,7 +81,7 @@ struct State {
   double css_most = 0;                               // rev/min, D of G96; 0: no limit
   bool cycle_began = false;                          // a canned cycle follows another
   double old_z = 0;                                  // of cycles (7.6)
-  std::int32_t motion = 800;                         // code in force, tenths; -1: none (G5.3)
+  std::int32_t motion = 80_g;                        // code in force, tenths; -1: none (G5.3)
   bool polar_step = false;                           // the block's words are @ ^ in G91: each repetition of a cycle turns on
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // a contour has ended: the next motion of its kind must be straight (7.3)

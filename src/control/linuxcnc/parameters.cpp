@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/ascii.h"
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -117,7 +118,7 @@ std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, 
   const Modal& modal = m.modal;
   if (name == "_motion_mode") return control.state.motion;
   if (name == "_plane") return control.code_in_force(m, 2);
-  if (name == "_ccomp") return modal.radius_side == 0 ? 400 : modal.radius_side < 0 ? 410 : 420;
+  if (name == "_ccomp") return modal.radius_side == 0 ? 40_g : modal.radius_side < 0 ? 41_g : 42_g;
   if (name == "_metric") return modal.inch ? 0 : 1;
   if (name == "_imperial") return modal.inch ? 1 : 0;
   if (name == "_absolute") return modal.absolute ? 1 : 0;
@@ -131,8 +132,8 @@ std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, 
   if (name == "_spindle_rpm_mode") return modal.surface_speed ? 0 : 1;
   if (name == "_spindle_css_mode") return modal.surface_speed ? 1 : 0;
   if (name == "_ijk_absolute_mode") return modal.centers_absolute ? 1 : 0;
-  if (name == "_lathe_diameter_mode") return control.code_in_force(m, 15) == 70 ? 1 : 0;
-  if (name == "_lathe_radius_mode") return control.code_in_force(m, 15) == 80 ? 1 : 0;
+  if (name == "_lathe_diameter_mode") return control.code_in_force(m, 15) == 7_g ? 1 : 0;
+  if (name == "_lathe_radius_mode") return control.code_in_force(m, 15) == 8_g ? 1 : 0;
   if (name == "_spindle_on") return modal.spindle == SpindleDir::cw || modal.spindle == SpindleDir::ccw ? 1 : 0;
   if (name == "_spindle_cw") return modal.spindle == SpindleDir::cw ? 1 : 0;
   if (name == "_mist") return modal.mist ? 1 : 0;

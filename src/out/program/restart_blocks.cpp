@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "lang/block/block.h"
 #include "out/program/words.h"
@@ -62,7 +63,7 @@ class RestartWriter {
     return {};
   }
   Status tool(const InForce& one) {
-    const std::int32_t change = def_.row_of('M', 60);
+    const std::int32_t change = def_.row_of('M', 6_m);
     if (one.value == 0 || change < 0) {
       by_hand(one);
       return {};
@@ -136,7 +137,7 @@ bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, 
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
     if (row == nullptr || row->letter != 'M') return false;
-    const bool both = row->tenth == 130 || row->tenth == 140;  // M13, M14: spindle and coolant
+    const bool both = row->tenth == 13_m || row->tenth == 14_m;  // M13, M14: spindle and coolant
     if (one.kind == Kind::spindle) return both || row->phase == Phase::spindle || row->phase == Phase::spindle_stop;
     return other.code == one.code || (both && one.code == "M8");
   });
