@@ -105,7 +105,7 @@ class Reader {
 
   /// What a single cycle finds out at its hole.
   void at_hole(AlarmId id, std::string text) {
-    if (hole_.fault != AlarmId::count) return;
+    if (hole_.fault != no_alarm) return;
     hole_.fault = id;
     hole_.fault_text = std::move(text);
     hole_.where = call_.where;
@@ -118,7 +118,7 @@ class Reader {
     const bool reads = taps || (in_uw && (hole_.code == 86_g || hole_.code == 87_g || hole_.code == 88_g));
     const char* const text =
         !of_uvw_ && hole_.plane == Plane::zx ? "Invalid E-number in G74/G84 cycle" : "Invalid spindle ($) number in G74/G84 cycle";
-    if (reads && hole_.fault == AlarmId::count && !take_spindle(m_, text, call_.where)) {
+    if (reads && hole_.fault == no_alarm && !take_spindle(m_, text, call_.where)) {
       at_hole(AlarmId::rs274_spindle, text);
       hole_.fault_above = true;
     }

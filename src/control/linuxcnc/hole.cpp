@@ -61,7 +61,7 @@ class Drilling final : public RunningValue<Drilling> {
       KADR_TRY(place(m, h_.at_first, h_.at_second, h_.clear));
     }
     KADR_TRY(drill(m, MotionKind::rapid, h_.level));
-    if (h_.fault != AlarmId::count) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
+    if (h_.fault != no_alarm) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
     return {};
   }
 

@@ -23,8 +23,8 @@ struct Hole {
   bool up_first = false;  // from below R
   bool polar = false;     // G91 with @ ^: each repetition turns on
   double polar_radius = 0, polar_angle = 0;
-  AlarmId fault = AlarmId::count;  // what the control finds at the hole only, when the approach has been made
-  bool fault_above = false;        // … when it has risen to R, if it has to
+  AlarmId fault = no_alarm;  // what the control finds at the hole only, when the approach has been made
+  bool fault_above = false;  // … when it has risen to R, if it has to
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;
