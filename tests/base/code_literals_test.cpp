@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::code_literals_test {
 namespace {
 
 TEST(code_literals, are_tenths) {
@@ -17,4 +17,4 @@ TEST(code_literals, are_tenths) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::code_literals_test

@@ -4,7 +4,7 @@
 
 #include "run_program.h"
 
-namespace kadr {
+namespace kadr::diameter_axes_test {
 namespace {
 
 using namespace test;
@@ -17,13 +17,14 @@ TEST(diameter_axes, are_named_by_the_control_file) {
   const auto def = own("diameter = [\"X\", \"Z\"]\n");
   ASSERT_TRUE(def) << def.error();
   EXPECT_EQ(def->diameter, 0b101U);
-  EXPECT_EQ(own("")->diameter, 0U);
+  EXPECT_EQ(control("gost").diameter, 0U);
 }
 
 TEST(diameter_axes, go_half_of_what_is_written) {
   const auto def = own("diameter = [\"X\"]\n");
   ASSERT_TRUE(def) << def.error();
-  Control machine(*def, {}, Program{"test", text_source("N1 G0 X20 Y20\nN2 M2\n"), {}}, RunLimits{100, 10});
+  Control machine(*def, {}, Program{"test", text_source("% LF\nN1 G17 G90 G94 LF\nN2 G00 X20. Y20. LF\nN3 M02 LF\n"), {}},
+                  RunLimits{100, 10});
   ActionBatch batch;
   std::vector<Motion> motions;
   for (Control::State state = machine.run(batch);; state = machine.run(batch)) {
@@ -43,4 +44,4 @@ TEST(diameter_axes, that_are_no_axes_or_no_list_are_refused) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::diameter_axes_test

@@ -6,8 +6,10 @@
 
 #include "config/control_file.h"
 
-namespace kadr::linuxcnc {
+namespace kadr::modal_groups_test {
 namespace {
+
+using linuxcnc::ModalGroups;
 
 TEST(modal_groups, have_the_numbers_of_their_names) {
   const ControlDef def = load_control("linuxcnc").value();
@@ -34,4 +36,4 @@ TEST(modal_groups, of_other_names_are_0) {
 }
 
 }  // namespace
-}  // namespace kadr::linuxcnc
+}  // namespace kadr::modal_groups_test

@@ -5,7 +5,7 @@
 #include "stock/stock.h"
 #include "stock/surface/surface.h"
 
-namespace kadr {
+namespace kadr::stock_example_test {
 namespace {
 
 TEST(stock, is_used_as_its_header_says) {
@@ -29,4 +29,4 @@ TEST(stock, is_used_as_its_header_says) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::stock_example_test
