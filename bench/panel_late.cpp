@@ -73,7 +73,10 @@ int main(int argc, char** argv) {
     return std::move(*session);
   };
   auto made = kadr::PanelMachine::make(opens);
-  if (!made || !(*made)->run()) return fmt::print("the machine does not run\n"), 2;
+  if (!made || !(*made)->run()) {
+    fmt::print("the machine does not run\n");
+    return 2;
+  }
   const auto begun = Clock::now();
   const IdleLoop idle, other;
   double told = 10;
@@ -81,7 +84,10 @@ int main(int argc, char** argv) {
   while (since(begun) < seconds) {
     const kadr::PanelState state = (*made)->state();
     if (first == 0) first = state.sample.instant;
-    if (state.mode != kadr::PanelMode::running) return fmt::print("the machine stands\n"), 2;
+    if (state.mode != kadr::PanelMode::running) {
+      fmt::print("the machine stands\n");
+      return 2;
+    }
     if (since(begun) > told) {
       fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late(),
                  1000 * other.late());

@@ -48,7 +48,7 @@ kadr::OpenedText opened(std::string text, unsigned switches) {
 struct Read {
   kadr::Position position;
   bool good = false;
-  kadr::AlarmId alarm = kadr::AlarmId::count;
+  kadr::AlarmId alarm = kadr::no_alarm;
   kadr::Span where;  // in the text as it is shown: a line with comments alone may be read undecoded
   std::vector<kadr::Word> words;
   std::uint32_t number = 0;

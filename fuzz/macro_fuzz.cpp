@@ -21,6 +21,7 @@ namespace {
 using kadr::AlarmId;
 using kadr::Block;
 using kadr::Expression;
+using kadr::no_alarm;
 using kadr::Op;
 using kadr::fuzz::require;
 
@@ -89,7 +90,7 @@ bool inside(kadr::Span span, std::string_view text) { return span.begin <= span.
 
 /// The value, or the alarm's number; the same text must give the same.
 std::pair<double, AlarmId> check_value(const Block& block, Expression e) {
-  if (!e) return {0, AlarmId::count};
+  if (!e) return {0, no_alarm};
   check_stack(block, e);
   const auto value = kadr::evaluate(block, e, Variables());
   if (!value) {
@@ -97,7 +98,7 @@ std::pair<double, AlarmId> check_value(const Block& block, Expression e) {
     return {0, value.error().id};
   }
   require(kadr::is_vacant(*value) || std::isfinite(*value), "a value is a number, or vacant");
-  return {*value, AlarmId::count};
+  return {*value, no_alarm};
 }
 
 /// What a line is, as far as it can be compared.

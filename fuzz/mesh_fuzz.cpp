@@ -55,7 +55,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   std::string stl;
-  require(kadr::write_stl(solid->mesh, [&](std::string_view bytes) { return stl += bytes, true; }), "a mesh can be written");
+  require(kadr::write_stl(solid->mesh,
+                          [&](std::string_view bytes) {
+                            stl += bytes;
+                            return true;
+                          }),
+          "a mesh can be written");
   require(stl.size() == 84 + 50 * solid->mesh.triangle_count(), "an STL has all triangles");
   return 0;
 }

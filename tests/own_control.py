@@ -78,6 +78,9 @@ REFUSED = [
     ("gost", '[address]\nE = { does = "axis", axis = "X", unit = "length" }\n', ["own.toml:5: ", "axis X", "word E already"]),
     ("gost", '[address]\nX = { unit = "mm" }\n', ["own.toml:5: ", "unit: length or angle"]),
     ("gost", '[feed_codes]\nF7 = 100\n', ["own.toml:5: ", "feed_codes"]),
+    ("gost", '[axes]\ndiameter = ["Q"]\n', ["own.toml:5: ", "diameter: no such axis"]),
+    ("gost", '[axes]\ndiameter = "X"\n', ["own.toml:5: ", "diameter"]),
+    ("nct", '[axes]\ndiameter = ["X"]\n', ["own.toml:5: ", "diameter has no effect", "machine of the NCT"]),
     ("gost", '[axes]\nname = ["X"]\n', ["own.toml:5: ", "unknown key 'name'", "names"]),
     # What is said already, or by nobody asked.
     ("gost", '[g]\n"04" = { takes = "P" }\n', ["own.toml:5: ", "[g] 04 has no effect", "says the same"]),

@@ -17,10 +17,14 @@ enum class AlarmId : std::uint16_t {
       count
 };
 
+/// Stands for the id where nothing is wrong. It is one of the values, so that an Alarm, which each Result has room for, stays as small as
+/// it is.
+inline constexpr AlarmId no_alarm = AlarmId::count;
+
 /// The id as it is printed and as the rows of controls/alarms.toml name it.
 std::string_view name_of(AlarmId id);
 
-/// The id of that name, or AlarmId::count.
+/// The id of that name; no_alarm: there is none.
 AlarmId alarm_named(std::string_view name);
 
 /// A note is what a user wants to know, but nothing is wrong: it does not count.
@@ -48,7 +52,7 @@ class AlarmArg {
 
 /// Plain value without allocation, so that a Result costs nothing while all goes well.
 struct Alarm {
-  AlarmId id = AlarmId::count;
+  AlarmId id = no_alarm;
   Severity severity = Severity::alarm;
   std::uint8_t arg_count = 0;
   Span where;  // in the text of the block's line

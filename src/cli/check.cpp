@@ -157,7 +157,10 @@ bool read_baseline(const Options& options, Report& report) {
   const auto text = read_all(options.baseline, longest);
   if (!text) return false;
   auto baseline = Baseline::read(*text);
-  if (!baseline) return complain(fmt::format("{}: {}", options.baseline, baseline.error())), false;
+  if (!baseline) {
+    complain(fmt::format("{}: {}", options.baseline, baseline.error()));
+    return false;
+  }
   report.baseline = std::move(*baseline);
   return true;
 }
@@ -192,7 +195,10 @@ int check(const Options& given) {
   for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
   int status = programs.unreadable.empty() ? ok : wrong_usage;
   report.unreadable = std::move(programs.unreadable);
-  if (programs.files.empty()) return complain(told("no program to check there", "там нет УП для проверки")), wrong_usage;
+  if (programs.files.empty()) {
+    complain(told("no program to check there", "там нет УП для проверки"));
+    return wrong_usage;
+  }
   Count count;
   std::size_t checked = 0;
   const GuessedControls controls(options, programs.files);

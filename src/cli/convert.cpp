@@ -38,7 +38,10 @@ class ConvertCommand {
     job_ = make_job(of_source, o_.program);
     if (!job_) return wrong_usage;
     auto to = load_control(o_.to);
-    if (!to) return complain(to.error()), wrong_usage;
+    if (!to) {
+      complain(to.error());
+      return wrong_usage;
+    }
     to_ = std::make_shared<const ControlDef>(std::move(*to));
     letters_ = o_.encoding_out.empty() ? to_->letters : written_letters_named(o_.encoding_out).value_or(to_->letters);
     outputs_.reads(job_->file);
@@ -53,7 +56,10 @@ class ConvertCommand {
     const auto spec = spec_of();
     if (!spec) return wrong_usage;
     const auto made = converted(*spec);
-    if (!made) return complain(made.error()), wrong_usage;
+    if (!made) {
+      complain(made.error());
+      return wrong_usage;
+    }
     if (interrupted()) return interrupted_status();
     return tell(*made);
   }
@@ -93,7 +99,10 @@ class ConvertCommand {
 
   int tell(const Converted& made) {
     const auto of_target = AlarmTexts::load(to_.get());
-    if (!of_target) return complain(of_target.error()), wrong_usage;
+    if (!of_target) {
+      complain(of_target.error());
+      return wrong_usage;
+    }
     const ConversionSides sides{*job_->def, job_->texts(), *of_target};
     if (!made.taken) {
       complain(nothing_proven());
@@ -103,8 +112,10 @@ class ConvertCommand {
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
     if (!outputs_.open()) return wrong_usage;
-    if (const Status written = write(one, unproven.has_value()); !written)
-      return complain(of_target->sentence(written.error(), language(o_.run))), alarms;
+    if (const Status written = write(one, unproven.has_value()); !written) {
+      complain(of_target->sentence(written.error(), language(o_.run)));
+      return alarms;
+    }
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
       std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));

@@ -86,7 +86,10 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   if (!write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}\n", cut_json(result, cut.run.alarms(), cut.run.warnings()).dump());
-  if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) return complain(drawn.error()), false;
+  if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) {
+    complain(drawn.error());
+    return false;
+  }
   const bool says = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
   if (!options.run.quiet && says) fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
@@ -129,7 +132,10 @@ std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options,
   auto watch =
       watch_bodies(session, cut, work_of(cut, options.stock, options.fixtures, options.fixtures), options.max_memory * bytes_of_mb, notes);
   for (const std::string& note : notes) say(note + "\n");
-  if (!watch) return complain(watch.error()), std::nullopt;
+  if (!watch) {
+    complain(watch.error());
+    return std::nullopt;
+  }
   return std::move(*watch);
 }
 

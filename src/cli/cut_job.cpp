@@ -36,7 +36,10 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
 /// A body of the command line; complains.
 std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
   const auto named = body_of(text, most);
-  if (!named) return complain(fmt::format("{} {}", option, named.error())), nullptr;
+  if (!named) {
+    complain(fmt::format("{} {}", option, named.error()));
+    return nullptr;
+  }
   for (const std::string& note : named->notes) say(note + "\n");
   return named->body;
 }
@@ -56,7 +59,10 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   MeshRules rules;
   rules.memory = std::size_t(options.max_memory * bytes_per_mb);
   auto solid = read_mesh_file(options.part, rules);
-  if (!solid) return complain("--part " + solid.error()), false;
+  if (!solid) {
+    complain("--part " + solid.error());
+    return false;
+  }
   for (const std::string& note : solid->notes) say(note + "\n");
   part = std::move(solid->mesh);
   return true;
@@ -67,12 +73,20 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
   std::optional<Box3> window;
   if (!options.window.empty()) {
     const auto box = window_of(options.window);
-    if (!box) return complain("--window " + box.error()), false;
+    if (!box) {
+      complain("--window " + box.error());
+      return false;
+    }
     window = *box;
   }
-  if (!find_cells(options.resolution, window, most, job))
-    return complain("--window " + options.window + told(": beside the blank", ": мимо заготовки")), false;
-  if (part && !part_meets_window(job, *part)) return complain(told("--window: beside the part", "--window: мимо детали")), false;
+  if (!find_cells(options.resolution, window, most, job)) {
+    complain("--window " + options.window + told(": beside the blank", ": мимо заготовки"));
+    return false;
+  }
+  if (part && !part_meets_window(job, *part)) {
+    complain(told("--window: beside the part", "--window: мимо детали"));
+    return false;
+  }
   return true;
 }
 
@@ -102,13 +116,17 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
 
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
   const auto until = seconds_of(options.until, options.run.to);
-  if (!until)
-    return complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s")),
-           false;
+  if (!until) {
+    complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s"));
+    return false;
+  }
   job.until = *until;
   if (!find_part(options, part) || !find_material(options, part, job)) return false;
   auto tools = load_tools(options.tools);
-  if (!tools) return complain(tools.error()), false;
+  if (!tools) {
+    complain(tools.error());
+    return false;
+  }
   for (const std::string& note : tools->notes) say(note + "\n");
   job.tools = std::move(*tools);
   job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
@@ -122,10 +140,11 @@ bool find_system(const CutOptions& options, const Job& job, std::optional<std::u
   if (options.stock_zero.empty()) return true;
   const std::vector<std::string> names = system_names(*job.def);
   const auto found = std::find(names.begin(), names.end(), options.stock_zero);
-  if (found == names.end() || found == names.begin())
-    return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
-                                told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
-           false;
+  if (found == names.end() || found == names.begin()) {
+    complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
+                         told("this control has no such work system", "у этого УЧПУ нет такой системы координат")));
+    return false;
+  }
   system = std::uint16_t(found - names.begin());
   return true;
 }

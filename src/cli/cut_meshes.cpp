@@ -40,10 +40,11 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
   const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
   const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);
-  if (bytes > options.max_memory * mesh_mb)
-    return complain(fmt::format("--simplify: {}: {:.0f} MB", told("takes more than --max-memory", "нужно больше памяти, чем --max-memory"),
-                                bytes / mesh_mb)),
-           false;
+  if (bytes > options.max_memory * mesh_mb) {
+    complain(fmt::format("--simplify: {}: {:.0f} MB", told("takes more than --max-memory", "нужно больше памяти, чем --max-memory"),
+                         bytes / mesh_mb));
+    return false;
+  }
   const SimplifiedSurface simple = simplified_surface(surface, {options.simplify, cutting.stock().threads(), options.run.limits.stop});
   result.simplified = {triangles, simple.mesh.triangle_count(), simple.off};
   return write_part(options.out, simple.mesh, file);
@@ -52,12 +53,18 @@ bool write_simplified(const CutOptions& options, const Surface& surface, const C
 }  // namespace
 
 bool can_write_meshes(const CutOptions& options) {
-  if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl"))
-    return complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf")), false;
-  if (!options.deviation.empty() && options.deviation != "-" && !has_ending(options.deviation, ".ply"))
-    return complain("--deviation " + options.deviation + told(": want a file .ply", ": нужен файл .ply")), false;
-  if (options.simplify > 0 && options.out.empty())
-    return complain(told("--simplify: of --out FILE, which is missing", "--simplify: нужен --out ФАЙЛ, а он не указан")), false;
+  if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl")) {
+    complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf"));
+    return false;
+  }
+  if (!options.deviation.empty() && options.deviation != "-" && !has_ending(options.deviation, ".ply")) {
+    complain("--deviation " + options.deviation + told(": want a file .ply", ": нужен файл .ply"));
+    return false;
+  }
+  if (options.simplify > 0 && options.out.empty()) {
+    complain(told("--simplify: of --out FILE, which is missing", "--simplify: нужен --out ФАЙЛ, а он не указан"));
+    return false;
+  }
   return true;
 }
 
@@ -73,7 +80,8 @@ bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surfa
   const DeviationScale scale = deviation_scale(held.deviation, result.part->allow);
   const ColourOf colour = [&](float deviation) { return deviation_colour(double(deviation), scale); };
   if (write_ply(surface, held.deviation, colour, sink_of(file))) return true;
-  return complain(options.deviation + ": " + told_errno(errno)), false;
+  complain(options.deviation + ": " + told_errno(errno));
+  return false;
 }
 
 }  // namespace kadr::cli

@@ -161,7 +161,10 @@ class Debugger : public PartOfProgram {
     const std::size_t colon = rest.find(':');
     const auto line = count_of(rest.substr(0, colon), 0);
     const auto pass = colon == std::string::npos ? std::optional(0U) : count_of(rest.substr(colon + 1), 0);
-    if (!line || *line == 0 || !pass) return wrong(rest), std::nullopt;
+    if (!line || *line == 0 || !pass) {
+      wrong(rest);
+      return std::nullopt;
+    }
     StopPoint target;
     target.line = *line;
     target.pass = *pass;
@@ -324,10 +327,11 @@ class Debugger : public PartOfProgram {
 }  // namespace
 
 int debug(const Options& options) {
-  if (options.programs.front() == "-")
-    return complain(told("debug: the program cannot come from standard input, the commands do",
-                         "debug: УП не может идти со стандартного ввода: оттуда идут команды")),
-           wrong_usage;
+  if (options.programs.front() == "-") {
+    complain(told("debug: the program cannot come from standard input, the commands do",
+                  "debug: УП не может идти со стандартного ввода: оттуда идут команды"));
+    return wrong_usage;
+  }
   auto part = part_of(options);
   if (!part) return wrong_usage;
   Debugger debugger(std::move(*part));

@@ -50,10 +50,10 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   auto program = open_program(*side.job);
   if (!program) return nullptr;
   auto session = make_session(*side.job, std::move(*program), options.limits);
-  if (session && session->channels().size() > 1)
-    return complain(side.name + ": " +
-                    told("programs of several channels are not compared", "программы нескольких каналов не сравниваются")),
-           nullptr;
+  if (session && session->channels().size() > 1) {
+    complain(side.name + ": " + told("programs of several channels are not compared", "программы нескольких каналов не сравниваются"));
+    return nullptr;
+  }
   return session;
 }
 
@@ -200,10 +200,14 @@ void add_diff(CLI::App& app, Commands& c) {
 
 int diff(const DiffOptions& o) {
   const Lang lang = language(o.both);
-  if (o.a == "-" && o.b == "-")
-    return complain(told("only one of the two can be the standard input", "со стандартного ввода читается только одна из двух")),
-           wrong_usage;
-  if (const std::string fault = o.plot.empty() ? "" : page_fault(o.plot); !fault.empty()) return complain("--plot " + fault), wrong_usage;
+  if (o.a == "-" && o.b == "-") {
+    complain(told("only one of the two can be the standard input", "со стандартного ввода читается только одна из двух"));
+    return wrong_usage;
+  }
+  if (const std::string fault = o.plot.empty() ? "" : page_fault(o.plot); !fault.empty()) {
+    complain("--plot " + fault);
+    return wrong_usage;
+  }
   Side a, b;
   const Options options_a = options_of(o, false), options_b = options_of(o, true);
   auto session_a = open_side(options_a, a);

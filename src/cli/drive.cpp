@@ -75,7 +75,10 @@ std::optional<Exit> PartOfProgram::begin(Session& session, const Job& job) {
 std::optional<Exit> PartOfProgram::go_there(Session& session, const Job& job) {
   Outlets& outlets = session.outlets();
   outlets.silent = true;
-  outlets.alarm = [&job](const AlarmReport& report) { return say(alarm_text(report, job.texts(), job.lang, colours())), false; };
+  outlets.alarm = [&job](const AlarmReport& report) {
+    say(alarm_text(report, job.texts(), job.lang, colours()));
+    return false;
+  };
   const Session::State state = stepping_->go_to(from_);
   if (state == Session::State::held) {
     const std::string begins = told("the run begins here, with", "прогон начинается здесь, действует");

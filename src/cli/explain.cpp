@@ -55,15 +55,33 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
 
 int explain(const ExplainOptions& options) {
   const auto def = load_control(options.control);
-  if (!def) return complain(def.error()), wrong_usage;
+  if (!def) {
+    complain(def.error());
+    return wrong_usage;
+  }
   const auto texts = AlarmTexts::load(&*def);
-  if (!texts) return complain(texts.error()), wrong_usage;
+  if (!texts) {
+    complain(texts.error());
+    return wrong_usage;
+  }
   const Lang lang = language_named(options.lang);
-  if (options.code == "setup") return fmt::print("{}", options.markdown ? setup_page_of_all(lang) : explain_setup(*def, lang)), ok;
-  if (options.markdown) return fmt::print("{}", control_page(*def, *texts)), ok;
-  if (options.code.empty()) return fmt::print("{}", explain_control(*def, lang)), ok;
+  if (options.code == "setup") {
+    fmt::print("{}", options.markdown ? setup_page_of_all(lang) : explain_setup(*def, lang));
+    return ok;
+  }
+  if (options.markdown) {
+    fmt::print("{}", control_page(*def, *texts));
+    return ok;
+  }
+  if (options.code.empty()) {
+    fmt::print("{}", explain_control(*def, lang));
+    return ok;
+  }
   const auto text = explain_code(*def, *texts, options.code, lang);
-  if (!text) return complain(unknown_code(*def, options.code, lang)), wrong_usage;
+  if (!text) {
+    complain(unknown_code(*def, options.code, lang));
+    return wrong_usage;
+  }
   fmt::print("{}", *text);
   return ok;
 }
@@ -72,7 +90,10 @@ int list_controls(const std::string& lang_name) {
   const Lang lang = language_named(lang_name);
   for (const std::string& id : built_in_controls()) {
     const auto def = load_control(id);
-    if (!def) return complain(def.error()), wrong_usage;
+    if (!def) {
+      complain(def.error());
+      return wrong_usage;
+    }
     fmt::print("{:<12}{}", id, lang == Lang::ru ? def->name.ru : def->name.en);
     if (!def->aliases.empty()) fmt::print(" ({} {})", lang == Lang::ru ? "также" : "also", fmt::join(def->aliases, ", "));
     fmt::print("\n");

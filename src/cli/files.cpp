@@ -38,7 +38,10 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
 std::optional<std::string> read_small(const std::string& name, std::size_t most) {
   if (name == "-") return read_all(name, most);
   auto text = read_file(name, most);
-  if (!text) return complain(text.error()), std::nullopt;
+  if (!text) {
+    complain(text.error());
+    return std::nullopt;
+  }
   return std::move(*text);
 }
 

@@ -139,7 +139,10 @@ std::optional<std::string> GuessedControls::of(const std::string& file) const {
   }
   const Guess& guess = found->second;
   const auto neighbour = guess.decisive ? std::nullopt : neighbour_of(file);
-  if (!neighbour || neighbour->control == guess.control) return say_guess(options_, file, guess), guess.control;
+  if (!neighbour || neighbour->control == guess.control) {
+    say_guess(options_, file, guess);
+    return guess.control;
+  }
   const bool ru = language(options_) == Lang::ru;
   const auto& [control, shown_by, reason_en, reason_ru] = *neighbour;
   if (options_.guesses_silently) return control;

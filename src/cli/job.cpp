@@ -23,15 +23,24 @@ bool take_setup(Job& job, const Options& options) {
   std::vector<SetupSource> sources;
   if (!options.setup.empty()) {
     auto file = setup_source(options.setup);
-    if (!file) return complain(file.error()), false;
+    if (!file) {
+      complain(file.error());
+      return false;
+    }
     sources.push_back(std::move(*file));
   }
   auto stated = setup_of_options(options, *job.def, job.lang);
-  if (!stated) return complain(stated.error()), false;
+  if (!stated) {
+    complain(stated.error());
+    return false;
+  }
   sources.insert(sources.end(), stated->begin(), stated->end());
   if (sources.empty()) return true;
   auto read = read_setup(sources, job.def.get(), job.lang);
-  if (!read) return complain(read.error()), false;
+  if (!read) {
+    complain(read.error());
+    return false;
+  }
   job.setup = std::move(read->setup);
   job.stated = std::move(read->stated);
   if (!options.setup.empty()) job.setup_lines = std::move(read->lines);
@@ -71,16 +80,28 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   job.lang = language(options);
   job.program = options.program;
   auto def = load_control(control);
-  if (!def) return complain(def.error()), std::nullopt;
+  if (!def) {
+    complain(def.error());
+    return std::nullopt;
+  }
   job.def = std::make_shared<const ControlDef>(std::move(*def));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
-  if (!profile) return complain(profile.error()), std::nullopt;
+  if (!profile) {
+    complain(profile.error());
+    return std::nullopt;
+  }
   job.profile = std::move(*profile);
   if (!take_setup(job, options)) return std::nullopt;
-  if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
+  if (const std::string error = Plc(job.setup.events).error(); !error.empty()) {
+    complain(options.setup + ": " + error);
+    return std::nullopt;
+  }
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
-  if (!read_encoding(options.encoding, job.encoding)) return complain(no_encoding(options.encoding, job.lang == Lang::ru)), std::nullopt;
+  if (!read_encoding(options.encoding, job.encoding)) {
+    complain(no_encoding(options.encoding, job.lang == Lang::ru));
+    return std::nullopt;
+  }
   return job;
 }
 

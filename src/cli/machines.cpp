@@ -105,9 +105,15 @@ void print_one(const MachineProfile& machine) {
 }  // namespace
 
 int list_machines(const std::string& id) {
-  if (id.empty()) return print_list(), ok;
+  if (id.empty()) {
+    print_list();
+    return ok;
+  }
   const auto machine = load_machine(id);
-  if (!machine) return complain(machine.error()), wrong_usage;
+  if (!machine) {
+    complain(machine.error());
+    return wrong_usage;
+  }
   print_one(*machine);
   return ok;
 }

@@ -53,8 +53,12 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("convert")) return convert(commands.convert);
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
-  if (app.got_subcommand("man")) return fmt::print("{}", manual_page(app)), ok;
-  return fmt::print("{}", completion(app, commands.shell)), ok;
+  if (app.got_subcommand("man")) {
+    fmt::print("{}", manual_page(app));
+    return ok;
+  }
+  fmt::print("{}", completion(app, commands.shell));
+  return ok;
 }
 
 /// A command that failed has said so already.

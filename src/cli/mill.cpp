@@ -30,9 +30,15 @@ class MillCommand {
     if (!outputs_.check()) return wrong_usage;
     const auto text = read_small(options_.contour, limits::contour_bytes);
     if (!text) return wrong_usage;
-    if (const auto job = mill_job(options_); !job) return say(job.error()), wrong_usage;
+    if (const auto job = mill_job(options_); !job) {
+      say(job.error());
+      return wrong_usage;
+    }
     const auto made = milled(options_, *text, def_, watch());
-    if (!made) return say(made.error(), *text), alarms;
+    if (!made) {
+      say(made.error(), *text);
+      return alarms;
+    }
     progress_.reset();
     if (!outputs_.open()) return wrong_usage;
     const std::string& program = made->program.text;
@@ -96,11 +102,19 @@ int mill(const MillOptions& options) {
   Options shared;
   shared.lang = options.lang;
   auto def = load_control(options.control);
-  if (!def) return complain(def.error()), wrong_usage;
+  if (!def) {
+    complain(def.error());
+    return wrong_usage;
+  }
   const auto texts = AlarmTexts::load(&*def);
-  if (!texts) return complain(texts.error()), wrong_usage;
-  if (const std::string fault = options.plot.empty() ? "" : page_fault(options.plot); !fault.empty())
-    return complain("--plot " + fault), wrong_usage;
+  if (!texts) {
+    complain(texts.error());
+    return wrong_usage;
+  }
+  if (const std::string fault = options.plot.empty() ? "" : page_fault(options.plot); !fault.empty()) {
+    complain("--plot " + fault);
+    return wrong_usage;
+  }
   const int status = MillCommand(options, language(shared), *def, *texts).run();
   return interrupted() ? interrupted_status() : status;
 }

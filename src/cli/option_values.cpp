@@ -33,7 +33,10 @@ std::string none_of(const std::string& word, const std::vector<std::string>& wor
 CLI::Validator among(std::vector<std::string> words) {
   const auto find = [words = std::move(words)](std::string& word) {
     for (const std::string& known : words)
-      if (same_letters(word, known)) return word = known, std::string();
+      if (same_letters(word, known)) {
+        word = known;
+        return std::string();
+      }
     return none_of(word, words);
   };
   return CLI::Validator(find, "");

@@ -81,7 +81,10 @@ std::string Outputs::fault_of(std::size_t index) const {
 
 bool Outputs::check() const {
   for (std::size_t i = 0; i < outputs_.size(); ++i)
-    if (const std::string fault = fault_of(i); !fault.empty()) return complain(fault), false;
+    if (const std::string fault = fault_of(i); !fault.empty()) {
+      complain(fault);
+      return false;
+    }
   return true;
 }
 
@@ -89,7 +92,11 @@ bool Outputs::open() {
   for (Output& output : outputs_) {
     if (output.opened == Opened::by_its_owner) continue;
     auto file = ResultFile::open(output.name);
-    if (!file) return complain(file.error()), outputs_.clear(), false;
+    if (!file) {
+      complain(file.error());
+      outputs_.clear();
+      return false;
+    }
     output.file = std::move(*file);
   }
   return true;
@@ -122,11 +129,15 @@ bool Outputs::keep(const std::vector<std::string>& read) {
   for (const std::string& input : read)
     for (const Output& output : outputs_) {
       if (output.name == "-" || is_device(output.name) || !set_of(output.name, STDOUT_FILENO).has(input)) continue;
-      return complain(clash(output, "would be written over the called file", "затёр бы вызванный файл", input)), false;
+      complain(clash(output, "would be written over the called file", "затёр бы вызванный файл", input));
+      return false;
     }
   for (Output& output : outputs_) {
     if (!output.file) continue;
-    if (const auto kept = output.file->keep(); !kept) return complain(kept.error()), false;
+    if (const auto kept = output.file->keep(); !kept) {
+      complain(kept.error());
+      return false;
+    }
   }
   return true;
 }

@@ -43,9 +43,15 @@ std::optional<std::string> text_of_input(const Job& job) {
   char piece[1 << 16];
   for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, stdin)) > 0;) {
     bytes.append(piece, count);
-    if (bytes.size() > most_input) return complain("-: " + told_errno(EFBIG)), std::nullopt;
+    if (bytes.size() > most_input) {
+      complain("-: " + told_errno(EFBIG));
+      return std::nullopt;
+    }
   }
-  if (std::ferror(stdin) != 0) return complain("-: " + told_errno(errno)), std::nullopt;
+  if (std::ferror(stdin) != 0) {
+    complain("-: " + told_errno(errno));
+    return std::nullopt;
+  }
   return SourceText(as_text(text_source(bytes), job.encoding)).whole();
 }
 
@@ -73,10 +79,16 @@ class ReportRun {
   /// Complains.
   bool open(const OpenedProgram& opened) {
     auto run = ProgramRun::make(opened, stop_token());
-    if (!run) return complain(run.error()), false;
+    if (!run) {
+      complain(run.error());
+      return false;
+    }
     run_ = std::move(*run);
     OpenedText text = opened.text ? OpenedText{text_source(*opened.text), Encoding::utf8} : open_text(opened.path, opened.encoding);
-    if (!text.source) return complain(fmt::format("{}: {}", opened.path, told_errno(errno))), false;
+    if (!text.source) {
+      complain(fmt::format("{}: {}", opened.path, told_errno(errno)));
+      return false;
+    }
     source_ = std::make_unique<SourceText>(std::move(text));
     return true;
   }
@@ -105,7 +117,10 @@ class ReportRun {
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
     PartWish wish{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
     auto part = PartRun::make(run_->opened(), wish, stop_token());
-    if (!part) return complain(part.error()), false;
+    if (!part) {
+      complain(part.error());
+      return false;
+    }
     (*part)->on_progress = [this](double share) {
       if (progress_.is_due()) progress_.show(share, told("cutting", "съём материала"));
     };
@@ -143,8 +158,10 @@ std::string shown_name(const std::string& file) { return file == "-" ? file : st
 /// Writes the page, and the summary on standard output unless that is the page. Returns the exit status.
 int write(const ReportOptions& options, const ReportRun& report, const std::string& html, Outputs& outputs) {
   std::FILE* const file = outputs.stream("--out");
-  if (std::fwrite(html.data(), 1, html.size(), file) != html.size())
-    return complain(fmt::format("{}: {}", options.out, told_errno(errno))), wrong_usage;
+  if (std::fwrite(html.data(), 1, html.size(), file) != html.size()) {
+    complain(fmt::format("{}: {}", options.out, told_errno(errno)));
+    return wrong_usage;
+  }
   const ProgramRun& run = report.run();
   if (!options.cut.run.quiet && options.out != "-") {
     const Lang lang = language(options.cut.run);
@@ -160,10 +177,11 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
 
 int report(const ReportOptions& options) {
   const std::string_view viewer = report_file("report.html");
-  if (viewer.empty())
-    return complain(told("built without its page, of which reports are made: install nodejs and npm (dev/setup) and build again",
-                         "собран без страницы, из которой делаются отчёты: установите nodejs и npm (dev/setup) и соберите снова")),
-           wrong_usage;
+  if (viewer.empty()) {
+    complain(told("built without its page, of which reports are made: install nodejs and npm (dev/setup) and build again",
+                  "собран без страницы, из которой делаются отчёты: установите nodejs и npm (dev/setup) и соберите снова"));
+    return wrong_usage;
+  }
   auto job = make_job(options.cut.run, options.cut.run.programs.front());
   if (!job) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
@@ -172,7 +190,10 @@ int report(const ReportOptions& options) {
   ToolLibrary tools;
   if (!options.cut.tools.empty()) {
     auto library = load_tools(options.cut.tools);
-    if (!library) return complain(library.error()), wrong_usage;
+    if (!library) {
+      complain(library.error());
+      return wrong_usage;
+    }
     for (const std::string& note : library->notes) say(note + "\n");
     tools = std::move(*library);
   }
@@ -185,7 +206,10 @@ int report(const ReportOptions& options) {
   content.tools = options.cut.tools.empty() ? nullptr : &tools;
   content.licences = report_file("licences.txt");
   const auto html = report_html(viewer, content);
-  if (!html) return complain(html.error()), wrong_usage;
+  if (!html) {
+    complain(html.error());
+    return wrong_usage;
+  }
   return interrupted() ? interrupted_status() : write(options, run, *html, outputs);
 }
 

@@ -119,7 +119,11 @@ class RunCommand {
     };
     return {.step = {},
             .warning = say,
-            .alarm = [say](const AlarmReport& report) { return say(report), false; },
+            .alarm =
+                [say](const AlarmReport& report) {
+                  say(report);
+                  return false;
+                },
             .onlooker = &progress_,
             .clock = &view.statistics.clock(),
             .programmed = view.programmed(),
@@ -227,7 +231,10 @@ class RunCommand {
         title.files[file] = name_of_file(channels_[i].control->file_name(file));
       if (view->plot) drawn = view->plot->write(*outputs_.file("--plot"), title);
       if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(*outputs_.file("--plot-speed"), title);
-      if (!drawn) return complain(drawn.error()), false;
+      if (!drawn) {
+        complain(drawn.error());
+        return false;
+      }
     }
     return true;
   }
@@ -298,10 +305,10 @@ Outputs outputs_of(const Options& options, const Job& job) {
 int run_by(const Options& options, Drive& drive) {
   const std::string& file = options.programs.front();
   if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
-  if (!options.colour.empty() && options.plot.empty())
-    return complain(
-               told("--colour: of the path in --plot FILE, which is missing", "--colour: цвет траектории на --plot ФАЙЛ, а он не указан")),
-           wrong_usage;
+  if (!options.colour.empty() && options.plot.empty()) {
+    complain(told("--colour: of the path in --plot FILE, which is missing", "--colour: цвет траектории на --plot ФАЙЛ, а он не указан"));
+    return wrong_usage;
+  }
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);

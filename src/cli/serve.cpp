@@ -62,20 +62,29 @@ void add_serve(CLI::App& app, Commands& c) {
 
 int serve(const ServeOptions& options) {
   const auto folder = ServedFolder::open(options.folder);
-  if (!folder) return complain(folder.error()), wrong_usage;
+  if (!folder) {
+    complain(folder.error());
+    return wrong_usage;
+  }
   ServedAddress wanted{options.host, std::uint16_t(options.port)};
   LastOpened last;
   std::unique_ptr<PanelJournal> journal = std::make_unique<PanelJournal>();
   if (!options.state.empty()) {
     auto kept = PanelJournal::open(options.state);
-    if (!kept) return complain(kept.error()), wrong_usage;
+    if (!kept) {
+      complain(kept.error());
+      return wrong_usage;
+    }
     journal = std::move(*kept);
   }
   PanelHub hub;
   const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
                         &last,   &hub,        journal.get()};
   const auto server = HttpServer::listen(wanted, page);
-  if (!server) return complain(server.error()), wrong_usage;
+  if (!server) {
+    complain(server.error());
+    return wrong_usage;
+  }
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
   fmt::print("kadr serve: {}\n", address);
   if (std::fflush(stdout) != 0) return wrong_usage;

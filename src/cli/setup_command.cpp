@@ -210,7 +210,10 @@ std::size_t carry_out_past_faults(Session& session) {
 
 bool write_to(const std::string& name, const std::string& text) {
   std::FILE* const file = name.empty() || name == "-" ? stdout : std::fopen(name.c_str(), "wbx");  // never over a file that is there
-  if (file == nullptr) return complain(fmt::format("{}: {}", name, told_errno(errno))), false;
+  if (file == nullptr) {
+    complain(fmt::format("{}: {}", name, told_errno(errno)));
+    return false;
+  }
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
   if (!written || !closed) complain(fmt::format("{}: {}", name.empty() ? "-" : name, told_errno(errno)));

@@ -20,17 +20,27 @@ void under(Map& to, const Map& stored) {
 }  // namespace
 
 std::optional<StateFile> open_state(const std::string& path, Job& job) {
-  if (!job.def->machine_axes())
-    return complain(told(fmt::format("--state: the control {} keeps no state", job.def->id),
-                         fmt::format("--state: система {} состояния не хранит", job.def->id))),
-           std::nullopt;
+  if (!job.def->machine_axes()) {
+    complain(told(fmt::format("--state: the control {} keeps no state", job.def->id),
+                  fmt::format("--state: система {} состояния не хранит", job.def->id)));
+    return std::nullopt;
+  }
   const bool unchecked = state_is_unchecked(path);
   auto file = StateFile::open(path, job.def->id);
-  if (!file) return complain(file.error()), std::nullopt;
+  if (!file) {
+    complain(file.error());
+    return std::nullopt;
+  }
   const auto stored = file->load();
-  if (!stored) return complain(stored.error()), std::nullopt;
+  if (!stored) {
+    complain(stored.error());
+    return std::nullopt;
+  }
   const auto tables = setup_of(*stored);
-  if (!tables) return complain(fmt::format("{}: {}", path, tables.error())), std::nullopt;
+  if (!tables) {
+    complain(fmt::format("{}: {}", path, tables.error()));
+    return std::nullopt;
+  }
   if (unchecked)
     complain(path + ": " +
              told("written by an older Kadr, without checksums; the first save adds them",

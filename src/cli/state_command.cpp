@@ -26,7 +26,10 @@ int print(const StateOptions& options, const StateReport& report, const std::str
 
 int check_file(const StateOptions& options) {
   const auto report = check_state(options.file);
-  if (!report) return complain(report.error()), wrong_usage;
+  if (!report) {
+    complain(report.error());
+    return wrong_usage;
+  }
   const std::string control = report->control.empty() ? "?" : report->control, rows = rows_told(report->rows);
   if (!report->faults.empty())
     return print(options, *report,
@@ -40,7 +43,10 @@ int check_file(const StateOptions& options) {
 int recover_file(const StateOptions& options) {
   const std::string to = options.out.empty() ? options.file + ".recovered" : options.out;
   const auto report = recover_state(options.file, to, options.control);
-  if (!report) return complain(report.error()), wrong_usage;
+  if (!report) {
+    complain(report.error());
+    return wrong_usage;
+  }
   const std::string rows = rows_told(report->rows);
   const std::string heading =
       report->faults.empty() ? told(rows + " written to " + to + ", nothing is lost", rows + " записано в " + to + ", ничего не потеряно")

@@ -28,14 +28,18 @@ int decode(const TapeOptions& options, const std::string& rows, std::string& out
 
 int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
   SaidEncoding said;
-  if (!read_encoding(options.encoding, said)) return complain(no_encoding(options.encoding, ru)), wrong_usage;
+  if (!read_encoding(options.encoding, said)) {
+    complain(no_encoding(options.encoding, ru));
+    return wrong_usage;
+  }
   const Encoding encoding = said.encoding ? *said.encoding : detect_encoding(bytes).value_or(Encoding::utf8);
   std::string text;
   if (!append_if_utf16(bytes, said, text))
-    if (const Status decoded = append_utf8(bytes, encoding, text); !decoded)
-      return complain(fmt::format(fmt::runtime(ru ? "{}: байт {}: это не текст в кодировке {}" : "{}: byte {}: not text in {}"),
-                                  options.input, decoded.error().where.begin + 1, name_of(encoding))),
-             alarms;
+    if (const Status decoded = append_utf8(bytes, encoding, text); !decoded) {
+      complain(fmt::format(fmt::runtime(ru ? "{}: байт {}: это не текст в кодировке {}" : "{}: byte {}: not text in {}"), options.input,
+                           decoded.error().where.begin + 1, name_of(encoding)));
+      return alarms;
+    }
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark is no character of the tape
   const TapeCode code = tape_code_named(options.code).value_or(TapeCode::iso);
   const std::string_view name = name_for_people(code);

@@ -166,7 +166,10 @@ class Comparer {
   bool pass_sliver(Lane& lane, const Lane& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < most_sliver; ++i) {
       const CourseItem& item = lane.item(i);
-      if (i > 0 && wanted(item)) return lane.pass(i), true;
+      if (i > 0 && wanted(item)) {
+        lane.pass(i);
+        return true;
+      }
       if (item.kind != ItemKind::move || space_.distance(item.to, other.at()) > rules_.tolerance) return false;
     }
     return false;
@@ -235,7 +238,10 @@ class Comparer {
         if (rules_.stop.asked()) return false;
         for (da = 0; da <= sum; ++da) {
           db = sum - da;
-          if (is_common(da, db, strictly)) return far_searches_ += sum > most_ahead / 10, true;
+          if (is_common(da, db, strictly)) {
+            far_searches_ += sum > most_ahead / 10;
+            return true;
+          }
         }
       }
     ++far_searches_;

@@ -81,7 +81,7 @@ tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
   const toml::table table = toml_tools::embedded_table(file_name).value();
   for (const auto& [name, node] : table) {
     const AlarmId id = alarm_named(name.str());
-    if (id == AlarmId::count || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
+    if (id == no_alarm || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
     auto row = row_of(*node.as_table());
     if (!row) return Failed(row.error());
     texts.rows_[static_cast<std::size_t>(id)] = std::move(*row);
@@ -94,7 +94,7 @@ tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
 std::string AlarmTexts::sentence(const Alarm& alarm, Lang lang) const {
   const std::string& pattern = in(row(alarm.id).text, lang);
   if (!pattern.empty()) return filled(pattern, alarm, lang);
-  std::string text(alarm.id == AlarmId::count ? "alarm" : name_of(alarm.id));
+  std::string text(alarm.id == no_alarm ? "alarm" : name_of(alarm.id));
   for (std::size_t i = 0; i < alarm.arg_count; ++i) text.append(i == 0 ? ": " : ", ").append(text_of(alarm.args[i], lang));
   return text;
 }

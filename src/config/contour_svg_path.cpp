@@ -82,13 +82,13 @@ class PathReader {
       case 'L': return point(p, relative) && (line_to(p), true);
       case 'H': return number(p.x) && (p.x += relative ? now_.x : 0, line_to(p), true);
       case 'V': return number(p.y) && (p.y += relative ? now_.y : 0, line_to(p), true);
-      case 'Z': return line_to(first_), true;
+      case 'Z': line_to(first_); return true;
       case 'C':
       case 'S': return cubic(what == 'S', relative);
       case 'Q':
       case 'T': return quadratic(what == 'T', relative);
       case 'A': return arc(relative);
-      default: return --at_, false;
+      default: --at_; return false;
     }
   }
 
@@ -122,7 +122,10 @@ class PathReader {
     if (!number(e.rx) || !number(e.ry) || !number(e.turn) || !flag(large) || !flag(towards_y) || !point(to, relative)) return false;
     const Vec2 from = now_;
     e.rx = std::abs(e.rx), e.ry = std::abs(e.ry);
-    if (e.rx < tol::same_point || e.ry < tol::same_point || from == to) return line_to(to), true;
+    if (e.rx < tol::same_point || e.ry < tol::same_point || from == to) {
+      line_to(to);
+      return true;
+    }
     const Vec2 half = rotated(0.5 * (from - to), -e.turn);  // F.6.5
     const double x = half.x / e.rx, y = half.y / e.ry, beyond = x * x + y * y;
     if (beyond > 1) e.rx *= std::sqrt(beyond), e.ry *= std::sqrt(beyond);

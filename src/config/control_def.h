@@ -28,7 +28,7 @@ struct Text {
 struct CodeRow {
   std::string code;  // "G43.4"
   char letter = 'G';
-  std::int32_t tenth = 0;  // ten times the number
+  std::int32_t tenth = 0;  // ten times the number: base/code_literals
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;

@@ -279,7 +279,7 @@ Done ControlLoader::alarms() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     const AlarmId id = alarm_named(key.str());
-    if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + say("unknown alarm '{}'", key.str()));
+    if (row == nullptr || id == no_alarm) return Failed(place(name_, node) + say("unknown alarm '{}'", key.str()));
     KADR_LOAD(known_keys(*row, {"number", "en", "ru", "hint_en", "hint_ru"}));
     AlarmText text;
     if (const auto number = (*row)["number"].value_exact<std::int64_t>()) text.number = std::to_string(*number);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "config/control_loader.h"
 #include "config/drill_steps.h"
 
@@ -52,9 +53,9 @@ constexpr ArgRow args[] = {
     {Function::turning_simple, 787, 787},
     {Function::turning_simple, 797, 797},
     {Function::drilling, 0, 0},
-    {Function::drilling, 730, 730},
-    {Function::drilling, 740, 740},
-    {Function::drilling, 760, 760},
+    {Function::drilling, 73_g, 73_g},
+    {Function::drilling, 74_g, 74_g},
+    {Function::drilling, 76_g, 76_g},
     {Function::drilling, bored_by_hand, bored_by_hand},
     {Function::drilling, only_back, only_back},
     {Function::spindle_code, 3, 5},
@@ -129,7 +130,7 @@ constexpr LetterRow letters_of[] = {
 /// The words that these look for in their block, by these letters and no others.
 bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
 
-constexpr std::int32_t drilling_tenths[] = {730, 740, 760, 810, 820, 830, 840, 842, 843, 850, 860, 870, 880, 890};
+constexpr std::int32_t drilling_tenths[] = {73_g, 74_g, 76_g, 81_g, 82_g, 83_g, 84_g, 84.2_g, 84.3_g, 85_g, 86_g, 87_g, 88_g, 89_g};
 
 std::string quoted(Function function) { return "'" + std::string(traits_of(function).name) + "'"; }
 

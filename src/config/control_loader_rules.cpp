@@ -155,6 +155,8 @@ Done ControlLoader::check_machine() {
                   say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[behaviour] subprograms_by_section"));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
+  // Its parameters and the set-up say which axes are diameters.
+  KADR_LOAD(no_effect(*section("axes"), "diameter", say("{} has no effect with the machine of the NCT (dialect = \"nct\")", "diameter")));
   return {};
 }
 

@@ -235,7 +235,7 @@ Done ControlLoader::axes() {
   const toml::table* const t = section("axes");
   const toml::array* const names = t == nullptr ? nullptr : list(*t, "names");
   if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(say("{}: [axes] names: 1 to 16 axes", name_));
-  KADR_LOAD(known_keys(*t, {"names", "rotary"}));
+  KADR_LOAD(known_keys(*t, {"names", "rotary", "diameter"}));
   for (const auto& node : *names) {
     const std::string name = node.value_exact<std::string>().value_or(std::string());
     if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + say("names: each axis a name of its own"));
@@ -247,7 +247,7 @@ Done ControlLoader::axes() {
       if (axis < 0) return Failed(place(name_, name) + say("rotary: no such axis"));
       def_.rotary |= 1u << axis;
     }
-  if (const toml::array* const diameter = (*t)["diameter"].as_array())
+  if (const toml::array* const diameter = list(*t, "diameter"))
     for (const auto& name : *diameter) {
       const int axis = axis_named(name.value_or(std::string()));
       if (axis < 0) return Failed(place(name_, name) + say("diameter: no such axis"));

@@ -33,7 +33,11 @@ Done tip_of(const std::string& file, const toml::table& row, InsertGeometry& ins
   const auto word = row["points"].value<std::string_view>();
   if (!word && row.get("profile") != nullptr && row.get("points") == nullptr) return {};
   for (const TipName& t : tip_names)
-    if (word == t.name) return insert.tip_x = t.x, insert.tip_z = t.z, Done();
+    if (word == t.name) {
+      insert.tip_x = t.x;
+      insert.tip_z = t.z;
+      return {};
+    }
   return Failed(place(file, row, "points") +
                 told("points: where the tip points, from the nose's centre to the programmed point: -x-z, -x+z, +x-z, +x+z, -x, +x, -z, +z "
                      "or centre",

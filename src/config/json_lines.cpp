@@ -115,9 +115,11 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
   Listener listener(result, line);
   const char* const end = text.data() + text.size();
   try {
-    result.value =
-        Json::parse(CountingIterator(text.data(), &line), CountingIterator(end, &line),
-                    [&](int depth, Json::parse_event_t event, Json& parsed) { return listener.event(depth, event, parsed), true; });
+    result.value = Json::parse(CountingIterator(text.data(), &line), CountingIterator(end, &line),
+                               [&](int depth, Json::parse_event_t event, Json& parsed) {
+                                 listener.event(depth, event, parsed);
+                                 return true;
+                               });
   } catch (const TooDeep&) {
     return tl::unexpected(JsonFault{line, "tables within tables, too deep", "слишком глубокая вложенность"});
   } catch (const Json::exception& error) {

@@ -178,21 +178,28 @@ class JsonScan {
     const std::size_t begin = at_++;
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (c == '"') return ++at_, content;
-      if (static_cast<unsigned char>(c) < ' ')
-        return fault("a line end or control character within a text: \\n, \\t",
-                     "конец строки или управляющий знак внутри текста: \\n, \\t"),
-               std::nullopt;
+      if (c == '"') {
+        ++at_;
+        return content;
+      }
+      if (static_cast<unsigned char>(c) < ' ') {
+        fault("a line end or control character within a text: \\n, \\t", "конец строки или управляющий знак внутри текста: \\n, \\t");
+        return std::nullopt;
+      }
       if (c == '\\') {
         if (!escape(content)) return std::nullopt;
         continue;
       }
       const std::size_t size = first_character(text_.substr(at_)).size;
-      if (size == 0) return fault("bytes that are no UTF-8", "байты не в UTF-8"), std::nullopt;
+      if (size == 0) {
+        fault("bytes that are no UTF-8", "байты не в UTF-8");
+        return std::nullopt;
+      }
       content += text_.substr(at_, size);
       at_ += size;
     }
-    return fault_at(begin, "a text without its closing quote", "у текста нет закрывающей кавычки"), std::nullopt;
+    fault_at(begin, "a text without its closing quote", "у текста нет закрывающей кавычки");
+    return std::nullopt;
   }
 
   bool escape(std::string& content) {

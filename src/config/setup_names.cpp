@@ -9,16 +9,17 @@
 #include <cstdlib>
 
 #include "base/ascii.h"
+#include "base/code_literals.h"
 #include "config/setup.h"
 #include "lang/block/block.h"
 
 namespace kadr {
 namespace {
 
-constexpr int most_row = 999'999'999;                          // as the name of a row
-constexpr int turning_zeros = 9;                               // G92 /A/ of the 2С42's turning machines
-constexpr int dynamic_systems = 8;                             // G54.2 P1 … P8 (nct 25.4)
-constexpr std::int32_t first_system = 540, last_system = 593;  // tenths: G54 … G59, G59.3
+constexpr int most_row = 999'999'999;                              // as the name of a row
+constexpr int turning_zeros = 9;                                   // G92 /A/ of the 2С42's turning machines
+constexpr int dynamic_systems = 8;                                 // G54.2 P1 … P8 (nct 25.4)
+constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // tenths: G54 … G59, G59.3
 
 /// "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {

@@ -70,7 +70,10 @@ Done teeth_of(const std::string& file, const toml::table& row, ToolGeometry& too
 Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
   const auto word = row["kind"].value<std::string_view>();
   for (const KindName& k : kind_names)
-    if (word == k.name) return tool.kind = k.kind, Done();
+    if (word == k.name) {
+      tool.kind = k.kind;
+      return {};
+    }
   return Failed(place(file, row, "kind") + told("kind must be flat, ball, bull, drill, taper, chamfer, tslot, form or turning",
                                                 "kind: flat, ball, bull, drill, taper, chamfer, tslot, form или turning"));
 }

@@ -128,11 +128,11 @@ class Control {
   void set_answer(double answer);
   /// Spindle `slave` follows `master` (nct 11.7.4); 0: no more. `slave` 0: all spindles.
   void synchronise(int slave, int master);
-  /// Axes follow the masters that N2101 names, or not any more (nct 20.2).
   /// What the channels of a machine have in common besides the variables (nct 12.3, 24.1): goes up as it changes.
   std::uint64_t common_version() const;
   /// Of another channel of the same machine, between two blocks.
   void take_common(const Control& from);
+  /// Axes follow the masters that N2101 names, or not any more (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
   /// The machine has made an axis of the spindle (nct 11.8): it stands, its loop is closed; or a spindle of it again.
   void convert_spindle(int number, bool to_axis);

@@ -35,7 +35,10 @@ void Dialect::after_code(Interpreter&, const CodeRow&, std::int32_t) {}
 Status Dialect::after_block(Interpreter&) { return {}; }
 Result<bool> Dialect::sign_of_file(Interpreter&) { return false; }
 Result<bool> Dialect::end_of_file(Interpreter&) { return false; }
-Status Dialect::comments(Interpreter& m) { return m.show_messages(), Status(); }
+Status Dialect::comments(Interpreter& m) {
+  m.show_messages();
+  return {};
+}
 void Dialect::reword(const Interpreter&, AlarmReport&) const {}
 Status Dialect::write_variable(Interpreter& m, double number, double value, Span where) { return m.variables.set(number, value, where); }
 void Dialect::note_shadowed(Interpreter&, std::uint32_t, Span) {}

@@ -33,7 +33,10 @@ namespace {
 /// Before the block that was read: it is to be held there, and read again then. Notes its line otherwise, where lines are noted.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
   const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.flow.in_body();
-  if (asks && (*m.holds_before)(m.origin)) return m.flow.unread(*before), true;
+  if (asks && (*m.holds_before)(m.origin)) {
+    m.flow.unread(*before);
+    return true;
+  }
   if (m.line_marks != nullptr) m.line_marks->note(m.flow.in_body() ? std::uint16_t{1} : m.origin.file, m.origin.line);
   return false;
 }

@@ -333,10 +333,14 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
   return o_lines_.call(
       block,
       [&](const Word& word, std::string& value) -> Status {
-        if (!word.expression) return value = fmt::format("{}", value_of(word)), Status();
+        if (!word.expression) {
+          value = fmt::format("{}", value_of(word));
+          return {};
+        }
         auto text = flow_.expression(block.text_of(word.where).substr(1));
         if (!text) return fail(text.error());
-        return value = std::move(*text), Status();
+        value = std::move(*text);
+        return {};
       },
       out);
 }

@@ -24,7 +24,11 @@ class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
       : spec_(spec),
-        blocks_(*spec.to, [this](std::string_view line) { return text_.append(line), text_.size() <= most_made; }),
+        blocks_(*spec.to,
+                [this](std::string_view line) {
+                  text_.append(line);
+                  return text_.size() <= most_made;
+                }),
         comments_(spec.source_text) {
     made_.as = as;
   }
@@ -43,10 +47,10 @@ class Writing {
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
     if (way == FlatWay::contours) {
-      outlets.programmed = [this](const Action& action) { take(action, nullptr); };
+      outlets.programmed = [this](const Action& action) { take(action); };
       outlets.step = [](const Step&) {};
     } else {
-      outlets.step = [this](const Step& step) { take(step.action, &step); };
+      outlets.step = [this](const Step& step) { take(step.action); };
     }
     note(flat.begin(session_->stand(), control.placement()));
     while (!made_.cannot_say && session_->go_on() == Session::State::running) {
@@ -63,7 +67,7 @@ class Writing {
     if (!status && !made_.cannot_say) made_.cannot_say = status.error(), made_.at = at_;
   }
 
-  void take(const Action& action, const Step* step) {
+  void take(const Action& action) {
     if (made_.cannot_say) return;
     const Origin& origin = action.origin;
     if (origin.number != at_.number || origin.line != at_.line || origin.file != at_.file) {
@@ -79,7 +83,7 @@ class Writing {
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
     }
-    note(flat_->take(action, step, now_));
+    note(flat_->take(action, now_));
   }
 
   const ConversionSpec& spec_;

@@ -38,7 +38,10 @@ class PlaceWriter {
     } else {
       outlets.step = [](const Step&) {};
       outlets.programmed = [this](const Action& action) { take(action); };
-      control_.holds_before = [this](const Origin& origin) { return begin_block(origin), false; };
+      control_.holds_before = [this](const Origin& origin) {
+        begin_block(origin);
+        return false;
+      };
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
     text_.clear();  // the other blocks say it
@@ -63,7 +66,11 @@ class PlaceWriter {
     if (origin.depth > 0)
       for (const AlarmReport::Call& call : control_.calls_of(origin))
         if (call.file.empty())
-          if (const std::size_t found = place_at(call.line); found != nowhere) return line = call.line, is_own = false, found;
+          if (const std::size_t found = place_at(call.line); found != nowhere) {
+            line = call.line;
+            is_own = false;
+            return found;
+          }
     line = origin.line, is_own = true;
     return origin.file == 0 ? place_at(origin.line) : nowhere;
   }
@@ -140,7 +147,7 @@ class PlaceWriter {
     if (std::holds_alternative<FrameChange>(action.what)) flat_.system_changes();
     if (std::exchange(is_new_, false)) now_ = offsets_of(control_);
     has_acted_ = true;
-    note(flat_.take(action, nullptr, now_));
+    note(flat_.take(action, now_));
   }
 
   void note(const Status& status) {

@@ -68,9 +68,9 @@ Axes FlatProgram::base() const {
   return base;
 }
 
-Status FlatProgram::take(const Action& action, const Step* step, const OffsetsInForce& now) {
+Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
   const auto& what = action.what;
-  if (const auto* const m = std::get_if<Motion>(&what)) return motion(*m, step, now);
+  if (const auto* const m = std::get_if<Motion>(&what)) return motion(*m, now);
   if (const auto* const frame = std::get_if<FrameChange>(&what)) {
     placement_ = frame->placement;
     return {};
@@ -218,7 +218,7 @@ Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
   return {};
 }
 
-Status FlatProgram::motion(const Motion& motion, const Step*, const OffsetsInForce& now) {
+Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
   if (has_acts_) KADR_TRY(end_block());
   if (std::exchange(has_probed_, has_probed_ || motion.kind == MotionKind::probe) && !after_probe_allowed_) return no_code("probe");
   KADR_TRY(smoothing(motion));

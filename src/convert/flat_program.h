@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "action/step.h"
+#include "action/action.h"
+#include "action/tool_position.h"
 #include "compare/path_modes.h"
 #include "convert/block_maker.h"
 
@@ -56,10 +57,9 @@ class FlatProgram {
 
   /// Where the axes stand at the beginning, and the zero in force.
   Status begin(const ToolPosition& stand, const Placement& placement);
-  /// `step`: the action carried out, where the path is said as it is then; nullptr: as programmed.
   ///   alarms  function_has_no_code  the control has nothing that does it
   ///           word_has_no_room
-  Status take(const Action& action, const Step* step, const OffsetsInForce& now);
+  Status take(const Action& action, const OffsetsInForce& now);
   /// What was said in a block is over: the next one begins.
   Status end_block();
   Status finish();
@@ -80,7 +80,7 @@ class FlatProgram {
   std::size_t motions() const { return motions_; }
 
  private:
-  Status motion(const Motion& motion, const Step* step, const OffsetsInForce& now);
+  Status motion(const Motion& motion, const OffsetsInForce& now);
   Status said_before(const Motion& motion, const OffsetsInForce& now);
   Status said_with(const Motion& motion, const OffsetsInForce& now);
   Status straight(Function function, const Motion& motion);

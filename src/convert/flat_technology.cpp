@@ -58,7 +58,10 @@ Status FlatProgram::speed(const Speed& speed) {
 
 Status FlatProgram::coolant(Coolant what) {
   constexpr Function by[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
-  if (const auto code = source_.coolants[std::size_t(what)]) return blocks_.text(machine_code_text(blocks_.def(), *code)), Status();
+  if (const auto code = source_.coolants[std::size_t(what)]) {
+    blocks_.text(machine_code_text(blocks_.def(), *code));
+    return {};
+  }
   return blocks_.code({{by[std::size_t(what)], any_argument}});
 }
 

@@ -253,11 +253,17 @@ Result<std::string> FlowRewriter::not_that(std::string_view condition) {
     depth += (*text)[i] == '[' ? 1 : (*text)[i] == ']' ? -1 : 0;
     if (depth != 1) continue;
     const std::string_view two = std::string_view(*text).substr(i, 2);
-    if (two == "AN" || two == "OR" || two == "XO") return text->insert(0, "["), *text += " EQ 0]";
+    if (two == "AN" || two == "OR" || two == "XO") {
+      text->insert(0, "[");
+      return *text += " EQ 0]";
+    }
     for (const auto& one : opposite)
       if (two == one[0]) found = i, by = &one;
   }
-  if (by == nullptr) return text->insert(0, "["), *text += " EQ 0]";
+  if (by == nullptr) {
+    text->insert(0, "[");
+    return *text += " EQ 0]";
+  }
   return text->replace(found, 2, (*by)[1]);
 }
 

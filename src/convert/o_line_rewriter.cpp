@@ -15,13 +15,20 @@ Status no_line(std::string_view what) { return fail(alarm(AlarmId::function_has_
 /// The first bracket of a text, and where it ends.
 std::string_view first_bracket(std::string_view text, std::size_t& end) {
   const std::size_t begin = text.find('[');
-  if (begin == std::string_view::npos) return end = text.size(), std::string_view();
+  if (begin == std::string_view::npos) {
+    end = text.size();
+    return {};
+  }
   int depth = 0;
   for (std::size_t i = begin; i < text.size(); ++i) {
     depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
-    if (depth == 0) return end = i + 1, text.substr(begin, i + 1 - begin);
+    if (depth == 0) {
+      end = i + 1;
+      return text.substr(begin, i + 1 - begin);
+    }
   }
-  return end = text.size(), std::string_view();
+  end = text.size();
+  return {};
 }
 
 /// The value of a variable that is empty is no number there.

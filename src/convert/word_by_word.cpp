@@ -46,7 +46,10 @@ class WordByWord {
     if (head.empty()) return text;
     TextSpool whole;
     whole.append(head);
-    (void)each_piece(*text, [&](std::string_view piece) { return whole.append(piece), true; });
+    (void)each_piece(*text, [&](std::string_view piece) {
+      whole.append(piece);
+      return true;
+    });
     return whole.source();
   }
 
@@ -60,14 +63,18 @@ class WordByWord {
       if (!source) return tl::unexpected(source.error());
       const auto blocks =
           write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
-      if (!blocks) return unsayable(blocks.error(), 0), false;
+      if (!blocks) {
+        unsayable(blocks.error(), 0);
+        return false;
+      }
       work_ += *blocks;
       if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
       for (const FlatPlace& place : places)
         if (!place.settled()) {
           why_ = place.cannot, varies_ = place.differs;
           if (grow(place.lines)) return true;
-          return unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first), false;
+          unsayable(place.cannot ? *place.cannot : alarm(AlarmId::function_has_no_code, {}, "GOTO"), place.lines.first);
+          return false;
         }
     }
     const RewriteSpec rewriting{spec_.source_text, from_,
@@ -76,8 +83,14 @@ class WordByWord {
                                 shape_.macros(),   spec_.stop,
                                 ends_early,        shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
     TextSpool text;
-    const auto written = rewrite(rewriting, [&text](std::string_view line) { return text.append(line), text.size() <= most_made; });
-    if (!written) return unsayable(written.error(), 0), false;
+    const auto written = rewrite(rewriting, [&text](std::string_view line) {
+      text.append(line);
+      return text.size() <= most_made;
+    });
+    if (!written) {
+      unsayable(written.error(), 0);
+      return false;
+    }
     made_.text = with_head(written->head, text.source());
     if (!written->unsaid.empty()) return write_out_unsaid(*written);
     return prove(*written);

@@ -108,16 +108,7 @@ Vec3 FiveAxis::place_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
   }
 }
 
-Vec3 FiveAxis::place_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const {
-  switch (group) {
-    case MachineGroup::table_table: {
-      const Vec3 on_second = turned_back(first_turn(at.first), point - table) - second_table;
-      return table + first_turn(zero.first) * (second_table + second_turn(zero.second - at.second) * on_second);
-    }
-    case MachineGroup::head_table: return table + second_turn(zero.second - at.second) * (point - table);
-    default: return point;
-  }
-}
+Vec3 FiveAxis::place_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return place_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
   const Vec3 t = table_turn({}, zero) * wanted;  // in the part as it lies where the tables stand at 0

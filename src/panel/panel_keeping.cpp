@@ -68,7 +68,10 @@ void PanelMachine::keep_spot(const PanelState& now) {
   if (broken && spot.number == 0)
     spot.number = kept_spot_.number, spot.line = kept_spot_.line, spot.text = kept_spot_.text, spot.file = kept_spot_.file;
   if (is_same(spot, kept_spot_)) return;
-  if (!has_moved_) return kept_spot_ = std::move(spot), void();
+  if (!has_moved_) {
+    kept_spot_ = std::move(spot);
+    return;
+  }
   kept_.not_kept = keeper_.spot(spot);
   kept_spot_ = std::move(spot);
 }

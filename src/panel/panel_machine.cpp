@@ -188,7 +188,11 @@ void PanelMachine::set_share() {
 /// From a feed hold it is not answered before the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
-    if (stretch_) return holds_ = false, set_share(), Answer();
+    if (stretch_) {
+      holds_ = false;
+      set_share();
+      return {};
+    }
     if (const Answer may = may_begin(); !may) return may;
     if (kept_.asks) return Failed(told("the program waits for an answer", "УП ждёт ответа"));
     if (kept_.mode == PanelMode::ended)

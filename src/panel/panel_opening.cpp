@@ -64,7 +64,10 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Outlets& outlets = session_->outlets(i);
     outlets.warning = take;
-    outlets.alarm = [take](const AlarmReport& report) { return take(report), false; };
+    outlets.alarm = [take](const AlarmReport& report) {
+      take(report);
+      return false;
+    };
     outlets.stop = StopToken(stops_);
     outlets.step = [this, i](const Step& step) { look(*lanes_[i], *session_->channels()[i].control, step); };
     lanes_[i]->start_over();

@@ -176,7 +176,10 @@ void PanelMachine::go_along(const PanelWay& way) {
 /// The next of what leads there. Called while the axes stand.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelGoing& going = *going_;
-  if (!going.before.empty()) return carry_out(going.before), Answer();
+  if (!going.before.empty()) {
+    carry_out(going.before);
+    return {};
+  }
   if (!going.ways.empty()) {
     const PanelWay next = std::move(going.ways.front());
     going.ways.pop_front();
@@ -184,10 +187,16 @@ PanelMachine::Answer PanelMachine::go_on_there() {
     return {};
   }
   if (!going.is_there) {
-    if (const Answer there = arrive(*going.place); !there) return going_.reset(), there;
+    if (const Answer there = arrive(*going.place); !there) {
+      going_.reset();
+      return there;
+    }
     going.is_there = true;
   }
-  if (!going.after.empty()) return carry_out(going.after), Answer();
+  if (!going.after.empty()) {
+    carry_out(going.after);
+    return {};
+  }
   going_.reset();
   kept_.mode = PanelMode::standing;
   kept_.why = "restart";

@@ -78,7 +78,10 @@ void PanelSearch::forget() {
 /// As the machine begins, with nobody looking.
 std::unique_ptr<Session> PanelSearch::open() {
   auto opened = opens_(start_.axes, StopToken(stops_));
-  if (!opened) return run_.error = opened.error(), nullptr;
+  if (!opened) {
+    run_.error = opened.error();
+    return nullptr;
+  }
   std::unique_ptr<Session> session = std::move(*opened);
   Control& control = session->control();
   for (int number = 1; number <= 9; ++number) control.set_skip(number, start_.skip.contains(number));
@@ -139,7 +142,10 @@ std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& targe
 void PanelSearch::find_next(PanelBeside& channel) {
   Session& session = *run_.session;
   Control& control = *session.channels()[channel.channel].control;
-  control.holds_before = [&](const Origin& origin) { return channel.restart.at = origin, true; };
+  control.holds_before = [&](const Origin& origin) {
+    channel.restart.at = origin;
+    return true;
+  };
   session.alone(channel.channel);
   channel.is_over = session.run() != Session::State::held;
   end_with_own(control);
@@ -200,7 +206,10 @@ PanelSearch::Answer PanelSearch::search(const Wish& wish) {
 PanelSearch::Answer PanelSearch::found(const Wish& wish) {
   Answer answer;
   answer.ready = true;
-  if (!run_.session) return answer.error = run_.error, answer;
+  if (!run_.session) {
+    answer.error = run_.error;
+    return answer;
+  }
   auto restart = reach(wish);
   if (!restart) {
     answer.error = wish.hole != 0
@@ -209,7 +218,10 @@ PanelSearch::Answer PanelSearch::found(const Wish& wish) {
     return answer;
   }
   auto memory = run_.stepping->snapshot();
-  if (!memory) return answer.error = told("a probe is waited for there", "там ожидается касание щупа"), answer;
+  if (!memory) {
+    answer.error = told("a probe is waited for there", "там ожидается касание щупа");
+    return answer;
+  }
   memory->next = restart->at;
   const Control& control = run_.session->control();
   const bool in_block = control.in_block();

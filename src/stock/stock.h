@@ -3,10 +3,10 @@
 // left.
 //
 //   Stock stock(blank, cell, threads);
-//   const auto tool = stock.add_tool(shape);
-//   stock.add({from, to, tool});  …
-//   stock.cut(on_touch);                     // carries out what was added
-//   surface_of(stock)                        // stock/surface/surface.h
+//   const std::uint16_t tool = stock.add_tool(shape);
+//   stock.add({.from = from, .to = to, .tool = tool});     // and so on
+//   const std::vector<Touch> touches = stock.cut();        // carries out what was added
+//   const Surface surface = surface_of(stock);             // stock/surface/surface.h
 //
 // Sweeps are binned by the bricks that they can reach; a brick is the work of one thread, in the order of time. So the answer is the same,
 // bit by bit, for any number of threads. Lengths mm, in the work system of the blank.

@@ -61,11 +61,13 @@ bool is_one_of(const Names& names, std::string_view name) {
 bool take_word(MillWish& wish, const std::string& key, const PageJson& value) {
   if (const auto row = row_of(mill_numbers, key); row != std::end(mill_numbers)) {
     if (!value.is_number()) return false;
-    return wish.*row->value = value.get<double>(), true;
+    wish.*row->value = value.get<double>();
+    return true;
   }
   if (const auto row = row_of(mill_texts, key); row != std::end(mill_texts)) {
     if (!value.is_string()) return false;
-    return wish.*row->value = value.get<std::string>(), true;
+    wish.*row->value = value.get<std::string>();
+    return true;
   }
   if (key == "coolant") return value.is_boolean() && (wish.coolant = value.get<bool>(), true);
   if (key == "tool") {
@@ -73,7 +75,8 @@ bool take_word(MillWish& wish, const std::string& key, const PageJson& value) {
     return number >= 0 && number <= 4294967295.0 && number == std::floor(number) && (wish.tool = std::uint32_t(number), true);
   }
   if (key != "hole" || !value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) return false;
-  return wish.hole = {value[0].get<double>(), value[1].get<double>()}, true;
+  wish.hole = {value[0].get<double>(), value[1].get<double>()};
+  return true;
 }
 
 /// What is not understood is refused, not passed over: the program goes to a machine.

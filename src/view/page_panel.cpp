@@ -183,8 +183,14 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
 
 PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question) {
   const std::string key = value_in<std::string>(question, "key", "");
-  if (key == "emergency") return stop_machine(), PageJson::object();
-  if (key == "take" && panel_place && may_change) return panel_place->holder = page, PageJson::object();
+  if (key == "emergency") {
+    stop_machine();
+    return PageJson::object();
+  }
+  if (key == "take" && panel_place && may_change) {
+    panel_place->holder = page;
+    return PageJson::object();
+  }
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   if (key == "run") return answer_of((*machine)->run());

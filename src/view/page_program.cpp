@@ -15,10 +15,14 @@ constexpr std::size_t most_passes = 1000;
 
 std::string PageSession::Inside::place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const {
   const std::string name = value_in<std::string>(question, key, "");
-  if (name.empty() || (may_be_a_name && !name.ends_with(".toml") && name.find('/') == std::string::npos)) return to = name, std::string();
+  if (name.empty() || (may_be_a_name && !name.ends_with(".toml") && name.find('/') == std::string::npos)) {
+    to = name;
+    return {};
+  }
   const auto path = server.folder.path_of(name);
   if (!path) return path.error();
-  return to = *path, std::string();
+  to = *path;
+  return {};
 }
 
 /// Files beneath the folder; a control or a machine is one of the built-in ones, or such a file.

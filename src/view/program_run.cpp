@@ -55,7 +55,10 @@ void ProgramRun::attach() {
   if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
   Outlets& outlets = session_->outlets();
   outlets.warning = [this](const AlarmReport& report) { tell(report, 0); };
-  outlets.alarm = [this](const AlarmReport& report) { return tell(report, 0), false; };
+  outlets.alarm = [this](const AlarmReport& report) {
+    tell(report, 0);
+    return false;
+  };
   outlets.programmed = [this](const Action& action) { take_programmed(action); };
   outlets.clock = &statistics_->clock();
   outlets.stop = stop_;
@@ -92,7 +95,10 @@ void ProgramRun::attach_others() {
     outlets.step = [&other](const Step& step) { other.record->consume(step, 0, 0); };
     outlets.clock = other.clock.get();
     outlets.warning = [this, number = channel.number](const AlarmReport& report) { tell(report, number); };
-    outlets.alarm = [this, number = channel.number](const AlarmReport& report) { return tell(report, number), false; };
+    outlets.alarm = [this, number = channel.number](const AlarmReport& report) {
+      tell(report, number);
+      return false;
+    };
     outlets.stop = stop_;
   }
 }

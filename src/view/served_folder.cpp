@@ -200,11 +200,17 @@ std::optional<std::string> ServedFolder::beneath(const std::string& path) const 
 
 int ServedFolder::open_for_reading(const std::string& path) const {
   const auto name = beneath(path);
-  if (!name || is_hidden(*name)) return errno = EACCES, -1;
+  if (!name || is_hidden(*name)) {
+    errno = EACCES;
+    return -1;
+  }
   OpenFile file = open_beneath(fd_, *name, O_RDONLY | O_NOCTTY);
   struct stat stat;
   if (!file.is_open() || ::fstat(file.fd(), &stat) != 0) return -1;
-  if (!S_ISREG(stat.st_mode)) return errno = EACCES, -1;
+  if (!S_ISREG(stat.st_mode)) {
+    errno = EACCES;
+    return -1;
+  }
   return file.release();
 }
 
@@ -258,7 +264,10 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
   const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
   const OpenFile made = open_beneath(folder.fd(), unfinished, O_WRONLY | O_CREAT | O_EXCL, 0644);
   if (!made.is_open()) return errno;
-  const auto give_up = [&](int error) { return ::unlinkat(folder.fd(), unfinished.c_str(), 0), error; };
+  const auto give_up = [&](int error) {
+    ::unlinkat(folder.fd(), unfinished.c_str(), 0);
+    return error;
+  };
   if (replaces) make_alike(made.fd(), *replaces);
   if (!write_all(made.fd(), text)) return give_up(errno);
   if (replaces) {

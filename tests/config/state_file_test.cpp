@@ -345,7 +345,10 @@ TEST_F(state_file, full_disk) {
     tl::expected<void, std::string> saved;
     for (; n < 90 && saved; ++n) saved = file.save({{{variables, "#500", n * 1.0}, {variables, "#501", n * 1.0}}});
     const std::string sentence = saved ? "saved" : saved.error();
-    if (sentence != name() + " cannot be read or written: disk I/O error") return std::fprintf(stderr, "%s\n", sentence.c_str()), 98;
+    if (sentence != name() + " cannot be read or written: disk I/O error") {
+      std::fprintf(stderr, "%s\n", sentence.c_str());
+      return 98;
+    }
     return file.load().value().rows[0].value == StateValue(n - 2.0) ? n : 97;
   });
   ASSERT_GT(saves, 2);
@@ -360,7 +363,10 @@ TEST_F(state_file, read_only) {
     constexpr uid_t nobody = 65534;
     if (geteuid() == 0 && setuid(nobody) != 0) return 98;
     const std::string sentence = refusal();
-    if (sentence != name() + " cannot be written: it is read-only") return std::fprintf(stderr, "%s\n", sentence.c_str()), 1;
+    if (sentence != name() + " cannot be written: it is read-only") {
+      std::fprintf(stderr, "%s\n", sentence.c_str());
+      return 1;
+    }
     return 0;
   };
   fs::permissions(path_, fs::perms(0444));

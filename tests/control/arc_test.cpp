@@ -47,7 +47,7 @@ double sampled_turns(Vec2 from, Vec2 to, Vec2 center, Turn turn) {
   return static_cast<double>(best) / steps;
 }
 
-AlarmId alarm_of(const Result<PlaneArc>& arc) { return arc ? AlarmId::count : arc.error().id; }
+AlarmId alarm_of(const Result<PlaneArc>& arc) { return arc ? no_alarm : arc.error().id; }
 
 TEST(arc_around, quarter_half_and_full_circles) {
   EXPECT_EQ(arc_around({10, 0}, {0, 10}, {0, 0}, Turn::ccw, tolerance)->turns, 0.25);

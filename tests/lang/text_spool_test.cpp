@@ -61,7 +61,10 @@ TEST(TextSpool, StaysInMemoryWhereNoFileCanBeMade) {
 
 std::vector<std::string> pieces_of(const std::string& text) {
   std::vector<std::string> pieces;
-  EXPECT_TRUE(each_piece(*text_source(text), [&](std::string_view piece) { return pieces.emplace_back(piece), true; }));
+  EXPECT_TRUE(each_piece(*text_source(text), [&](std::string_view piece) {
+    pieces.emplace_back(piece);
+    return true;
+  }));
   return pieces;
 }
 

@@ -395,7 +395,8 @@ TEST(PanelChannels, StandWhereTheyWereKept) {
   PanelKeeper keeper;
   keeper.spot = [&](const PanelSpot& spot) {
     const std::lock_guard hold(lock);
-    return last = spot, std::string();
+    last = spot;
+    return std::string();
   };
   const APanel panel = two_channels(first, second, keeper);
   ASSERT_TRUE(panel->jog("Z", 3, 0, 2));

@@ -277,7 +277,8 @@ TEST(PanelKeeping, WhereItWasBroken) {
   PanelKeeper keeper;
   keeper.spot = [&](const PanelSpot& spot) {
     const std::lock_guard hold(lock);
-    return last = spot, std::string();
+    last = spot;
+    return std::string();
   };
   const auto kept = [&] {
     const std::lock_guard hold(lock);

@@ -61,7 +61,10 @@ class ASession {
     trace_ = std::make_unique<TraceWriter>(written_.file(), control.axes(), control.rotary());
     session_->outlets().step = [this](const Step& step) { trace_->write(step); };
     session_->outlets().warning = [this](const AlarmReport& report) { tell(report); };
-    session_->outlets().alarm = [this](const AlarmReport& report) { return tell(report), false; };
+    session_->outlets().alarm = [this](const AlarmReport& report) {
+      tell(report);
+      return false;
+    };
   }
   bool opened() const { return session_ != nullptr; }
   Session& operator*() const { return *session_; }

@@ -25,7 +25,10 @@ TEST(ply, points_with_colour_and_deviation_then_triangles) {
   for (std::size_t i = 0; i < 8; ++i) deviation[i] = float(i) / 8;
   std::string bytes;
   const auto colour = [](float d) { return d > 0 ? 0x102030U : 0xFFFEFDU; };
-  ASSERT_TRUE(write_ply(mesh, deviation, colour, [&](std::string_view more) { return bytes += more, true; }));
+  ASSERT_TRUE(write_ply(mesh, deviation, colour, [&](std::string_view more) {
+    bytes += more;
+    return true;
+  }));
   const std::string end = "end_header\n";
   const std::size_t first = bytes.find(end) + end.size();
   EXPECT_TRUE(bytes.starts_with("ply\nformat binary_little_endian 1.0\n"));

@@ -256,22 +256,22 @@ bool MotionRun::take(Interpreter& m) {
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
   if (is_label(block)) return block.kept && m.flow.depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
   if (!block.shape && !is_kept(block)) return false;
-  if (block.skip != 0 || block.marker != Marker::none || block.altered) return end(), false;
+  if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);
   if (form.calls) {
     const bool done = form.call != no_word && is_read_again(block) && number_fits(block) && m.carry_out_call(form.call);
     if (done && !stays_after_call(m)) end();
     return done;
   }
-  if (!form.fits) return end(), false;
-  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return end(), false;  // the general way says what is wrong
-  if ((form.named & rolling_) != 0 || !holds(m, form)) return end(), false;
+  if (!form.fits) return refused();
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // the general way says what is wrong
+  if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
   while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
   if (k == kinds) return on_ = false;  // the general way, and then it is known
   const auto kind = static_cast<Kind>(k);
-  if (kind < arc_cw ? form.centered : !form.centered) return end(), false;
+  if (kind < arc_cw ? form.centered : !form.centered) return refused();
 
   const bool arc = kind >= arc_cw;
   Axes to;
@@ -279,13 +279,13 @@ bool MotionRun::take(Interpreter& m) {
   for (std::size_t i = 0; i < form.axes; ++i) {
     const Slot& slot = form.slots[i];
     const double v = block.words[slot.word].value;
-    if (!(v >= slot.least && v <= slot.most)) return end(), false;
+    if (!(v >= slot.least && v <= slot.most)) return refused();
     const double way = v * slot.scale;
     to[slot.axis] = absolute_ && !slot.adds ? way : m.position.programmed[slot.axis] + way;
-    if (!(std::fabs(to[slot.axis]) <= farthest)) return end(), false;
+    if (!(std::fabs(to[slot.axis]) <= farthest)) return refused();
   }
   PlaneArc found;
-  if (arc && !find_arc(m, form, kind, to, found)) return end(), false;
+  if (arc && !find_arc(m, form, kind, to, found)) return refused();
 
   const AxisMask named = arc ? form.named | plane_of(m) : form.named;
   for (AxisMask rest = form.named; rest != 0; rest &= rest - 1) {

@@ -30,6 +30,11 @@ class MotionRun {
   bool take(Interpreter& m);
 
  private:
+  /// What take() answers of a block that ends the run.
+  bool refused() {
+    end();
+    return false;
+  }
   static constexpr std::size_t most_words = 8, forms = 16, most_codes = 4;
   /// The motion codes, as an index.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };

@@ -71,7 +71,7 @@ class BlockPlanner {
     if (row_index < 0) return fail(alarm(unknown, word.where, block_.text_of(word.where)));
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
     if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
-    if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
+    if (row.group != 0) KADR_TRY(one_of_group(row, word));
     const FunctionTraits& traits = traits_of(row.function);
     if (traits.takes_axes()) KADR_TRY(axes_taken(row, word));
     if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
@@ -98,7 +98,7 @@ class BlockPlanner {
     return word.address + text;
   }
 
-  Status one_of_group(const CodeRow& row, std::int32_t row_index, const Word& word) {
+  Status one_of_group(const CodeRow& row, const Word& word) {
     const std::uint64_t bit = std::uint64_t{1} << row.group;
     if ((groups_seen_ & bit) != 0) {
       const PlanItem& other = plan_.items[first_of_group_[row.group]];
@@ -112,7 +112,6 @@ class BlockPlanner {
         return fail(alarm(id, word.where, block_.text_of(first.where), block_.text_of(word.where)));
       }
     }
-    (void)row_index;
     groups_seen_ |= bit;
     first_of_group_[row.group] = static_cast<std::uint8_t>(plan_.count);
     return {};

@@ -20,7 +20,8 @@ Status Interpreter::structure() {
       if (dialect && def.grammar.percent_encloses) {
         const auto done = dialect->sign_of_file(*this);
         if (!done) return fail(done.error());
-        return flow.set_started(true), Status();
+        flow.set_started(true);
+        return {};
       }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));

@@ -157,8 +157,14 @@ Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
 
 namespace functions {
 
-Status corrector_plus(Interpreter& m, const Call&) { return m.modal.corrector_sign = +1, Status(); }
-Status corrector_minus(Interpreter& m, const Call&) { return m.modal.corrector_sign = -1, Status(); }
+Status corrector_plus(Interpreter& m, const Call&) {
+  m.modal.corrector_sign = +1;
+  return {};
+}
+Status corrector_minus(Interpreter& m, const Call&) {
+  m.modal.corrector_sign = -1;
+  return {};
+}
 Status corrector_cancel(Interpreter& m, const Call& call) {
   m.modal.corrector_sign = 0;
   if (call.row->group != 0) m.modal.rows[call.row->group] = -1;

@@ -6,6 +6,8 @@
 #include <memory>
 #include <tuple>
 
+#include "base/code_literals.h"
+
 namespace kadr {
 
 DataLines::Step DataLines::step_of(const Block& block) {
@@ -14,8 +16,8 @@ DataLines::Step DataLines::step_of(const Block& block) {
     const Word& w = block.words[i];
     if (w.address != 'G') continue;
     const Word* const l = block.find('L');
-    if (w.code == 100 && l != nullptr && (l->value == 52 || (l->value >= 75 && l->value <= 77))) step = Step::begins;
-    if (w.code == 110) step = Step::ends;
+    if (w.code == 10_g && l != nullptr && (l->value == 52 || (l->value >= 75 && l->value <= 77))) step = Step::begins;
+    if (w.code == 11_g) step = Step::ends;
   }
   return step;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/code_literals.h"
 #include "config/embedded.h"
 #include "lang/text/utf16.h"
 
@@ -255,7 +256,7 @@ void Flow::make_index() {
       if (name && *name == current) name.reset();
       else if (name) current = *name;
       for (std::uint32_t i = 0; i < block->word_count && got; ++i)
-        if (block->words[i].address == 'M' && block->words[i].code == 20) in_section = false;
+        if (block->words[i].address == 'M' && block->words[i].code == 2_m) in_section = false;
     } else if (block->marker == Marker::label) {
       name = block->label;
     }

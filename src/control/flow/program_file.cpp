@@ -245,7 +245,7 @@ void ProgramFile::find_loops() {
     open.erase(std::next(nearest).base());
   }
   for (const std::size_t i : open)
-    if (loops_[i].fault == AlarmId::count) loops_[i].fault = AlarmId::do_without_end;
+    if (loops_[i].fault == no_alarm) loops_[i].fault = AlarmId::do_without_end;
 }
 
 std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::uint32_t>& lines) const {

@@ -31,7 +31,7 @@ struct Loop {
   Position body;    // after it
   Position end;     // the block with END
   Position behind;  // after that
-  AlarmId fault = AlarmId::count;
+  AlarmId fault = no_alarm;
   std::uint8_t number = 0;  // 0: WHILE whose DO is missing
   bool damaged = false;     // one of the two blocks cannot be read: END does nothing
 };

@@ -11,7 +11,7 @@ namespace kadr {
 /// it, the others cost minutes and end with a false endless_program. INFERRED: 1000 passes are still made, so that increments add up.
 inline void shorten_behind_fault(Interpreter& m) {
   constexpr std::uint32_t most_passes = 1000;
-  if (m.report.alarm.id == AlarmId::count || m.flow.depth() == 0) return;
+  if (m.report.alarm.id == no_alarm || m.flow.depth() == 0) return;
   std::uint32_t& left = m.flow.frames().back().left;
   if (left > most_passes) left = 1;
 }

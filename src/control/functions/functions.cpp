@@ -65,10 +65,22 @@ Status corrector_word(Interpreter&, const Call&) { return {}; }
 Status plane_xy(Interpreter& m, const Call&) { return set_plane(m, Plane::xy); }
 Status plane_zx(Interpreter& m, const Call&) { return set_plane(m, Plane::zx); }
 Status plane_yz(Interpreter& m, const Call&) { return set_plane(m, Plane::yz); }
-Status absolute(Interpreter& m, const Call&) { return m.modal.absolute = true, Status(); }
-Status incremental(Interpreter& m, const Call&) { return m.modal.absolute = false, Status(); }
-Status centers_absolute(Interpreter& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
-Status centers_incremental(Interpreter& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
+Status absolute(Interpreter& m, const Call&) {
+  m.modal.absolute = true;
+  return {};
+}
+Status incremental(Interpreter& m, const Call&) {
+  m.modal.absolute = false;
+  return {};
+}
+Status centers_absolute(Interpreter& m, const Call&) {
+  m.modal.centers_absolute = true;
+  return {};
+}
+Status centers_incremental(Interpreter& m, const Call&) {
+  m.modal.centers_absolute = false;
+  return {};
+}
 Status inch(Interpreter& m, const Call& call) { return set_unit(m, call, true); }
 Status millimetre(Interpreter& m, const Call& call) { return set_unit(m, call, false); }
 Status feed_inverse_time(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
@@ -86,7 +98,10 @@ Status spindle_rpm(Interpreter& m, const Call&) {
   m.emit(m.surface_speed());
   return {};
 }
-Status exact_stop_block(Interpreter& m, const Call&) { return m.block_exact = true, Status(); }
+Status exact_stop_block(Interpreter& m, const Call&) {
+  m.block_exact = true;
+  return {};
+}
 Status exact_stop_mode(Interpreter& m, const Call&) {
   m.modal.exact = true;
   m.modal.blend_tolerance = 0;
@@ -100,15 +115,34 @@ Status constant_velocity(Interpreter& m, const Call&) {
   m.modal.blend_tolerance = tolerance;
   return {};
 }
-Status corner_arc(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::arc, Status(); }
-Status corner_line(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::straight, Status(); }
-Status retract_initial(Interpreter& m, const Call&) { return m.modal.retract_initial = true, Status(); }
-Status retract_level(Interpreter& m, const Call&) { return m.modal.retract_initial = false, Status(); }
-Status override_permission(Interpreter& m, const Call& call) {
-  return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status();
+Status corner_arc(Interpreter& m, const Call&) {
+  m.modal.corner_join = CornerJoin::arc;
+  return {};
 }
-Status override_on(Interpreter& m, const Call&) { return m.modal.override_enabled = true, Status(); }
-Status override_off(Interpreter& m, const Call&) { return m.modal.override_enabled = false, Status(); }
+Status corner_line(Interpreter& m, const Call&) {
+  m.modal.corner_join = CornerJoin::straight;
+  return {};
+}
+Status retract_initial(Interpreter& m, const Call&) {
+  m.modal.retract_initial = true;
+  return {};
+}
+Status retract_level(Interpreter& m, const Call&) {
+  m.modal.retract_initial = false;
+  return {};
+}
+Status override_permission(Interpreter& m, const Call& call) {
+  m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg);
+  return {};
+}
+Status override_on(Interpreter& m, const Call&) {
+  m.modal.override_enabled = true;
+  return {};
+}
+Status override_off(Interpreter& m, const Call&) {
+  m.modal.override_enabled = false;
+  return {};
+}
 
 }  // namespace functions
 }  // namespace kadr

@@ -60,7 +60,10 @@ Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mo
   if (named == 0 && !leads_without_words(m)) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
-  if (m.dialect && m.dialect->only_shifts(m)) return m.move_to(to, m.transform.to_work(to), named), Status();
+  if (m.dialect && m.dialect->only_shifts(m)) {
+    m.move_to(to, m.transform.to_work(to), named);
+    return {};
+  }
   return m.straight(kind, to, named);
 }
 

@@ -322,7 +322,10 @@ Status polar_on(Interpreter& m, const Call&) {
   return {};
 }
 
-Status polar_off(Interpreter& m, const Call&) { return m.modal.polar = false, Status(); }
+Status polar_off(Interpreter& m, const Call&) {
+  m.modal.polar = false;
+  return {};
+}
 
 }  // namespace functions
 }  // namespace kadr

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "control/grbl/grbl.h"
 #include "control/interpreter.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr double most_tool = 255;
 constexpr std::int32_t most_systems = 6;
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
-constexpr std::int32_t no_motion = 800;                                                 // G80
+constexpr std::int32_t no_motion = 80_g;                                                // G80
 
 constexpr std::uint64_t bits(std::string_view letters) {
   std::uint64_t all = 0;
@@ -40,13 +41,13 @@ class BlockCheck {
  public:
   BlockCheck(const Interpreter& m, const Grbl& control, bool is_jog) : m_(m), control_(control), block_(*m.block), is_jog_(is_jog) {
     const Modal& modal = m.modal;
-    if (is_jog) all_.motion = 10;
+    if (is_jog) all_.motion = 1_g;
     else if (modal.motion_row >= 0) all_.motion = m.def.codes[static_cast<std::size_t>(modal.motion_row)].tenth;
     else all_.motion = no_motion;
     all_.inch = modal.inch;
     all_.absolute = modal.absolute;
     all_.inverse_time = !is_jog && modal.feed_mode == FeedMode::inverse_time;
-    all_.plane = modal.plane == Plane::xy ? 170 : modal.plane == Plane::zx ? 180 : 190;
+    all_.plane = modal.plane == Plane::xy ? 17_g : modal.plane == Plane::zx ? 18_g : 19_g;
   }
 
   Result<CheckedBlock> run() {
@@ -177,7 +178,7 @@ class BlockCheck {
     groups_ |= bit;
     if (!is_jog_) return {};
     const std::string& group = m_.def.groups[m_.def.codes[static_cast<std::size_t>(row)].group].name;
-    const bool allowed = group == "3" || group == "6" || (group == "0" && all_.non_modal == 530);
+    const bool allowed = group == "3" || group == "6" || (group == "0" && all_.non_modal == 53_g);
     if (!allowed && jog_fault_ == nullptr) jog_fault_ = &w;
     return {};
   }
@@ -199,8 +200,8 @@ class BlockCheck {
   void use(std::string_view letters) { values_ &= ~bits(letters); }
   double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
   double unit() const { return all_.inch ? mm_per_inch : 1; }
-  bool is_arc() const { return all_.motion == 20 || all_.motion == 30; }
-  bool is_probe() const { return all_.motion > 380 && all_.motion < 390; }
+  bool is_arc() const { return all_.motion == 2_g || all_.motion == 3_g; }
+  bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
 
   /// In G93 each motion needs its own F; the first block back in G94 as well (4.2).
@@ -210,7 +211,7 @@ class BlockCheck {
       feed_ = value('F');
       return {};
     }
-    const bool own_time = all_.inverse_time && all_.axis_command == AxisCommand::motion && all_.motion != 0 && all_.motion != no_motion;
+    const bool own_time = all_.inverse_time && all_.axis_command == AxisCommand::motion && all_.motion != 0_g && all_.motion != no_motion;
     if (own_time && !has("F")) return no_feed();
     const bool kept = !all_.inverse_time && !leaves_inverse_ && m_.modal.feed_mode == FeedMode::per_minute && m_.modal.feed_known;
     feed_ = has("F") ? value('F') : kept ? m_.modal.feed : 0;
@@ -240,7 +241,7 @@ class BlockCheck {
   Status non_modal() {
     if (all_.non_modal == 100) return offsets();
     if (all_.non_modal == 920 && !all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G92"));
-    if (all_.non_modal == 530 && all_.motion != 0 && all_.motion != 10) return fail(alarm(AlarmId::machine_motion_mode, block_.where));
+    if (all_.non_modal == 53_g && all_.motion != 0_g && all_.motion != 1_g) return fail(alarm(AlarmId::machine_motion_mode, block_.where));
     if (all_.axis_command != AxisCommand::length) targets();
     return {};
   }
@@ -258,12 +259,12 @@ class BlockCheck {
   }
 
   void targets() {
-    all_.target = all_.non_modal == 530 ? m_.position.machine : all_.start;
+    all_.target = all_.non_modal == 53_g ? m_.position.machine : all_.start;
     for (std::size_t a = 0; a < axes; ++a) {
       const char letter = m_.letters.axis_letter[a];
       if (!m_.has(letter)) continue;
       const double v = value(letter) * unit();
-      all_.target[a] = all_.absolute || all_.non_modal == 530 ? v : all_.target[a] + v;
+      all_.target[a] = all_.absolute || all_.non_modal == 53_g ? v : all_.target[a] + v;
     }
   }
 
@@ -274,7 +275,7 @@ class BlockCheck {
     }
     if (all_.axis_command != AxisCommand::motion) return {};
     all_.moves = all_.has_axis;
-    if (all_.motion == 0) return {};
+    if (all_.motion == 0_g) return {};
     if (feed_ == 0) return no_feed();
     if (is_arc()) return arc();
     if (!is_probe()) return {};
@@ -292,7 +293,7 @@ class BlockCheck {
   // ---- arcs (5)
 
   Status arc() {
-    const PlaneAxes plane = axes_of(all_.plane == 170 ? Plane::xy : all_.plane == 180 ? Plane::zx : Plane::yz);
+    const PlaneAxes plane = axes_of(all_.plane == 17_g ? Plane::xy : all_.plane == 18_g ? Plane::zx : Plane::yz);
     const auto letter = [&](std::size_t axis) { return letter_bit(m_.letters.axis_letter[axis]); };
     const auto center_letter = [&](std::size_t axis) { return m_.letters.center_letter[axis]; };
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G2, G3"));
@@ -300,7 +301,7 @@ class BlockCheck {
       return fail(alarm(AlarmId::arc_without_plane_word, block_.where));
     const Vec2 from{all_.start[plane.first], all_.start[plane.second]};
     const Vec2 to{all_.target[plane.first], all_.target[plane.second]};
-    const Turn turn = all_.motion == 20 ? Turn::cw : Turn::ccw;
+    const Turn turn = all_.motion == 2_g ? Turn::cw : Turn::ccw;
     if (has("R")) {
       use("R");
       return by_radius(from, to, turn);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/code_literals.h"
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/block/arc.h"
@@ -22,12 +23,12 @@ enum class AxisCommand : std::uint8_t { none, offsets, motion, length };
 /// What a line means, before anything of it is done. Codes in tenths; -1: none.
 struct CheckedBlock {
   std::int32_t non_modal = -1;  // of G4 G10 G28 G28.1 G30 G30.1 G53 G92 G92.1
-  std::int32_t motion = -1;     // coded, else in force; 800: G80
+  std::int32_t motion = -1;     // coded, else in force; G80: none
   AxisCommand axis_command = AxisCommand::none;
   bool has_axis = false;
   bool moves = false;  // by the motion code
   bool inch = false, absolute = true, inverse_time = false;
-  std::int32_t plane = 170;
+  std::int32_t plane = 17_g;
   std::int32_t system = -1;     // G54 … of the block
   Axes start{};                 // programmed coordinates in the block's work system
   Axes target{};                // programmed coordinates; machine ones with G53

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
@@ -116,7 +117,7 @@ std::int16_t Grbl::motion_row(const Interpreter& m) const { return checked.moves
 /// M2, M30: nothing moves again by the G1 that comes into force.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
-  checked.motion = 10;
+  checked.motion = 1_g;
   feed_at_end_ = m.modal.feed;
   return false;
 }
@@ -126,7 +127,7 @@ Status Grbl::after_block(Interpreter& m) {
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
-  const bool probes = checked.motion > 380 && checked.motion < 390;
+  const bool probes = checked.motion > 38_g && checked.motion < 39_g;
   if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // 3: G38.n is a mode
   if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F counts for its block
     m.modal.feed = 0;
@@ -165,7 +166,7 @@ void Grbl::refresh_frames(Interpreter& m) {
 /// Without contact only .2 and .4 are faults (4.16).
 Status Grbl::take_answer(Interpreter& m, const ProbeAnswer& answer) {
   const Status noted = m.note_answer(answer);
-  const bool must = m.modal.motion_row == m.def.row_of('G', 382) || m.modal.motion_row == m.def.row_of('G', 384);
+  const bool must = m.modal.motion_row == m.def.row_of('G', 38.2_g) || m.modal.motion_row == m.def.row_of('G', 38.4_g);
   if (noted || must) return noted;
   return {};
 }

@@ -31,7 +31,10 @@ void take_length(Interpreter& m, double length) {
 namespace functions {
 
 /// G53: the words of G0, G1 are machine coordinates; without words nothing.
-Status machine_block(Interpreter& m, const Call&) { return m.block_machine_coordinates = true, Status(); }
+Status machine_block(Interpreter& m, const Call&) {
+  m.block_machine_coordinates = true;
+  return {};
+}
 
 /// G10 L2, L20: a work system, by its zero in machine coordinates or by what the present point is to read.
 Status stored_offsets(Interpreter& m, const Call&) {
@@ -62,10 +65,16 @@ Status stored_position(Interpreter& m, const Call& call) {
 }
 
 /// G43.1 Z.
-Status length_by_word(Interpreter& m, const Call&) { return take_length(m, m.length_value('Z')), Status(); }
+Status length_by_word(Interpreter& m, const Call&) {
+  take_length(m, m.length_value('Z'));
+  return {};
+}
 
 /// G49; axis words beside it have no effect.
-Status length_by_word_off(Interpreter& m, const Call&) { return take_length(m, 0), Status(); }
+Status length_by_word_off(Interpreter& m, const Call&) {
+  take_length(m, 0);
+  return {};
+}
 
 }  // namespace functions
 }  // namespace kadr

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/code_literals.h"
 #include "control/grbl/grbl.h"
 #include "control/interpreter.h"
 
@@ -41,11 +42,11 @@ Status within_travel(const Interpreter& m, const Grbl& control, const CheckedBlo
     end[a] = block.target[a] + zero[a];
   }
   if (block.arc) {
-    const PlaneAxes plane = axes_of(block.plane == 170 ? Plane::xy : block.plane == 180 ? Plane::zx : Plane::yz);
+    const PlaneAxes plane = axes_of(block.plane == 17_g ? Plane::xy : block.plane == 18_g ? Plane::zx : Plane::yz);
     const Vec2 start{block.start[plane.first], block.start[plane.second]};
     const Vec2 from = start - block.arc->center;
     const int segments = segments_of(*block.arc, length(from));
-    const double step = (block.motion == 20 ? -2 : 2) * std::numbers::pi * block.arc->turns / segments;
+    const double step = (block.motion == 2_g ? -2 : 2) * std::numbers::pi * block.arc->turns / segments;
     for (int i = 1; i < segments; ++i) {
       Axes at = end;
       const double c = std::cos(i * step), s = std::sin(i * step);

@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "base/code_literals.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
@@ -17,12 +18,6 @@ namespace kadr::linuxcnc {
 namespace {
 
 bool is_one_of(std::int32_t code, std::initializer_list<std::int32_t> all) { return std::find(all.begin(), all.end(), code) != all.end(); }
-
-/// Number of the modal group that a row of [groups] stands for: "12" → 12, "M7" → 7.
-std::size_t group_of(const ControlDef& def, const CodeRow& row) {
-  const std::string& name = def.groups[row.group].name;
-  return static_cast<std::size_t>(std::atoi(name.c_str() + (name[0] == 'M' ? 1 : 0)));
-}
 
 class Checker {
  public:
@@ -70,9 +65,9 @@ class Checker {
     const std::int32_t code = static_cast<std::int32_t>(nearest);
     const std::int32_t row = m_.def.row_of('G', code);
     if (row < 0) return wrong(AlarmId::rs274_codes, w.where, "Unknown g code used");
-    std::int32_t& of_group = codes_.g[group_of(m_.def, m_.def.codes[static_cast<std::size_t>(row)])];
-    if (code == 800 && of_group >= 0) return {};
-    if (of_group >= 0 && of_group != 800) return wrong(AlarmId::rs274_codes, w.where, "Two g codes used from same modal group");
+    std::int32_t& of_group = codes_.g[control_.groups.number(m_.def.codes[static_cast<std::size_t>(row)].group)];
+    if (code == 80_g && of_group >= 0) return {};
+    if (of_group >= 0 && of_group != 80_g) return wrong(AlarmId::rs274_codes, w.where, "Two g codes used from same modal group");
     of_group = code;
     return {};
   }
@@ -100,7 +95,7 @@ class Checker {
     const CodeRow& of = m_.def.codes[static_cast<std::size_t>(row)];
     if (code >= 100) codes_.m[10] = code;
     if (of.group == 0) return {};
-    std::int32_t& of_group = codes_.m[group_of(m_.def, of)];
+    std::int32_t& of_group = codes_.m[control_.groups.number(of.group)];
     if (of_group >= 0) return wrong(AlarmId::rs274_codes, w.where, "Two m codes used from same modal group");
     of_group = code;
     return {};
@@ -141,17 +136,17 @@ class Checker {
   Status motion() {
     const bool axes = codes_.has_axis || codes_.has_polar;
     const std::int32_t zero = codes_.g[0];
-    const bool takes = is_one_of(zero, {100, 280, 300, 520, 920});
-    const bool needs = zero == 520 || zero == 920;
+    const bool takes = is_one_of(zero, {10_g, 28_g, 30_g, 52_g, 92_g});
+    const bool needs = zero == 52_g || zero == 92_g;
     const Span at = m_.block->where;
     if (codes_.g1() >= 0) {
       codes_.motion = codes_.g1();
-      if (codes_.g1() == 800) {
+      if (codes_.g1() == 80_g) {
         if (axes && !takes) return wrong(AlarmId::rs274_motion, at, "Cannot use axis values with g80");
         if (!axes && needs) return wrong(AlarmId::rs274_motion, at, "All axes missing with g52 or g92");
       } else if (takes) {
         return wrong(AlarmId::rs274_motion, at, "Cannot use two g codes that both use axis values");
-      } else if (!axes && !is_one_of(codes_.g1(), {0, 10, 20, 30, 52, 53, 700, 710, 711, 712, 720, 721, 722})) {
+      } else if (!axes && !is_one_of(codes_.g1(), {0_g, 1_g, 2_g, 3_g, 5.2_g, 5.3_g, 70_g, 71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g})) {
         return wrong(AlarmId::rs274_motion, at, "All axes missing with motion code");
       }
       return {};
@@ -162,15 +157,15 @@ class Checker {
       codes_.axes_for_group0 = true;
       return {};
     }
-    const bool lengths = codes_.g[8] == 431 || codes_.g[8] == 432;
+    const bool lengths = codes_.g[8] == 43.1_g || codes_.g[8] == 43.2_g;
     const std::int32_t in_force = control_.state.motion;
     if (axes) {
-      if (in_force == 800 || in_force < 0) {
+      if (in_force == 80_g || in_force < 0) {
         if (lengths) return {};
         return wrong(AlarmId::rs274_motion, at, "Cannot use axis values without a g code that uses them");
       }
-      if (codes_.g[8] != 431) codes_.motion = in_force;  // its words are lengths: nothing moves
-    } else if ((in_force == 20 || in_force == 30) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
+      if (codes_.g[8] != 43.1_g) codes_.motion = in_force;  // its words are lengths: nothing moves
+    } else if ((in_force == 2_g || in_force == 3_g) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
       codes_.motion = in_force;
     }
     return {};
@@ -181,15 +176,15 @@ class Checker {
   Status group_0() const {
     const std::int32_t zero = codes_.g[0];
     const Span at = m_.block->where;
-    if (zero == 40) {
-      if (codes_.g1() == 20 || codes_.g1() == 30)
+    if (zero == 4_g) {
+      if (codes_.g1() == 2_g || codes_.g1() == 3_g)
         return wrong(AlarmId::rs274_motion, at, "G4 not allowed with G2 or G3 because they both use P");
       if (!(m_.has('P') && m_.word('P')->value != -1)) return wrong(AlarmId::rs274_words, at, "Dwell time missing with g4");
     }
-    if (zero == 100) KADR_TRY(data());
-    if (zero == 530) {
-      if (codes_.motion != 0 && codes_.motion != 10) return wrong(AlarmId::rs274_motion, at, "Must use g0 or g1 with g53");
-      const bool incremental = codes_.g[3] == 910 || (codes_.g[3] != 900 && !m_.modal.absolute);
+    if (zero == 10_g) KADR_TRY(data());
+    if (zero == 53_g) {
+      if (codes_.motion != 0_g && codes_.motion != 1_g) return wrong(AlarmId::rs274_motion, at, "Must use g0 or g1 with g53");
+      const bool incremental = codes_.g[3] == 91_g || (codes_.g[3] != 90_g && !m_.modal.absolute);
       if (incremental) return wrong(AlarmId::rs274_motion, at, "Cannot use g53 incremental");
     }
     return {};
@@ -225,11 +220,9 @@ class Checker {
   }
 
   Status other_planes() const {
-    const bool arc = codes_.motion == 20 || codes_.motion == 30;
-    std::int32_t plane = codes_.g[2];
-    for (std::size_t g = 1; g < m_.def.groups.size() && plane < 0; ++g)
-      if (m_.def.groups[g].name == "2" && m_.modal.rows[g] >= 0) plane = m_.def.codes[static_cast<std::size_t>(m_.modal.rows[g])].tenth;
-    if (!arc || !is_one_of(plane, {171, 181, 191})) return {};
+    const bool arc = codes_.motion == 2_g || codes_.motion == 3_g;
+    const std::int32_t plane = codes_.g[2] >= 0 ? codes_.g[2] : control_.code_in_force(m_, 2);
+    if (!arc || !is_one_of(plane, {17.1_g, 18.1_g, 19.1_g})) return {};
     return wrong(AlarmId::rs274_arc, m_.block->where, "Cannot do an arc in planes G17.1, G18.1, or G19.1");
   }
 
@@ -250,7 +243,7 @@ class Checker {
   bool moves(std::initializer_list<std::int32_t> all) const { return is_one_of(codes_.motion, all); }
   bool m_is(std::size_t group, std::initializer_list<std::int32_t> all) const { return is_one_of(codes_.m[group], all); }
   bool user_code() const { return codes_.m[10] >= 100; }
-  bool tool_side() const { return codes_.g[7] > 400; }
+  bool tool_side() const { return codes_.g[7] > 40_g; }
   Status unless(bool used, char letter, const char* text) const {
     if (used || !has(letter)) return {};
     return wrong(AlarmId::rs274_words, m_.where(letter), text);
@@ -280,42 +273,43 @@ Status Checker::letters_of_cycles() const {
 /// The texts are the control's, and so is the order.
 Status Checker::words() const {
   KADR_TRY(letters_of_cycles());
-  const bool thread = moves({330, 331});
-  const bool cycle_l = codes_.is_cycle() && codes_.motion != 740;
-  KADR_TRY(unless(tool_side() || codes_.g[14] == 960 || moves({700, 710, 711, 712, 720, 721, 722}), 'D',
+  const bool thread = moves({33_g, 33.1_g});
+  const bool cycle_l = codes_.is_cycle() && codes_.motion != 74_g;
+  KADR_TRY(unless(tool_side() || codes_.g[14] == 96_g || moves({70_g, 71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g}), 'D',
                   "D word with no G41, G41.1, G42, G42.1, G71, G71.1, G71.2 or G96 to use it"));
-  if (has(spindle_) && !has('S') && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({330, 331, 760}))
+  if (has(spindle_) && !has('S') && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({33_g, 33.1_g, 76_g}))
     return wrong(AlarmId::rs274_words, m_.where(spindle_),
                  "$ (spindle selection) word with no M3, M4, M5, M19, M51, G33, G33.1, G76, G95, G96 or G97 to use it");
-  KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || moves({700, 760}), 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));
-  KADR_TRY(unless(is_one_of(codes_.g[8], {430, 432}) || codes_.motion == 760, 'H', "H word with no G43 or G76 to use it"));
-  const bool data_code = codes_.g[0] == 100;
-  KADR_TRY(unless(moves({20, 30, 50, 51, 331, 710, 711, 712, 720, 721, 722, 760, 870}) || data_code, 'I',
+  KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || moves({70_g, 76_g}), 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));
+  KADR_TRY(unless(is_one_of(codes_.g[8], {43_g, 43.2_g}) || codes_.motion == 76_g, 'H', "H word with no G43 or G76 to use it"));
+  const bool data_code = codes_.g[0] == 10_g;
+  KADR_TRY(unless(moves({2_g, 3_g, 5_g, 5.1_g, 33.1_g, 71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g, 76_g, 87_g}) || data_code, 'I',
                   "I word with no G2, G3, G5, G5.1, G10, G33.1, G76, or G87 to use it"));
-  KADR_TRY(unless(moves({20, 30, 50, 51, 760, 870}) || data_code, 'J', "J word with no G2, G3, G5, G5.1, G10, G76 or G87 to use it"));
-  KADR_TRY(unless(moves({20, 30, 330, 331, 760, 870}), 'K', "K word with no G2, G3, G33, G33.1, G76, or G87 to use it"));
   KADR_TRY(
-      unless(cycle_l || codes_.motion == 760 || codes_.motion == 52 || data_code || tool_side() || codes_.m[5] == 66 || codes_.m[4] == 98,
-             'L', "L word with no G10, cutter compensation, canned cycle, digital/analog input, M98 or NURBS code"));
+      unless(moves({2_g, 3_g, 5_g, 5.1_g, 76_g, 87_g}) || data_code, 'J', "J word with no G2, G3, G5, G5.1, G10, G76 or G87 to use it"));
+  KADR_TRY(unless(moves({2_g, 3_g, 33_g, 33.1_g, 76_g, 87_g}), 'K', "K word with no G2, G3, G33, G33.1, G76, or G87 to use it"));
+  KADR_TRY(unless(
+      cycle_l || codes_.motion == 76_g || codes_.motion == 5.2_g || data_code || tool_side() || codes_.m[5] == 66 || codes_.m[4] == 98, 'L',
+      "L word with no G10, cutter compensation, canned cycle, digital/analog input, M98 or NURBS code"));
   KADR_TRY(word_p());
-  KADR_TRY(unless(moves({50, 700, 710, 711, 712, 720, 721, 722, 730, 760, 830}) || data_code || codes_.g[13] == 640 || m_is(7, {19}) ||
-                      codes_.m[6] == 61 || m_is(5, {66, 67, 68}) || user_code(),
+  KADR_TRY(unless(moves({5_g, 70_g, 71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g, 73_g, 76_g, 83_g}) || data_code || codes_.g[13] == 64_g ||
+                      m_is(7, {19}) || codes_.m[6] == 61 || m_is(5, {66, 67, 68}) || user_code(),
                   'Q', "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it"));
-  KADR_TRY(unless(moves({20, 30, 760}) || codes_.is_cycle() || data_code || is_one_of(codes_.g[7], {411, 421}) || m_is(7, {19}) ||
-                      moves({710, 711, 712, 720, 721, 722}),
+  KADR_TRY(unless(moves({2_g, 3_g, 76_g}) || codes_.is_cycle() || data_code || is_one_of(codes_.g[7], {41.1_g, 42.1_g}) || m_is(7, {19}) ||
+                      moves({71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g}),
                   'R', "R word with no g code that uses it"));
   KADR_TRY(words_of_orient());
   return required();
 }
 
 Status Checker::word_p() const {
-  const bool used = moves({20, 30, 50, 52, 700, 740, 760, 820, 840, 860, 880, 890}) || codes_.g[0] == 40 || codes_.g[0] == 100 ||
-                    codes_.g[13] == 640 || m_is(7, {19}) || m_is(9, {50, 51, 52, 53}) || m_is(5, {62, 63, 64, 65, 66}) ||
-                    codes_.m[4] == 98 || user_code();
+  const bool used = moves({2_g, 3_g, 5_g, 5.2_g, 70_g, 74_g, 76_g, 82_g, 84_g, 86_g, 88_g, 89_g}) || codes_.g[0] == 4_g ||
+                    codes_.g[0] == 10_g || codes_.g[13] == 64_g || m_is(7, {19}) || m_is(9, {50, 51, 52, 53}) ||
+                    m_is(5, {62, 63, 64, 65, 66}) || codes_.m[4] == 98 || user_code();
   KADR_TRY(unless(used, 'P',
                   "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M "
                   "code to use it"));
-  const bool arc = moves({20, 30});
+  const bool arc = moves({2_g, 3_g});
   if (!has('P') || (!arc && codes_.m[7] != 19)) return {};
   const double p = m_.word('P')->value;
   const Span at = m_.where('P');
@@ -335,12 +329,12 @@ Status Checker::words_of_orient() const {
 
 Status Checker::required() const {
   const Span at = m_.block->where;
-  if (codes_.g[14] == 960 && !has('S')) return wrong(AlarmId::rs274_words, at, "S word missing with G96");
-  if (moves({330, 331})) {
+  if (codes_.g[14] == 96_g && !has('S')) return wrong(AlarmId::rs274_words, at, "S word missing with G96");
+  if (moves({33_g, 33.1_g})) {
     if (!has('K')) return wrong(AlarmId::rs274_words, at, "K word missing with g33/g33.1");
     if (has('F')) return wrong(AlarmId::rs274_words, at, "F word used with a g33/g33.1");
   }
-  if (codes_.motion == 760) {
+  if (codes_.motion == 76_g) {
     if (!has('P')) return wrong(AlarmId::rs274_words, at, "P word missing with G76");
     if (!has('I') || !has('J') || !has('K')) return wrong(AlarmId::rs274_words, at, "I J or K words missing with G76");
   }

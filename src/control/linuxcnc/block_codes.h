@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 
+#include "base/code_literals.h"
 #include "base/result.h"
+#include "control/linuxcnc/modal_groups.h"
 
 namespace kadr {
 class Interpreter;
@@ -16,8 +18,8 @@ class LinuxCnc;
 
 /// Tenths of codes: G0 is 0, G38.2 is 382; -1: none.
 struct BlockCodes {
-  std::array<std::int32_t, 17> g{};  // by the number of the modal group
-  std::array<std::int32_t, 11> m{};
+  std::array<std::int32_t, g_groups> g{};  // by the number of the modal group
+  std::array<std::int32_t, m_groups> m{};
   std::int32_t motion = -1;  // that of the block: coded or in force; -1: none
   bool has_axis = false;     // X … W
   bool has_polar = false;    // @ ^
@@ -25,7 +27,7 @@ struct BlockCodes {
 
   std::int32_t g1() const { return g[1]; }
   bool has_g(int group, std::int32_t tenths) const { return g[static_cast<std::size_t>(group)] == tenths; }
-  bool is_cycle() const { return motion == 730 || motion == 740 || (motion >= 810 && motion <= 890); }
+  bool is_cycle() const { return motion == 73_g || motion == 74_g || (motion >= 81_g && motion <= 89_g); }
 };
 
 /// Reads and checks the codes and words of the interpreter's block.

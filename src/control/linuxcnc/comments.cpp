@@ -56,9 +56,21 @@ class Filled {
   /// %d, %f, %.2f: for all parameters to its right.
   bool format() {
     const std::string_view rest = text_.substr(at_ + 1);
-    if (rest.starts_with('d')) return decimals_ = 0, at_ += 2, true;
-    if (rest.starts_with('f')) return decimals_ = 4, at_ += 2, true;
-    if (rest.size() >= 3 && rest[0] == '.' && is_digit(rest[1]) && rest[2] == 'f') return decimals_ = rest[1] - '0', at_ += 4, true;
+    if (rest.starts_with('d')) {
+      decimals_ = 0;
+      at_ += 2;
+      return true;
+    }
+    if (rest.starts_with('f')) {
+      decimals_ = 4;
+      at_ += 2;
+      return true;
+    }
+    if (rest.size() >= 3 && rest[0] == '.' && is_digit(rest[1]) && rest[2] == 'f') {
+      decimals_ = rest[1] - '0';
+      at_ += 4;
+      return true;
+    }
     return false;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/functions/functions.h"
@@ -104,7 +105,7 @@ class Reader {
 
   /// What a single cycle finds out at its hole.
   void at_hole(AlarmId id, std::string text) {
-    if (hole_.fault != AlarmId::count) return;
+    if (hole_.fault != no_alarm) return;
     hole_.fault = id;
     hole_.fault_text = std::move(text);
     hole_.where = call_.where;
@@ -112,12 +113,12 @@ class Reader {
 
   /// `$`, where the code reads it; the text is the source's, its slips included.
   void choose_spindle() {
-    const bool taps = hole_.code == 840 || hole_.code == 740;
+    const bool taps = hole_.code == 84_g || hole_.code == 74_g;
     const bool in_uw = of_uvw_ && hole_.plane == Plane::zx;
-    const bool reads = taps || (in_uw && (hole_.code == 860 || hole_.code == 870 || hole_.code == 880));
+    const bool reads = taps || (in_uw && (hole_.code == 86_g || hole_.code == 87_g || hole_.code == 88_g));
     const char* const text =
         !of_uvw_ && hole_.plane == Plane::zx ? "Invalid E-number in G74/G84 cycle" : "Invalid spindle ($) number in G74/G84 cycle";
-    if (reads && hole_.fault == AlarmId::count && !take_spindle(m_, text, call_.where)) {
+    if (reads && hole_.fault == no_alarm && !take_spindle(m_, text, call_.where)) {
       at_hole(AlarmId::rs274_spindle, text);
       hole_.fault_above = true;
     }
@@ -130,15 +131,15 @@ class Reader {
     const SpindleDir dir = hole_.spindle;
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;
     const auto spindle = [&](const char* text) { at_hole(AlarmId::rs274_spindle, text); };
-    if (hole_.code == 840 && !turns) spindle("Spindle not turning in G84");
-    if (hole_.code == 840 && dir == SpindleDir::ccw) spindle("Spindle turning counterclockwise in G84");
-    if (hole_.code == 740 && !turns) spindle("Spindle not turning in G74");
-    if (hole_.code == 740 && dir == SpindleDir::cw) spindle("Spindle turning clockwise in G74");
-    if (of_uvw_ && (hole_.code == 840 || hole_.code == 740))
+    if (hole_.code == 84_g && !turns) spindle("Spindle not turning in G84");
+    if (hole_.code == 84_g && dir == SpindleDir::ccw) spindle("Spindle turning counterclockwise in G84");
+    if (hole_.code == 74_g && !turns) spindle("Spindle not turning in G74");
+    if (hole_.code == 74_g && dir == SpindleDir::cw) spindle("Spindle turning clockwise in G74");
+    if (of_uvw_ && (hole_.code == 84_g || hole_.code == 74_g))
       at_hole(AlarmId::rs274_cycle, fmt::format("G{} for plane {} not implemented", hole_.code / 10, plane_name()));
-    if (hole_.code == 860 && !turns) spindle("Spindle not turning in g86");
-    if (hole_.code == 870 && !turns) spindle("Spindle not turning in g87");
-    if (hole_.code == 880 && !turns) spindle("Spindle not turning in g88");
+    if (hole_.code == 86_g && !turns) spindle("Spindle not turning in g86");
+    if (hole_.code == 87_g && !turns) spindle("Spindle not turning in g87");
+    if (hole_.code == 88_g && !turns) spindle("Spindle not turning in g88");
   }
 
   void remember() {
@@ -179,16 +180,16 @@ class Reader {
       at_hole(AlarmId::rs274_cycle, text);
       hole_.fault_above = true;
     };
-    if (hole_.code == 830 || hole_.code == 730) {
-      wants('Q', hole_.code == 830 ? "Q word missing with g83" : "Q word missing with g73");
+    if (hole_.code == 83_g || hole_.code == 73_g) {
+      wants('Q', hole_.code == 83_g ? "Q word missing with g83" : "Q word missing with g73");
       if (!(hole_.peck > 0)) at_hole(AlarmId::rs274_cycle, "Negative or zero q value used");
       else if ((hole_.level - hole_.bottom) / hole_.peck > most_pecks) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), hole_.peck));
     }
-    if (hole_.code == 820) wants('P', "Dwell time p word missing with g82");
-    if (hole_.code == 860) wants('P', "Dwell time p word missing with g86");
-    if (hole_.code == 880) wants('P', "Dwell time p word missing with g88");
-    if (hole_.code == 890) wants('P', "Dwell time p word missing with g89");
-    if (hole_.code != 870) return {};
+    if (hole_.code == 82_g) wants('P', "Dwell time p word missing with g82");
+    if (hole_.code == 86_g) wants('P', "Dwell time p word missing with g86");
+    if (hole_.code == 88_g) wants('P', "Dwell time p word missing with g88");
+    if (hole_.code == 89_g) wants('P', "Dwell time p word missing with g89");
+    if (hole_.code != 87_g) return {};
     wants('I', "I word missing with g87");
     wants('J', "J word missing with g87");
     wants('K', "K word missing with g87");
@@ -223,7 +224,7 @@ class Reader {
   }
 
   void tell_turned() const {
-    if ((hole_.code == 840 || hole_.code == 740) && hole_.plane != Plane::xy)
+    if ((hole_.code == 84_g || hole_.code == 74_g) && hole_.plane != Plane::xy)
       m_.warn(warning(AlarmId::tapping_axes_turned, call_.where, call_.row->code));
   }
 

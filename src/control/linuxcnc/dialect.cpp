@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/interpreter.h"
@@ -29,7 +30,7 @@ bool is_plane_of_uvw(const Interpreter& m) {
   return std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     if (row < 0) return false;
     const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
-    return code.letter == 'G' && (code.tenth == 171 || code.tenth == 181 || code.tenth == 191);
+    return code.letter == 'G' && (code.tenth == 17.1_g || code.tenth == 18.1_g || code.tenth == 19.1_g);
   });
 }
 
@@ -52,7 +53,8 @@ struct LinuxCnc::Remembered : DialectState {
 
 /// tool.tbl of the program memory, else the tools of the set-up (1.1).
 LinuxCnc::LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits)
-    : outputs({.root = limits.files,
+    : groups(m.def),
+      outputs({.root = limits.files,
                .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
                .untouched = limits.untouched}) {
   for (const AddressName& name : m.def.grammar.names)
@@ -137,7 +139,7 @@ void LinuxCnc::forget_shift(Interpreter& m) {
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
-  state.motion = 10;
+  state.motion = 1_g;
   m.modal.override_permission = 3;
   if (!machine.keeps_shift) forget_shift(m);
   while (levels_.size() > 1) levels_.pop_back();
@@ -235,7 +237,7 @@ namespace {
 /// Feed 0 is found when the block is carried out, after its F and its kind of feed (7.2).
 Status feed_known(const Interpreter& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
-  if (motion != 10) return {};
+  if (motion != 1_g) return {};
   const std::int32_t kind = control.codes.g[5];
   const bool inverse = kind >= 0 ? kind == 930 : m.modal.feed_mode == FeedMode::inverse_time;
   const Span at = m.block->where;
@@ -258,11 +260,12 @@ Status compensation_allows(const Interpreter& m, const LinuxCnc& control) {
   const Span at = m.block->where;
   const auto no = [&](const char* text) { return control.fault(AlarmId::rs274_compensation, at, text); };
   if (codes.g[2] >= 0) return no("Cannot change planes with cutter radius compensation on");
-  if (codes.g[7] > 400) return no("Cannot turn cutter radius comp on when on");
+  if (codes.g[7] > 40_g) return no("Cannot turn cutter radius comp on when on");
   if (codes.g[13] >= 0) return no("Cannot change control mode with cutter radius compensation on");
   if (codes.g[10] >= 0) return no("Cannot change retract mode with cutter radius compensation on");
-  if (codes.g[0] == 530) return no("Cannot use g53 with cutter radius comp");
-  if (codes.motion == 50 || codes.motion == 51 || codes.motion == 52) return no("Cannot convert spline with cutter radius compensation");
+  if (codes.g[0] == 53_g) return no("Cannot use g53 with cutter radius comp");
+  if (codes.motion == 5_g || codes.motion == 5.1_g || codes.motion == 5.2_g)
+    return no("Cannot convert spline with cutter radius compensation");
   if (codes.m[9] == 48) return no("Cannot enable overrides with cutter radius compensation on");
   if (codes.m[9] == 49) return no("Cannot disable overrides with cutter radius compensation on");
   return {};
@@ -295,29 +298,34 @@ std::int16_t LinuxCnc::motion_row(const Interpreter& m) const {
   return codes.has_axis ? any_motion : std::int16_t{-1};
 }
 
+std::int32_t LinuxCnc::code_in_force(const Interpreter& m, std::size_t group) const {
+  const std::size_t index = groups.index_of_g(group);
+  return index == 0 || m.modal.rows[index] < 0 ? -1 : m.def.codes[static_cast<std::size_t>(m.modal.rows[index])].tenth;
+}
+
 BlockChanges LinuxCnc::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
 
 void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   if (row.letter != 'G' || row.group == 0) return;
-  const std::string& group = m.def.groups[row.group].name;
-  if (group == "5") {  // G93, G94, G95 set F to 0, even if in force already (7.2)
+  const auto is_of = [&](std::size_t group) { return row.group == groups.index_of_g(group); };
+  if (is_of(5)) {  // G93, G94, G95 set F to 0, even if in force already (7.2)
     m.modal.feed = 0;
     m.modal.feed_known = false;
     return;
   }
-  if (group == "2" && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
+  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
-  if (group == "7" && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
-  if (group == "6") m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
-  if (group != "1" || !row.modal) return;
+  if (is_of(7) && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
+  if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
+  if (!is_of(1) || !row.modal) return;
   state.motion = row.tenth;
   if (!codes.is_cycle()) state.cycle_began = false;
 }
 
 Status LinuxCnc::after_block(Interpreter& m) {
-  if (codes.motion == 0 || codes.motion == 10 || codes.motion == 330 || codes.motion == 331) state.arc_not_allowed = false;
+  if (codes.motion == 0_g || codes.motion == 1_g || codes.motion == 33_g || codes.motion == 33.1_g) state.arc_not_allowed = false;
   forget_polar_words(m);
-  if (codes.g1() == 800) state.motion = m.modal.motion_row >= 0 ? state.motion : 800;
+  if (codes.g1() == 80_g) state.motion = m.modal.motion_row >= 0 ? state.motion : 80_g;
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/functions/functions.h"
@@ -134,7 +135,7 @@ constexpr const char* no_length_change = "Cannot change tool offset with cutter 
 /// RETAIN_G43: the tool that has come brings its length while G43 is in force; none takes it away.
 void LinuxCnc::retain_length(Interpreter& m) {
   const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
-    return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 430;
+    return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 43_g;
   });
   if (!machine.keeps_length || !by_table) return;
   const Tool* const loaded = m.modal.tool == 0 ? nullptr : tool(m.modal.tool);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/vec.h"
 #include "control/cycles/hole_work.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -31,7 +32,7 @@ class Drilling final : public RunningValue<Drilling> {
  private:
   Status go_on(Interpreter& m) {
     if (!in_hole_) return approach(m);
-    const bool pecks = h_.code == 830 || h_.code == 730;
+    const bool pecks = h_.code == 83_g || h_.code == 73_g;
     if (pecks && depth_ - h_.peck > h_.bottom + same_height) return peck(m);
     KADR_TRY(finish(m));
     in_hole_ = false;
@@ -60,34 +61,34 @@ class Drilling final : public RunningValue<Drilling> {
       KADR_TRY(place(m, h_.at_first, h_.at_second, h_.clear));
     }
     KADR_TRY(drill(m, MotionKind::rapid, h_.level));
-    if (h_.fault != AlarmId::count) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
+    if (h_.fault != no_alarm) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
     return {};
   }
 
   Status peck(Interpreter& m) {
     depth_ -= h_.peck;
     KADR_TRY(drill(m, MotionKind::feed, depth_));
-    if (h_.code == 830) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
+    if (h_.code == 83_g) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
     return drill(m, MotionKind::rapid, depth_ + above_bottom);
   }
 
   Status finish(Interpreter& m) {
     switch (h_.code) {
-      case 740: return tap(m);
-      case 840: return tap(m);
-      case 850:
+      case 74_g: return tap(m);
+      case 84_g: return tap(m);
+      case 85_g:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
         KADR_TRY(drill(m, MotionKind::feed, h_.level));
         return drill(m, MotionKind::rapid, h_.clear);
-      case 860:
+      case 86_g:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
         dwell(m);
         turn_spindle(m, SpindleDir::stop);
         KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
         turn_spindle(m, h_.spindle);
         return {};
-      case 870: return back_bore(m);
-      case 880:
+      case 87_g: return back_bore(m);
+      case 88_g:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
         dwell(m);
         turn_spindle(m, SpindleDir::stop);
@@ -96,20 +97,20 @@ class Drilling final : public RunningValue<Drilling> {
         m.position.programmed[h_.drill] = h_.clear;  // the control takes it so: the operator has brought the tool out
         m.place_plainly(AxisMask{1} << h_.drill);
         return {};
-      case 890:
+      case 89_g:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
         dwell(m);
         return drill(m, MotionKind::feed, h_.clear);
       default:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
-        if (h_.code == 820) dwell(m);
+        if (h_.code == 82_g) dwell(m);
         return drill(m, MotionKind::rapid, h_.clear);
     }
   }
 
   /// Fault of the control: in G18, G19 both strokes go to turned axes; so does Kadr, and a warning has told.
   Status tap(Interpreter& m) {
-    const SpindleDir in = h_.code == 840 ? SpindleDir::cw : SpindleDir::ccw;
+    const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, in == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw);

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "base/alarm_ids.h"
+#include "base/code_literals.h"
 #include "base/span.h"
 #include "control/interpreter.h"
 
 namespace kadr::linuxcnc {
 
 struct Hole {
-  std::int32_t code = 810;
+  std::int32_t code = 81_g;
   std::size_t first = 0, second = 1, drill = 2;  // axes
   double at_first = 0, at_second = 0;
   double step_first = 0, step_second = 0;  // G91, from repetition to repetition
@@ -22,8 +23,8 @@ struct Hole {
   bool up_first = false;  // from below R
   bool polar = false;     // G91 with @ ^: each repetition turns on
   double polar_radius = 0, polar_angle = 0;
-  AlarmId fault = AlarmId::count;  // what the control finds at the hole only, when the approach has been made
-  bool fault_above = false;        // … when it has risen to R, if it has to
+  AlarmId fault = no_alarm;  // what the control finds at the hole only, when the approach has been made
+  bool fault_above = false;  // … when it has risen to R, if it has to
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "action/plane_spline.h"
+#include "base/code_literals.h"
 #include "control/dialect.h"
 #include "control/linuxcnc/block_codes.h"
 #include "control/linuxcnc/flow_table.h"
 #include "control/linuxcnc/machine_file.h"
+#include "control/linuxcnc/modal_groups.h"
 #include "control/linuxcnc/parameter_file.h"
 #include "control/linuxcnc/program_files.h"
 #include "control/linuxcnc/turning/cycles.h"
@@ -79,7 +81,7 @@ struct State {
   double css_most = 0;                               // rev/min, D of G96; 0: no limit
   bool cycle_began = false;                          // a canned cycle follows another
   double old_z = 0;                                  // of cycles (7.6)
-  std::int32_t motion = 800;                         // code in force, tenths; -1: none (G5.3)
+  std::int32_t motion = 80_g;                        // code in force, tenths; -1: none (G5.3)
   bool polar_step = false;                           // the block's words are @ ^ in G91: each repetition of a cycle turns on
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // a contour has ended: the next motion of its kind must be straight (7.3)
@@ -159,11 +161,15 @@ class LinuxCnc final : public Dialect {
   void take_system(Interpreter& m, std::uint32_t number);
   void store_shift(Interpreter& m);
 
+  /// Tenths of the G code in force of the group with that number; -1: none.
+  std::int32_t code_in_force(const Interpreter& m, std::size_t group) const;
+
   // ---- parameters
   Level& level() { return levels_.back(); }
   const Level& level() const { return levels_.back(); }
   std::vector<Level>& levels() { return levels_; }
 
+  const ModalGroups groups;
   State state;
   BlockCodes codes;  // of the block being carried out
   FlowTable flow;

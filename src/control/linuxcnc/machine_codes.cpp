@@ -55,7 +55,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   Modal next = to;
   static_cast<MotionModal&>(next) = motion;
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
-    if (m.def.groups[g].name != "1") next.rows[g] = to.rows[g];
+    if (g != linuxcnc_of(m).groups.index_of_g(1)) next.rows[g] = to.rows[g];
   next.feed_known = to.feed_known;
   next.feed = std::round(to.feed * 10) / 10;  // written with one decimal
   if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/ascii.h"
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -111,21 +112,13 @@ Result<double> LinuxCnc::number_of_element(const Interpreter& m, double, double 
 
 namespace {
 
-double tenths_of_group(const Interpreter& m, std::string_view name) {
-  for (std::size_t g = 1; g < m.def.groups.size(); ++g)
-    if (m.def.groups[g].name == name && m.modal.rows[g] >= 0) return m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].tenth;
-  return -1;
-}
-
-double is_in_force(const Interpreter& m, std::string_view group, double tenths) { return tenths_of_group(m, group) == tenths ? 1 : 0; }
-
 /// 4.3.
 // NOLINTNEXTLINE(readability-function-size): a table
 std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
   const Modal& modal = m.modal;
   if (name == "_motion_mode") return control.state.motion;
-  if (name == "_plane") return tenths_of_group(m, "2");
-  if (name == "_ccomp") return modal.radius_side == 0 ? 400 : modal.radius_side < 0 ? 410 : 420;
+  if (name == "_plane") return control.code_in_force(m, 2);
+  if (name == "_ccomp") return modal.radius_side == 0 ? 40_g : modal.radius_side < 0 ? 41_g : 42_g;
   if (name == "_metric") return modal.inch ? 0 : 1;
   if (name == "_imperial") return modal.inch ? 1 : 0;
   if (name == "_absolute") return modal.absolute ? 1 : 0;
@@ -133,14 +126,14 @@ std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, 
   if (name == "_inverse_time") return modal.feed_mode == FeedMode::inverse_time ? 1 : 0;
   if (name == "_units_per_minute") return modal.feed_mode == FeedMode::per_minute ? 1 : 0;
   if (name == "_units_per_rev") return modal.feed_mode == FeedMode::per_revolution ? 1 : 0;
-  if (name == "_coord_system") return tenths_of_group(m, "12");
+  if (name == "_coord_system") return control.code_in_force(m, 12);
   if (name == "_retract_r_plane") return modal.retract_initial ? 0 : 1;
   if (name == "_retract_old_z") return modal.retract_initial ? 1 : 0;
   if (name == "_spindle_rpm_mode") return modal.surface_speed ? 0 : 1;
   if (name == "_spindle_css_mode") return modal.surface_speed ? 1 : 0;
   if (name == "_ijk_absolute_mode") return modal.centers_absolute ? 1 : 0;
-  if (name == "_lathe_diameter_mode") return is_in_force(m, "15", 70);
-  if (name == "_lathe_radius_mode") return is_in_force(m, "15", 80);
+  if (name == "_lathe_diameter_mode") return control.code_in_force(m, 15) == 7_g ? 1 : 0;
+  if (name == "_lathe_radius_mode") return control.code_in_force(m, 15) == 8_g ? 1 : 0;
   if (name == "_spindle_on") return modal.spindle == SpindleDir::cw || modal.spindle == SpindleDir::ccw ? 1 : 0;
   if (name == "_spindle_cw") return modal.spindle == SpindleDir::cw ? 1 : 0;
   if (name == "_mist") return modal.mist ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/interpreter.h"
@@ -22,10 +23,10 @@ Status LinuxCnc::take_polar_words(Interpreter& m) {
   const Span at = m.block->where;
   const auto wrong = [&](const char* text) { return fault(AlarmId::rs274_motion, at, text); };
   if (m.has_code({Function::machine_coordinates})) return wrong("Cannot use polar coordinates with G53");
-  const double unit = (codes.g[6] >= 0 ? codes.g[6] == 200 : m.modal.inch) ? mm_per_inch : 1;
+  const double unit = (codes.g[6] >= 0 ? codes.g[6] == 20_g : m.modal.inch) ? mm_per_inch : 1;
   const Vec2 here{m.position.programmed[0] / unit, m.position.programmed[1] / unit};
   const bool at_zero = length(here) < 1e-9;
-  const bool absolute = codes.g[3] >= 0 ? codes.g[3] == 900 : m.modal.absolute;
+  const bool absolute = codes.g[3] >= 0 ? codes.g[3] == 90_g : m.modal.absolute;
   double r = length(here), t = at_zero ? 0 : angle_deg(here);
   if (absolute) {
     if (radius != nullptr && angle == nullptr && at_zero) return wrong("Must specify angle in polar coordinate if at the origin");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "action/plane_spline.h"
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -149,7 +150,7 @@ Status nurbs_point(Interpreter& m, const Call& call) {
 Status nurbs_end(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   linuxcnc::State& state = control.state;
-  constexpr std::int32_t control_point = 52;  // G5.2, tenths
+  constexpr std::int32_t control_point = 5.2_g;
   if (control.codes.g1() >= 0 && control.codes.g1() != control_point)
     return linuxcnc::spline_fault(m, call.where, "Between G5.2 and G5.3 codes, only additional G5.2 codes are allowed.");
   if (state.motion != control_point) return linuxcnc::spline_fault(m, call.where, "Cannot use G5.3 without G5.2 first");

@@ -191,7 +191,7 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
       if (letter.empty()) return {AlarmId::rs274_flow, "Left bracket missing"};
       return {AlarmId::rs274_flow, fmt::format("Left bracket missing after '{}'", letter)};
     case AlarmId::call_too_deep: return {AlarmId::rs274_flow, "Too many subroutine levels"};
-    default: return {AlarmId::count, {}};
+    default: return {no_alarm, {}};
   }
 }
 
@@ -211,7 +211,7 @@ void LinuxCnc::reword(const Interpreter& m, AlarmReport& report) const {
   }
   if (report.alarm.severity != Severity::alarm) return;
   Words words = own_words(report, m.def.grammar.expression);
-  if (words.id == AlarmId::count) return;
+  if (words.id == no_alarm) return;
   report.alarm.id = words.id;
   report.alarm.arg_count = 1;
   report.alarm.args[0] = AlarmArg(std::string_view(words.text));

@@ -31,7 +31,10 @@ struct Entry {
 };
 
 bool take_word(Entry& entry, char letter, double value) {
-  if (const std::size_t axis = axis_letters.find(letter); axis != std::string_view::npos) return entry.tool.offset[axis] = value, true;
+  if (const std::size_t axis = axis_letters.find(letter); axis != std::string_view::npos) {
+    entry.tool.offset[axis] = value;
+    return true;
+  }
   switch (letter) {
     case 'T': entry.number = static_cast<int>(value); return true;
     case 'P': entry.tool.pocket = static_cast<int>(value); return entry.has_pocket = true;

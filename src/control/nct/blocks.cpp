@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/calls/calls.h"
 #include "control/nct/calls/interrupt.h"
@@ -136,7 +137,7 @@ Status one_meaning_of_p(const Interpreter& m) {
     const Function f = row.function;
     const bool takes = f == Function::dwell_or_turns || f == Function::work_system_extended || f == Function::call_program ||
                        f == Function::return_program || f == Function::interrupt_on || f == Function::set_tables ||
-                       f == Function::dynamic_zero || (f == Function::tool_lead && row.arg != 431) ||
+                       f == Function::dynamic_zero || (f == Function::tool_lead && row.arg != 43.1_g) ||
                        (f == Function::reference_return && row.arg == 2);
     if (!takes) continue;
     if (first != nullptr) return fail(alarm(AlarmId::not_together, w.where, first->code, row.code));

@@ -30,7 +30,10 @@ Status rigid_tapping(Interpreter& m, const Call&) {
   return {};
 }
 
-Status polar_data_off(Interpreter& m, const Call&) { return m.modal.polar_data = false, Status(); }
+Status polar_data_off(Interpreter& m, const Call&) {
+  m.modal.polar_data = false;
+  return {};
+}
 
 /// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves. INFERRED: a motion of
 /// other axes than those named, or of a rotary one, is not smoothed.
@@ -54,7 +57,10 @@ Status dwell_or_turns(Interpreter& m, const Call& call) {
     const bool by_point = m.def.behaviour.dwell_by_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
-    if (!m.has(letter)) return m.block_exact = true, Status();
+    if (!m.has(letter)) {
+      m.block_exact = true;
+      return {};
+    }
     const auto seconds = letter == 'P' ? nct::dwell_by_digits(m) : Result<double>(m.value(letter));
     if (!seconds) return fail(seconds.error());
     if (!(*seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, *seconds));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/code_literals.h"
 #include "config/machine_axes.h"
 #include "control/functions/functions.h"
 #include "control/nct/calls/waiting.h"
@@ -65,12 +66,12 @@ int group_number(const GroupRow& group) {
 /// Tenths of the code that a group begins with (3.3).
 std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) {
   switch (group) {
-    case 1: return s.default_1[0] ? 10 : 0;
-    case 2: return s.default_1[1] ? 180 : s.default_1[2] ? 190 : 170;
-    case 3: return s.default_1[7] ? 910 : 900;
-    case 5: return s.default_per_rev ? 950 : 940;
-    case 6: return s.default_1[3] ? 200 : 210;
-    case 8: return s.default_1[5] ? 430 : s.default_1[6] ? 440 : 490;
+    case 1: return s.default_1[0] ? 1_g : 0_g;
+    case 2: return s.default_1[1] ? 18_g : s.default_1[2] ? 19_g : 17_g;
+    case 3: return s.default_1[7] ? 91_g : 90_g;
+    case 5: return s.default_per_rev ? 95_g : 94_g;
+    case 6: return s.default_1[3] ? 20_g : 21_g;
+    case 8: return s.default_1[5] ? 43_g : s.default_1[6] ? 44_g : 49_g;
     default: return otherwise;
   }
 }
@@ -152,11 +153,11 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
     const std::int32_t row = m.def.row_of('G', tenth);
     return row < 0 ? std::uint8_t{0} : m.def.codes[static_cast<std::size_t>(row)].group;
   };
-  drilling_group = group_of(800);
-  motion_group = group_of(0);
-  inhibiting = static_cast<std::int16_t>(m.def.row_of('G', 630));
-  slowing = static_cast<std::int16_t>(m.def.row_of('G', 620));
-  stop_group = group_of(630);
+  drilling_group = group_of(80_g);
+  motion_group = group_of(0_g);
+  inhibiting = static_cast<std::int16_t>(m.def.row_of('G', 63_g));
+  slowing = static_cast<std::int16_t>(m.def.row_of('G', 62_g));
+  stop_group = group_of(63_g);
   m.macro_variables = &variables;
   m.waiting.known = channels_of(setup);
   m.tables.zeros.resize(all_systems + dynamic_systems);

@@ -95,7 +95,10 @@ class Lexer {
   /// `%` alone in its line; else it is no word (spec/linuxcnc 2.1).
   Status sign_of_file(std::size_t begin) {
     cursor_.skip_blanks();
-    if (cursor_.at < cursor_.text.size()) return cursor_.at = begin, unexpected();
+    if (cursor_.at < cursor_.text.size()) {
+      cursor_.at = begin;
+      return unexpected();
+    }
     block_.marker = Marker::program_start;
     return {};
   }
@@ -157,10 +160,7 @@ class Lexer {
     return word_of(letter, bytes, begin);
   }
 
-  Status o_line() {
-    if (!begins() || !block_.assignments.empty()) return unexpected();
-    return OWordReader(cursor_, grammar_, block_).read();
-  }
+  Status o_line() { return begins() && block_.assignments.empty() ? OWordReader(cursor_, grammar_, block_).read() : unexpected(); }
 
   /// Neither words nor IF[…] THEN stand before this.
   bool begins() const { return block_.word_count == 0 && block_.statement.kind == StatementKind::none; }

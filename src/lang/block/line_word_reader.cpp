@@ -24,7 +24,10 @@ Status LineWordReader::read() {
   if (grammar_.block_length != 0 && kept_.size() > grammar_.block_length)
     return fail(alarm(AlarmId::block_too_long, span(0, kept_.size()), double(kept_.size()), double(grammar_.block_length)));
   if (kept_.empty()) return {};
-  if (kept_[0] != '$') return words(0), Status();
+  if (kept_[0] != '$') {
+    words(0);
+    return {};
+  }
   Statement& s = block_.statement;
   s.kind = StatementKind::system;
   s.where = s.text = span(0, kept_.size());

@@ -87,7 +87,10 @@ Status StatementReader::branch() {
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
   const bool ends = c == '\0' || c == '(';
-  if (ends && grammar_.condition_alone) return block_.statement.kind = StatementKind::words, Status();  // spec/haas 2.3: nothing to do
+  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: nothing to do
+    block_.statement.kind = StatementKind::words;
+    return {};
+  }
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
   if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
   block_.statement.kind = StatementKind::words;  // 23.2.10 leaves open what may stand there: words of a block too, as with Fanuc

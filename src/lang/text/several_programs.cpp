@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "lang/text/eia.h"
 
 namespace kadr {
@@ -96,7 +97,7 @@ class Contents {
   void subprogram_block(const Block& block) {
     constexpr std::uint8_t digits_of_label = 5;
     constexpr std::uint32_t blocks_a_subprogram = 1000;
-    constexpr std::int32_t program_end = 20;  // tenths of M2
+    constexpr std::int32_t program_end = 2_m;
     const std::uint32_t number = block.number / blocks_a_subprogram;
     if (block.has_number && block.number_digits == digits_of_label && (!open_ || contents_.subprograms.back().number != number)) {
       end_subprogram(block.position.offset);

@@ -123,7 +123,10 @@ std::unique_ptr<ByteSource> shared_source(std::shared_ptr<ByteSource> text) { re
 
 std::string whole_text(ByteSource& source) {
   std::string all;
-  (void)each_piece(source, [&](std::string_view piece) { return all += piece, true; });
+  (void)each_piece(source, [&](std::string_view piece) {
+    all += piece;
+    return true;
+  });
   return all;
 }
 

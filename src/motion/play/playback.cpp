@@ -44,7 +44,10 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, dou
     const double rest = law.seconds - at.t;
     const bool stands = law.length == 0;
     const double step = stands ? (held ? 0 : left) : way;
-    if (step < rest) return at.t += step, true;
+    if (step < rest) {
+      at.t += step;
+      return true;
+    }
     const double part = step > 0 ? rest / step : 0;
     left -= part * left, way -= part * way;
     const std::optional<double> wait = crossed(Cursor{at.cell, law.seconds}, on_ramp + seconds - left);
@@ -203,10 +206,14 @@ void Playback::steer() {
 double Playback::wait_for_spindle(std::uint64_t cell) {
   constexpr double turn = 360, same = 1e-6;  // degrees
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
-  if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) return now_.slip = turn * turns, 0;
+  if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) {
+    now_.slip = turn * turns;
+    return 0;
+  }
   const double aim = turn * (rate > 0 ? std::ceil(now_.slip / turn) : std::floor(now_.slip / turn));
   const double wait = (aim - now_.slip) / rate;
-  return now_.slip = aim, wait;
+  now_.slip = aim;
+  return wait;
 }
 
 /// One instant further, axes and spindle.

@@ -42,7 +42,8 @@ class ProgramWriter {
   Status need(std::initializer_list<Wanted> functions, std::string& block) {
     const auto code = code_of(def_, functions);
     if (!code) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(functions.begin()->first).name));
-    return add(block, *code), Status();
+    add(block, *code);
+    return {};
   }
   void want(std::initializer_list<Wanted> functions, std::string& block) {
     if (const auto code = code_of(def_, functions)) add(block, *code);
@@ -61,7 +62,8 @@ class ProgramWriter {
   Status word(std::string& block, char letter, double value) {
     const auto text = Words(def_, letter).word(value);
     if (!text) return fail(text.error());
-    return add(block, *text), Status();
+    add(block, *text);
+    return {};
   }
   void put(const std::string& block) {
     if (!block.empty()) blocks_.push_back(block);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "lang/block/block.h"
 #include "out/program/words.h"
@@ -62,8 +63,11 @@ class RestartWriter {
     return {};
   }
   Status tool(const InForce& one) {
-    const std::int32_t change = def_.row_of('M', 60);
-    if (one.value == 0 || change < 0) return by_hand(one), Status();
+    const std::int32_t change = def_.row_of('M', 6_m);
+    if (one.value == 0 || change < 0) {
+      by_hand(one);
+      return {};
+    }
     KADR_TRY(word('T', one.value));
     add(def_.codes[static_cast<std::size_t>(change)].code);
     end();
@@ -76,7 +80,10 @@ class RestartWriter {
     // What switches something off wants no words: it stands at power-on.
     const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
                        &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
-    if (wants_words(*row) && !usual) return by_hand(one), Status();
+    if (wants_words(*row) && !usual) {
+      by_hand(one);
+      return {};
+    }
     end();
     add(one.code);
     for (const InForce& offset : in_force) {
@@ -88,7 +95,8 @@ class RestartWriter {
     }
     // Some controls take a length with a motion of that axis only: it goes with the first of the way.
     if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
-    return end(), Status();
+    end();
+    return {};
   }
   bool is_unit(const InForce& one) const {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
@@ -129,7 +137,7 @@ bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, 
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
     if (row == nullptr || row->letter != 'M') return false;
-    const bool both = row->tenth == 130 || row->tenth == 140;  // M13, M14: spindle and coolant
+    const bool both = row->tenth == 13_m || row->tenth == 14_m;  // M13, M14: spindle and coolant
     if (one.kind == Kind::spindle) return both || row->phase == Phase::spindle || row->phase == Phase::spindle_stop;
     return other.code == one.code || (both && one.code == "M8");
   });
@@ -157,15 +165,20 @@ Status write_technology(RestartWriter& writer, const InForce& one, const std::ve
     case Kind::length_offset: {
       const char letter = letter_of(one.kind);
       if (writer.has_said(letter)) return {};
-      if (!writer.knows(letter)) return writer.by_hand(one), Status();
+      if (!writer.knows(letter)) {
+        writer.by_hand(one);
+        return {};
+      }
       KADR_TRY(writer.word(letter, one.value));
-      return writer.end(), Status();
+      writer.end();
+      return {};
     }
     case Kind::speed:
       if (one.value > 0) KADR_TRY(writer.word('S', one.value));
-      return writer.end(), Status();
+      writer.end();
+      return {};
     case Kind::spindle:
-    case Kind::coolant: return writer.line(one.code), Status();
+    case Kind::coolant: writer.line(one.code); return {};
     default: return {};
   }
 }

@@ -114,7 +114,7 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
 
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
   const std::string code = code_asked(what);
-  if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(def, texts, id, lang);
+  if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
   if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have one number: both
     const auto alarms = numbered_alarms(def, texts, what, lang);

@@ -35,7 +35,10 @@ Room::Room(Polygons area) : area_(std::move(area)) {
   across_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(sides_.size()))), least_across, most_across);
   cells_.resize(across_ * across_);
   for (std::uint32_t i = 0; i < sides_.size(); ++i)
-    any_cell(sides_[i].a, sides_[i].b, [&](std::size_t cell) { return cells_[cell].push_back(i), false; });
+    any_cell(sides_[i].a, sides_[i].b, [&](std::size_t cell) {
+      cells_[cell].push_back(i);
+      return false;
+    });
 }
 
 std::size_t Room::column(double x) const {

@@ -29,7 +29,10 @@ struct Span {
 
 /// An arc in pieces that go up or down all along.
 void add_monotone(Edges& loop, const Edge& e) {
-  if (is_line(e)) return loop.push_back(e), void();
+  if (is_line(e)) {
+    loop.push_back(e);
+    return;
+  }
   const Circle c = circle_of(e);
   std::vector<double> cuts{0, 1};
   for (const double side : {1.0, -1.0}) {

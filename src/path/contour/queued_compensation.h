@@ -108,7 +108,10 @@ class QueuedCompensation {
   Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   std::size_t third() const { return 3 - now_.first - now_.second; }
   double unit() const { return now_.inch ? mm_per_inch : 1; }
-  bool fault(const Alarm& alarm) { return fault_ = CompensationFault{alarm, origin_}, false; }
+  bool fault(const Alarm& alarm) {
+    fault_ = CompensationFault{alarm, origin_};
+    return false;
+  }
 
   Memory now_;
   Origin origin_;  // of the action being taken

@@ -48,7 +48,10 @@ void CutRun::attach(const StopToken& stop, Onlooker* onlooker) {
   const bool planned = session_.look_ahead().has_value();
   Outlets& outlets = session_.outlets();
   outlets.warning = [this](const AlarmReport& report) { take(report); };
-  outlets.alarm = [this](const AlarmReport& report) { return take(report), false; };
+  outlets.alarm = [this](const AlarmReport& report) {
+    take(report);
+    return false;
+  };
   outlets.onlooker = onlooker;
   outlets.clock = &clock_;
   outlets.stop = stop;

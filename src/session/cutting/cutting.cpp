@@ -110,7 +110,10 @@ void Cutting::note(const Action& action) {
 
 std::size_t Cutting::use_of(std::uint32_t tool) {
   const auto found = std::find_if(result_.tools.begin(), result_.tools.end(), [&](const ToolRemoval& t) { return t.tool == tool; });
-  if (found == result_.tools.end()) return result_.tools.push_back({tool, 0, 0, 0}), result_.tools.size() - 1;
+  if (found == result_.tools.end()) {
+    result_.tools.push_back({tool, 0, 0, 0});
+    return result_.tools.size() - 1;
+  }
   return std::size_t(found - result_.tools.begin());
 }
 
@@ -135,16 +138,16 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
 /// What is wrong if the cutting part takes anything away on this motion.
 AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
-  if (motion.kind == MotionKind::thread) return AlarmId::count;                                         // the spindle is led by the control
-  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return AlarmId::count;  // so it is there
-  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : AlarmId::count;  // of the part
+  if (motion.kind == MotionKind::thread) return no_alarm;                                         // the spindle is led by the control
+  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // so it is there
+  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // of the part
   if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
   double flat = 0, climb = 0;
   for (const WayPiece& p : pieces) flat += flat_length(p), climb += climb_of(p);
   if (tool.kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
   const bool down = flat < sideways && climb < 0;
-  return down && !tool.plunges ? AlarmId::plunge : AlarmId::count;
+  return down && !tool.plunges ? AlarmId::plunge : no_alarm;
 }
 
 /// A program that turns names one of X and Y.
@@ -241,7 +244,7 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   batch_.push_back(moved);
   Moved& in_batch = batch_.back();
   in_batch.first_sweep = stock_.sweeps();
-  const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
+  const bool watched = moved.fault != no_alarm || moved.lacks_coolant;
   const auto in_material = std::uint16_t(shape + (moved.in_groove ? 1 : 0));
   const auto carry = [&](Vec3 from, Vec3 to, Vec3 from_direction = upright, Vec3 to_direction = upright) {
     const Sweep sweep{from, to, in_material, watched, from_direction, to_direction};
@@ -348,7 +351,7 @@ double Cutting::least_depth(const Box3& around) const {
 AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture) {
   if (of_fixture) return AlarmId::fixture;
   if (part != ToolPart::cutting) return fault_of_part(part);
-  return moved.fault != AlarmId::count ? moved.fault : AlarmId::no_coolant;
+  return moved.fault != no_alarm ? moved.fault : AlarmId::no_coolant;
 }
 
 void Cutting::keep(const CutFinding& finding) {

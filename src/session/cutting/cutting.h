@@ -97,8 +97,8 @@ class Cutting {
     Origin origin;
     std::size_t first_sweep = 0;
     std::uint32_t tool = 0;
-    std::size_t use = 0;             // of result_.tools
-    AlarmId fault = AlarmId::count;  // of its cutting part, if that takes anything away; count: none
+    std::size_t use = 0;       // of result_.tools
+    AlarmId fault = no_alarm;  // of its cutting part, if that takes anything away
     bool cuts = false, lacks_coolant = false;
     double begins = 0, seconds = 0, length = 0, flat = 0;
     double whole = 0;                // s of the motion, all of it

@@ -53,7 +53,10 @@ bool find(const Name<T> (&names)[n], std::string_view text, T& value) {
   const std::string wanted = without_blanks(in_small_letters(text));
   for (const Name<T>& name : names)
     for (const std::string_view known : {name.name, name.source, name.small})
-      if (wanted == without_blanks(known)) return value = name.value, true;
+      if (wanted == without_blanks(known)) {
+        value = name.value;
+        return true;
+      }
   return false;
 }
 
@@ -70,7 +73,10 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
   if (find(schemes, text, scheme)) return true;
   for (const Name<Direction>& name : directions)
     for (const std::string_view ending : {name.source, name.small})
-      if (text.ends_with(ending) && find(schemes, text.substr(0, text.size() - ending.size()), scheme)) return direction = name.value, true;
+      if (text.ends_with(ending) && find(schemes, text.substr(0, text.size() - ending.size()), scheme)) {
+        direction = name.value;
+        return true;
+      }
   return false;
 }
 

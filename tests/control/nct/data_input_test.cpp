@@ -168,7 +168,7 @@ TEST(data_input, alarms) {
     input.begin(wrong.kind);
     Status status;
     for (const char* line : wrong.lines) status = input.block(Line(line).block(), tools);
-    ASSERT_EQ(status ? AlarmId::count : status.error().id, wrong.id) << wrong.lines.back();
+    ASSERT_EQ(status ? no_alarm : status.error().id, wrong.id) << wrong.lines.back();
     EXPECT_EQ(status.error().args[0].text(), std::string(1, wrong.letter)) << wrong.lines.back();
     EXPECT_FALSE(tools.enabled()) << wrong.lines.back();  // nothing has changed
   }

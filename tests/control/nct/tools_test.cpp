@@ -44,10 +44,10 @@ Tables drills(double counter = 131) {
   return setup;
 }
 
-AlarmId alarm_of(const Status& status) { return status ? AlarmId::count : status.error().id; }
+AlarmId alarm_of(const Status& status) { return status ? no_alarm : status.error().id; }
 template <class T>
 AlarmId alarm_of(const Result<T>& result) {
-  return result ? AlarmId::count : result.error().id;
+  return result ? no_alarm : result.error().id;
 }
 
 TEST(search, takes_the_largest_unexpired_counter) {  // 12.3.1, sample table

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/code_literals.h"
 #include "base/units.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
@@ -67,13 +68,13 @@ class Turning final : public RunningValue<Turning> {
     constexpr AxisMask x_and_z = 1U | 1U << z_axis;
     switch (step.kind) {
       case TurningMove::Kind::rapid: set_motion(m, 0); return m.straight(MotionKind::rapid, to, x_and_z);
-      case TurningMove::Kind::line: set_motion(m, 10); return line(m, to, x_and_z);
+      case TurningMove::Kind::line: set_motion(m, 1_g); return line(m, to, x_and_z);
       case TurningMove::Kind::arc_cw:
       case TurningMove::Kind::arc_ccw: break;
     }
     if (stays) return {};
     const bool ccw = step.kind == TurningMove::Kind::arc_ccw;
-    set_motion(m, ccw ? 30 : 20);
+    set_motion(m, ccw ? 3_g : 2_g);
     return arc_to(m, where_, ccw ? Turn::ccw : Turn::cw, to, {step.center.real() * unit, step.center.imag() * unit}, x_and_z);
   }
 
@@ -138,12 +139,12 @@ class ProfileBlock {
     std::list<Piece>& pieces = cycle_.profile.pieces;
     switch (cycle_.motion) {
       case 0:
-      case 10: pieces.push_back(Piece::line(cycle_.at, end)); break;
-      case 20:
-      case 30: {
+      case 1_g: pieces.push_back(Piece::line(cycle_.at, end)); break;
+      case 2_g:
+      case 3_g: {
         const auto center = center_of(end);
         if (!center) return fail(center.error());
-        pieces.push_back(Piece::arc(cycle_.motion == 30, cycle_.at, *center, end));
+        pieces.push_back(Piece::arc(cycle_.motion == 3_g, cycle_.at, *center, end));
         break;
       }
       default: return {};
@@ -164,7 +165,7 @@ class ProfileBlock {
     const double r = m_.value('R'), square = std::norm(end - cycle_.at);
     const Point aside = Point(0, 1) * std::sqrt((r * r - square / 4) / square) * (end - cycle_.at);
     const Point middle = (cycle_.at + end) / 2.0;
-    return cycle_.motion == 30 ? middle + aside : middle - aside;
+    return cycle_.motion == 3_g ? middle + aside : middle - aside;
   }
 
   Interpreter& m_;
@@ -195,8 +196,8 @@ Status run_turning(Interpreter& m) {
   if (cycle.words.depth <= 0) return wrong_turning(m, cycle.where, "G7X error: I must be greater than zero.");
   auto moves = std::make_shared<std::vector<TurningMove>>();
   const auto pockets = static_cast<Pockets>(cycle.code % 10);
-  Turned done = cycle.code == 700 ? finish_profile(cycle.profile, cycle.words, *moves)
-                                  : rough_profile(cycle.profile, cycle.words, pockets, cycle.code >= 720, *moves);
+  Turned done = cycle.code == 70_g ? finish_profile(cycle.profile, cycle.words, *moves)
+                                   : rough_profile(cycle.profile, cycle.words, pockets, cycle.code >= 72_g, *moves);
   m.running = std::make_unique<Turning>(std::move(moves), std::move(done), cycle.where);
   return {};
 }
@@ -213,7 +214,7 @@ Status profile_cycle(Interpreter& m, const Call& call) {
   const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_cycle, call.where, std::move(text)); };
   const int code = call.row->tenth;
   if (!m.has('Q')) return wrong("G7x.x  requires a Q word");
-  if (m.modal.radius_side != 0 && code != 700)
+  if (m.modal.radius_side != 0 && code != 70_g)
     return wrong(fmt::format("G{}.{} cannot be used with cutter compensation enabled", code / 10, code % 10));
   if (m.modal.plane != Plane::zx) return wrong(fmt::format("G{}.{} can only be used in XZ plane (G18)", code / 10, code % 10));
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/functions/behind_fault.h"
 #include "control/functions/functions.h"
@@ -180,9 +181,9 @@ Status macro_modal(Interpreter& m, const Call& call) {
   if (nct.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
   nct.state.modal_calls.resize(nct.state.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
   nct.state.modal_calls.push_back(
-      {request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, arguments});
+      {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
   ++nct.state.active_modal_calls;
-  return call.row->arg == 661 ? nct::call_modal(m, arguments) : Status();
+  return call.row->arg == 66.1_g ? nct::call_modal(m, arguments) : Status();
 }
 
 /// G67: the last modal call is over.

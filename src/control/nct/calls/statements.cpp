@@ -60,7 +60,7 @@ Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
   if (found == nullptr) return {};  // more loops than are looked at
-  if (found->fault != AlarmId::count) return faulty(*found, s.where);
+  if (found->fault != no_alarm) return faulty(*found, s.where);
   if (!holds) m.flow.jump(found->behind);
   return {};
 }
@@ -70,7 +70,7 @@ Status loop_end(Interpreter& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
   if (found->damaged) return {};
-  if (found->fault != AlarmId::count) return faulty(*found, s.where);
+  if (found->fault != no_alarm) return faulty(*found, s.where);
   return jump_to(m, found->begin, s.where);
 }
 

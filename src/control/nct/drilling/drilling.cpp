@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "config/drill_steps.h"
 #include "control/functions/functions.h"
@@ -77,8 +78,8 @@ class Drilling {
   Drilling(Interpreter& m, const Call& call)
       : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {
     const bool rigid = nct_of(m).state.rigid_tap || nct_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
-    if (rigid && (code_ == 840 || code_ == 740)) code_ = code_ == 840 ? 842 : 843;
-    if (code_ == only_back) code_ = 870;
+    if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
+    if (code_ == only_back) code_ = 87_g;
   }
 
   Status run() {
@@ -125,10 +126,10 @@ class Drilling {
     return {};
   }
 
-  bool is_tap() const { return code_ == 842 || code_ == 843; }
-  bool shifts() const { return code_ == 760 || (code_ == 870 && (spindle().orients || by_q())); }
+  bool is_tap() const { return code_ == 84.2_g || code_ == 84.3_g; }
+  bool shifts() const { return code_ == 76_g || (code_ == 87_g && (spindle().orients || by_q())); }
   bool by_q() const { return m_.def.behaviour.shifts_by_q; }
-  bool has_percent() const { return code_ == 850 || code_ == 890 || is_tap(); }
+  bool has_percent() const { return code_ == 85_g || code_ == 89_g || is_tap(); }
   const SpindleSettings& spindle() const {
     return nct_of(m_).settings.spindles[static_cast<std::size_t>(nct_of(m_).state.current_spindle)];
   }
@@ -136,7 +137,7 @@ class Drilling {
 
   Status possible() const {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
-    if (code_ == 760 && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
+    if (code_ == 76_g && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
     if (is_tap() && !spindle().indexes && !m_.def.behaviour.drills_by_level)
       return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(nct_of(m_).state.current_spindle)));
     if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
@@ -231,14 +232,14 @@ class Drilling {
     job.code = code_;
     job.peck = kept_.peck;
     job.dwell = kept_.dwell;
-    const double clearance = code_ == 730 ? s.return_g73 : code_ == 830 ? s.clearance_g83 : s.tap_normal ? s.tap_clearance : s.tap_back;
+    const double clearance = code_ == 73_g ? s.return_g73 : code_ == 83_g ? s.clearance_g83 : s.tap_normal ? s.tap_clearance : s.tap_back;
     job.clearance = kept_.clearance >= 0 ? kept_.clearance : clearance;
     const double given = kept_.percent > 0 ? kept_.percent : percent(is_tap() ? s.tap_extraction : s.extraction);
     job.out_percent = is_tap() && !s.tap_override ? 100 : given;
     job.between_percent = s.tap_return_override ? percent(s.tap_return) : 100;
     job.pecks_to_level = s.tap_normal;
     job.orients_tap = s.tap_orients;
-    job.back_boring = code_ == 870 && shifts();
+    job.back_boring = code_ == 87_g && shifts();
     if (shifts()) {
       const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
       const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
@@ -248,16 +249,16 @@ class Drilling {
         job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
       }
     }
-    if (m_.def.behaviour.pecks_by_ijk && kept_.shift.x > 0 && (code_ == 730 || code_ == 830)) {  // spec/haas 8.3
+    if (m_.def.behaviour.pecks_by_ijk && kept_.shift.x > 0 && (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
       if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
         return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
     }
-    if (m_.def.behaviour.pecks_by_ijk && code_ == 730 && !(kept_.shift.x > 0)) job.clear_after = std::max(kept_.shift.z, 0.0);
-    job.rise = code_ == 830 ? s.return_rise : 0;
-    if ((code_ == 730 || code_ == 830) && !(job.peck > 0))
+    if (m_.def.behaviour.pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0)) job.clear_after = std::max(kept_.shift.z, 0.0);
+    job.rise = code_ == 83_g ? s.return_rise : 0;
+    if ((code_ == 73_g || code_ == 83_g) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
     const double depth = std::fabs(job.level - job.bottom) * std::fabs(m_.transform.scale[job.axis]);
     if (job.peck > 0 && depth / job.peck > most_pecks)
@@ -297,8 +298,8 @@ class Drilling {
 
 /// G73, G74, G76 are free where the lathe's codes are used; G83.1, G84.1, G86.1 only there (N1503 CSM).
 Status known(const Interpreter& m, const Call& call) {
-  const bool alias = call.row->arg == 730 || call.row->arg == 740 || call.row->arg == 760;
-  const bool replaced = call.row->tenth == 730 || call.row->tenth == 740 || call.row->tenth == 760;
+  const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
+  const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
   const bool lathe = nct_of(m).settings.lathe_codes;
   if (alias ? lathe : !(replaced && lathe)) return {};
   return fail(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "config/drill_steps.h"
 #include "control/cycles/hole_work.h"
@@ -271,7 +272,7 @@ Status DrillingRun::tap(Interpreter& m, double level, double percent) {
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = lead * rpm * percent / 100;
-  const double hand = job_.code == 842 ? 1 : -1;
+  const double hand = job_.code == 84.2_g ? 1 : -1;
   detail_of(m, motion).turn = hand * down() * way * scale(m) / lead * 360;
   return {};
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/code_literals.h"
 #include "base/result.h"
 #include "config/drill_steps.h"
 #include "control/interpreter.h"
@@ -62,8 +63,8 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   Status feed(Interpreter& m, double level, double percent);
   Status tap(Interpreter& m, double level, double percent);
   void single_block(Interpreter& m) const;
-  bool is_tap() const { return job_.code == 842 || job_.code == 843; }  // the spindle is led with the axis
-  bool taps() const { return is_tap() || job_.code == 840 || job_.code == 740; }
+  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // the spindle is led with the axis
+  bool taps() const { return is_tap() || job_.code == 84_g || job_.code == 74_g; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
   double scale(const Interpreter& m) const;
   double next_depth(const Interpreter& m) const;

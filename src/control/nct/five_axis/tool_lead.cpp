@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/drilling/drilling.h"
 #include "control/nct/five_axis/five_axis.h"
@@ -30,10 +31,10 @@ std::string code_of(ToolLead lead) {
 
 ToolLead lead_of(int arg) {
   switch (arg) {
-    case 431: return ToolLead::axis;
-    case 434: return ToolLead::tip;
-    case 435: return ToolLead::tip_vector;
-    case 438: return ToolLead::contact;
+    case 43.1_g: return ToolLead::axis;
+    case 43.4_g: return ToolLead::tip;
+    case 43.5_g: return ToolLead::tip_vector;
+    case 43.8_g: return ToolLead::contact;
     default: return ToolLead::contact_vector;
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/drilling/drilling.h"
 #include "control/nct/five_axis/five_axis.h"
@@ -26,11 +27,11 @@ std::pair<ToolLead, const CodeRow*> lead_of_block(const Interpreter& m) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
     if (row.function == Function::length_comp) return {ToolLead::none, nullptr};
     if (row.function == Function::tool_lead)
-      return {row.arg == 431   ? ToolLead::axis
-              : row.arg == 434 ? ToolLead::tip
-              : row.arg == 435 ? ToolLead::tip_vector
-              : row.arg == 438 ? ToolLead::contact
-                               : ToolLead::contact_vector,
+      return {row.arg == 43.1_g   ? ToolLead::axis
+              : row.arg == 43.4_g ? ToolLead::tip
+              : row.arg == 43.5_g ? ToolLead::tip_vector
+              : row.arg == 43.8_g ? ToolLead::contact
+                                  : ToolLead::contact_vector,
               &row};
   }
   return {nct_of(m).state.five_axis.lead, nullptr};
@@ -184,7 +185,7 @@ Status nothing_refused(const Interpreter& m, ToolLead lead) {
         if (row.arg == 0) continue;
         break;
       case Function::drilling:
-        if (row.tenth == 800) continue;
+        if (row.tenth == 80_g) continue;
         break;
       case Function::space_rotation:
       case Function::tilted_plane:
@@ -200,11 +201,11 @@ Status nothing_refused(const Interpreter& m, ToolLead lead) {
       case Function::measure_length: break;
       default: continue;
     }
-    const CodeRow& lead_row =
-        m.def.codes[static_cast<std::size_t>(m.def.row_of('G', 430 + static_cast<int>(lead == ToolLead::tip          ? 4
-                                                                                      : lead == ToolLead::tip_vector ? 5
-                                                                                      : lead == ToolLead::contact    ? 8
-                                                                                                                     : 9)))];
+    const std::int32_t code = lead == ToolLead::tip          ? 43.4_g
+                              : lead == ToolLead::tip_vector ? 43.5_g
+                              : lead == ToolLead::contact    ? 43.8_g
+                                                             : 43.9_g;
+    const CodeRow& lead_row = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', code))];
     return fail(alarm(AlarmId::lead_state, w.where, row.code, lead_row.code));
   }
   return {};

@@ -55,8 +55,10 @@ Status reference_return(Interpreter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (m.def.behaviour.second_reference_usual)  // spec/fanuc 6.6, unknown: no motion
-      return m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code)), Status();
+    if (m.def.behaviour.second_reference_usual) {  // spec/fanuc 6.6, unknown: no motion
+      m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
+      return {};
+    }
     return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   }
   AxisMask named = 0;

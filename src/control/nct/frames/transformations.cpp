@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
@@ -109,10 +110,10 @@ void clear_mirror(Interpreter& m) {
 }
 
 void note_mirror_code(Interpreter& m, const CodeRow& row) {
-  constexpr std::int32_t mirror_tenths = 511;
+  constexpr std::int32_t mirror_code = 51.1_g;
   const auto& mirror = m.transform.mirror;
   if (row.function == Function::mirror_off && std::find(mirror.begin(), mirror.end(), -1) != mirror.end())
-    m.modal.rows[row.group] = static_cast<std::int16_t>(m.def.row_of('G', mirror_tenths));
+    m.modal.rows[row.group] = static_cast<std::int16_t>(m.def.row_of('G', mirror_code));
 }
 
 }  // namespace kadr::nct
@@ -124,7 +125,10 @@ namespace {
 
 /// Of the named axes; without axis words of all (INFERRED).
 Status end_mirror(Interpreter& m) {
-  if (!m.has_axis_words()) return clear_mirror(m), Status();
+  if (!m.has_axis_words()) {
+    clear_mirror(m);
+    return {};
+  }
   AxisMask named = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];

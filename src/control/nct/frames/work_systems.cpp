@@ -140,8 +140,10 @@ Status new_system(Interpreter& m, const Call& call) {
 Status machine_move(Interpreter& m, const Call& call) {
   nct_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
-  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute)  // spec/fanuc 6.5
-    return m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code)), Status();
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5
+    m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code));
+    return {};
+  }
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;

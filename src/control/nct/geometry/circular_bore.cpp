@@ -1,6 +1,7 @@
 // Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on half a circle, as the manual's figure names
 // them.
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
@@ -11,7 +12,7 @@ namespace {
 /// The circles of one level, about where the tool stands.
 class CircularBore {
  public:
-  CircularBore(Interpreter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 120 ? Turn::cw : Turn::ccw) {}
+  CircularBore(Interpreter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
 
   Status run() {
     KADR_TRY(sizes());

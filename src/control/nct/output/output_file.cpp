@@ -130,7 +130,10 @@ Status OutputFile::open_card(std::string_view program) {
                  .missing = AlarmId::program_missing,
                  .running = {}},
                 appended, program));
-  if (const Status begun = writer_.write(percent); !begun) return abort(), begun;
+  if (const Status begun = writer_.write(percent); !begun) {
+    abort();
+    return begun;
+  }
   state_ = State::device;
   return {};
 }

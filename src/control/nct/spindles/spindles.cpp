@@ -189,7 +189,10 @@ Status spindle_axis_word(Interpreter& m, const Call& call) {
   KADR_TRY(nct::loop_closed(m, number, call.where));
   nct::SpindleState& s = nct_of(m).spindle(number);
   const double value = call.word->value;
-  if (!m.modal.absolute || call.word->incremental) return nct::turn(m, number, value, false), Status();
+  if (!m.modal.absolute || call.word->incremental) {
+    nct::turn(m, number, value, false);
+    return {};
+  }
   if (!s.referenced) return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(nct::name_of_spindle(m, number))));
   double way = value - s.angle;
   way -= 360 * std::floor(way / 360);
@@ -246,7 +249,8 @@ Status machine_code(Interpreter& m, const Call& call) {
       if (!nct.spindle(n).referenced)  // 11.7.3: M19 before the first indexing code
         return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(name_of_spindle(m, n))));
       const double way = (code - s.index_from + 1) * s.index_angle;
-      return turn(m, n, s.index_negative ? -way : way, false), Status();
+      turn(m, n, s.index_negative ? -way : way, false);
+      return {};
     }
   }
   const SpindleSettings& own = nct.settings.spindles[static_cast<std::size_t>(number)];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/functions/functions.h"
 #include "control/nct/blocks.h"
@@ -49,7 +50,7 @@ Status take_r(const Interpreter& m, double& to) {
 /// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
 Status first_of_rough(Interpreter& m, const Call& call) {
   TurningMemory& kept = nct_of(m).state.turning;
-  const std::size_t infeed = call.row->arg == 717 ? 1 : 0;
+  const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
   const auto d = distances(m);
   if (!d) return fail(d.error());
   if (const Word* const other = d->word[1 - infeed]; other != nullptr)
@@ -103,21 +104,21 @@ Status first_of_thread(Interpreter& m) {
 /// Which of the two lines of a compound cycle the block is: the second names the contour, the target or the pecks.
 bool is_first_line(const Interpreter& m, int code) {
   switch (code) {
-    case 707: return false;
-    case 717:
-    case 727:
-    case 737: return !m.has('P') && !m.has('Q');
-    case 767: return !m.has_axis_words();
+    case 70.7_g: return false;
+    case 71.7_g:
+    case 72.7_g:
+    case 73.7_g: return !m.has('P') && !m.has('Q');
+    case 76.7_g: return !m.has_axis_words();
     default: return !m.has_axis_words() && !m.has('P') && !m.has('Q');
   }
 }
 
 Status first_line(Interpreter& m, const Call& call) {
   switch (call.row->arg) {
-    case 717:
-    case 727: return first_of_rough(m, call);
-    case 737: return first_of_pattern(m);
-    case 767: return first_of_thread(m);
+    case 71.7_g:
+    case 72.7_g: return first_of_rough(m, call);
+    case 73.7_g: return first_of_pattern(m);
+    case 76.7_g: return first_of_thread(m);
     default:
       if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
       return take_r(m, nct_of(m).state.turning.groove_back);
@@ -126,15 +127,15 @@ Status first_line(Interpreter& m, const Call& call) {
 
 Status second_line(Interpreter& m, const Call& call) {
   switch (call.row->arg) {
-    case 747:
-    case 757: return groove(m, call);
-    case 767: return compound_thread(m, call);
+    case 74.7_g:
+    case 75.7_g: return groove(m, call);
+    case 76.7_g: return compound_thread(m, call);
     default: break;
   }
   const auto allowance = distances(m);
   if (!allowance) return fail(allowance.error());
   const Vec2 by{allowance->value[0], allowance->value[1]};
-  return call.row->arg == 737 ? pattern(m, call, by) : rough(m, call, by);
+  return call.row->arg == 73.7_g ? pattern(m, call, by) : rough(m, call, by);
 }
 
 Status possible(const Interpreter& m, const Call& call) {
@@ -164,7 +165,7 @@ Status take_simple(Interpreter& m, const Call& call) {
 Status cut_once(Interpreter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
-  const bool along_first = call.row->arg == 777;
+  const bool along_first = call.row->arg == 77.7_g;
   KADR_TRY(m.feed_known(call.where));
   KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + kept.taper} : Vec2{t.x + kept.taper, s.y}));
   KADR_TRY(go(m, MotionKind::feed, t));
@@ -233,7 +234,7 @@ Status turning_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(nct::possible(m, call));
   if (nct::is_first_line(m, call.row->arg)) return nct::first_line(m, call);
   nct_of(m).moved = true;
-  if (call.row->arg == 707) return nct::finish(m, call);
+  if (call.row->arg == 70.7_g) return nct::finish(m, call);
   return nct::second_line(m, call);
 }
 
@@ -251,7 +252,7 @@ Status turning_simple(Interpreter& m, const Call& call) {
   if (m.block_axes_taken || !m.has_axis_words()) return {};
   KADR_TRY(nct::possible(m, call));
   KADR_TRY(nct::take_simple(m, call));
-  return call.row->arg == 787 ? nct::simple_thread(m, call) : nct::cut_once(m, call);
+  return call.row->arg == 78.7_g ? nct::simple_thread(m, call) : nct::cut_once(m, call);
 }
 
 }  // namespace kadr::functions

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/interpreter.h"
 #include "control/nct/nct.h"
@@ -73,7 +74,7 @@ Result<double> distance(const Interpreter& m, const Call& call, char letter) {
 
 Status groove(Interpreter& m, const Call& call) {
   GrooveRun::Job job;
-  job.deep_first = call.row->arg == 747;
+  job.deep_first = call.row->arg == 74.7_g;
   const std::size_t deep = job.deep_first ? 0 : 1;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning/turning.h"
@@ -211,7 +212,7 @@ class PatternRun final : public RunningValue<PatternRun> {
 /// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = nct_of(m).state.turning;
-  const bool facing = call.row->arg == 727;
+  const bool facing = call.row->arg == 72.7_g;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());
   if (!(kept.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));

@@ -316,14 +316,23 @@ Status write_variable(Interpreter& m, double number, double value, Span where) {
   if (!n) return fail(n.error());
   Nct& nct = nct_of(m);
   const auto plain = static_cast<int>(*n);
-  if (plain >= 1 && plain <= static_cast<int>(most_locals)) return nct.variables.locals()[*n] = value, Status();
+  if (plain >= 1 && plain <= static_cast<int>(most_locals)) {
+    nct.variables.locals()[*n] = value;
+    return {};
+  }
   const bool is_protected = nct.settings.protect_high != 0 && plain >= nct.settings.protect_low && plain <= nct.settings.protect_high;
-  if (plain >= first_common && plain <= last_common && !is_protected) return nct.variables.set_common(plain, value), Status();
+  if (plain >= first_common && plain <= last_common && !is_protected) {
+    nct.variables.set_common(plain, value);
+    return {};
+  }
   if (*n == 0 || is_protected) return fail(alarm(AlarmId::variable_read_only, where, number));
   const auto f = find(m.def, *n);
   if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
   if (!f->row->write) return fail(alarm(AlarmId::variable_read_only, where, number));
-  if (const auto further = further_variable(*f->row, *n, f->index)) return write_further(m, *further, value), Status();
+  if (const auto further = further_variable(*f->row, *n, f->index)) {
+    write_further(m, *further, value);
+    return {};
+  }
   nct.endless.note_change();
   if (is_vacant(value)) value = 0;  // only #1 … #999 can be empty
   const VariableKind kind = f->row->kind;
@@ -349,17 +358,22 @@ Status set_start_value(Interpreter& m, double number, double value) {
   const auto n = whole_number(number, {});
   if (!n) return fail(n.error());
   const auto plain = static_cast<int>(*n);
-  if (plain >= first_common && plain <= last_common) return nct.variables.set_common(plain, value), Status();
+  if (plain >= first_common && plain <= last_common) {
+    nct.variables.set_common(plain, value);
+    return {};
+  }
   const auto f = find(m.def, *n);
   if (!f || is_vacant(value)) return write_variable(m, number, value, {});
   if (f->row->kind == VariableKind::plc_in) {
     const auto on = bit_value(value, {});
     if (!on) return fail(on.error());
-    return nct.plc_in[f->index] = *on ? 1 : 0, Status();
+    nct.plc_in[f->index] = *on ? 1 : 0;
+    return {};
   }
   if (f->row->kind == VariableKind::plc_in_word) {
     if (f->index == 0) return write_word(nct.plc_in, value, {});
-    return nct.plc_in_word[f->index] = value, Status();
+    nct.plc_in_word[f->index] = value;
+    return {};
   }
   return write_variable(m, number, value, {});
 }

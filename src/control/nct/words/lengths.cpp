@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/code_literals.h"
 #include "control/functions/functions.h"
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
@@ -84,7 +85,7 @@ namespace functions {
 /// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
 Status length_comp(Interpreter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
-  const bool turning = call.row->arg == 437;
+  const bool turning = call.row->arg == 43.7_g;
   if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   m.modal.turning_lengths = turning;
   nct::end_lead(m);
