@@ -22,8 +22,9 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines], the id of one, or the text of its file
     bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
-`heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
-it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
+`heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes by every scheme, for every control that
+it writes for: of examples/mill for one control a scheme, in turn, of a small drawing for the others; nothing is found in it, no alarm stops it.
+Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
@@ -43,7 +44,11 @@ from harness import TIME_LIMIT_S
 HERE = Path(__file__).resolve().parent
 MILL_SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 MILL_CONTROLS = ['s2c42', 'mach3', 'nct', 'gost', 'correctors']
-MILL_STOCK = 'box:-20,-20,-30,220,180,0'
+MILL_DRAWINGS = {  # name: text, blank
+    'cover': ((HERE.parent / 'examples/mill/cover.txt').read_text(), 'box:-20,-20,-30,220,180,0'),
+    'small': ('from 0 0\nline 70 0\nline 70 40\narc 60 50 60 40 ccw\nline 0 50\nclose\nfrom 30 20\nline 38 20\nline 38 28\nline 30 28\nclose\n',
+              'box:-20,-20,-30,90,70,0'),
+}
 HEAVIEST_KEYS = {'line', 'program', 'block', 'tool', 'rate', 'feed_per_tooth', 'depth', 'width', 'angle', 'volume', 'seconds', 'at', 'at_time'}
 EMPTIEST_KEYS = {'line', 'program', 'block', 'tool', 'seconds'}
 NOT_ALWAYS = {'program', 'block'}
@@ -56,7 +61,7 @@ def write(file, text):
     return file
 
 
-def cut(kadr, folder, case, tools, threads, machines={}):
+def cut(kadr, folder, case, tools, threads, machines={}, part_is_there=False):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
@@ -66,7 +71,9 @@ def cut(kadr, folder, case, tools, threads, machines={}):
              '--blocks', str(folder / 'blocks.csv')]
     for name, text in case.get('files', {}).items():
         write(folder / name, text.lstrip('\n'))
-    if 'part_program' in case:
+    if part_is_there:
+        words += ['--part', str(folder / 'wanted.stl')]
+    elif 'part_program' in case:
         made = subprocess.run([*words[:2], str(write(folder / 'wanted.nc', case['part_program'].lstrip('\n'))), *words[3:], '--out', str(folder / 'wanted.stl'), '-q'],
                               capture_output=True, text=True, timeout=TIME_LIMIT_S)
         if made.returncode != 0:
@@ -190,16 +197,18 @@ def faults_of(case, run, folder, table=None):
         yield f'exit status {run.returncode}, not {status}: {run.stderr.strip()[:200]}'
 
 
-def mill(kadr, folder, scheme, control):
-    """Sentences: what is wrong with the cut of a milled pocket, 12 mm deep in two layers."""
+def mill(kadr, folder, scheme, control, drawing):
+    """Sentences: what is wrong with the cut of a milled pocket, 8 mm deep in two layers."""
+    text, stock = MILL_DRAWINGS[drawing]
     program = folder / f'pocket-{control}.nc'
-    made = subprocess.run([kadr, 'mill', 'pocket', str(HERE.parent / 'examples/mill/cover.txt'), '--control', control, '--scheme', scheme, '--tool-diameter', '12',
+    made = subprocess.run([kadr, 'mill', 'pocket', str(write(folder / 'drawing.txt', text)), '--control', control,
+                           '--scheme', scheme, '--tool-diameter', '12',
                            '--depth', '8', '--pass', '4', '--feed', '240', '--speed', '800', '--tool', '1', '--output', str(program)],
                           capture_output=True, text=True, timeout=TIME_LIMIT_S)
     if made.returncode != 0:
         yield f'not milled: {made.stderr.strip()[:200]}'
         return
-    case = {'program': program.read_text(), 'control': control, 'stock': MILL_STOCK, 'resolution': 1,
+    case = {'program': program.read_text(), 'control': control, 'stock': stock, 'resolution': 1,
             'tools': '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 12\nflutes = 20\nlength = 50\nholder = [[40, 0], [40, 30]]\n'}
     yield from faults_of(case, cut(kadr, folder, case, '', 2), folder)
 
@@ -231,7 +240,8 @@ def main():
                 runs, tables = [], []
                 for threads in (1, 2):
                     (Path(name) / 'blocks.csv').unlink(missing_ok=True)
-                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {})))
+                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {}),
+                                    part_is_there=threads == 2 and 'part_program' in case))
                     table = Path(name) / 'blocks.csv'
                     tables.append(table.read_text() if table.exists() else None)
                 one, two = runs
@@ -250,12 +260,13 @@ def main():
                 print(f'{title}: {fault}')
             failed += bool(faults)
             passed += not faults
-        for scheme in MILL_SCHEMES:
+        for i, scheme in enumerate(MILL_SCHEMES):
             for control in MILL_CONTROLS:
                 title = f'mill/{scheme}/{control}'
                 if options.only not in title:
                     continue
-                faults = list(mill(options.kadr, Path(name), scheme, control))
+                drawing = 'cover' if control == MILL_CONTROLS[i % len(MILL_CONTROLS)] else 'small'
+                faults = list(mill(options.kadr, Path(name), scheme, control, drawing))
                 for fault in faults:
                     print(f'{title}: {fault}')
                 failed += bool(faults)
