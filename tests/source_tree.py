@@ -1,27 +1,36 @@
 #!/usr/bin/env python3
-"""The rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a tree of its own.
+"""The rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a tree of its own; dev/test_results
+counts what a run of the tests came to.
 
     source_tree.py --kadr build/release/kadr
 
-Exit status: 0 all passed, 1 some failed.
+Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
-import argparse
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
+
+import harness
+from harness import expect
 
 ROOT = Path(__file__).resolve().parent.parent
 TREE = ROOT / 'dev' / 'tree'
+RESULTS = ROOT / 'dev' / 'test_results'
+JUNIT = '''<testsuite>
+  <testcase name="oracle" time="0.5" status="run"><system-out>skipped: rs274 is not installed\n0 passed</system-out></testcase>
+  <testcase name="slow" time="9.25" status="run"><system-out/></testcase>
+  {more}
+</testsuite>'''
 
 
 def run(*command, folder=None):
+    """Exit status and all that is printed."""
     done = subprocess.run([str(part) for part in command], cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
 def made_tree(folder, files):
-    """A git checkout with these files; name → bytes. Tracks those whose name does not begin with "new"."""
+    """Makes a git checkout with these files, name → bytes, and tracks those whose name does not begin with "new"."""
     run('git', 'init', '-q', folder)
     for name, content in files.items():
         path = folder / name
@@ -31,57 +40,68 @@ def made_tree(folder, files):
     run('git', 'add', '--', *tracked, folder=folder)
 
 
-def check_this_tree(_folder):
+def check_this_tree(_kadr):
     if not (ROOT / '.git').exists():
-        print('skipped: this is no git checkout')
-        return True
+        harness.skipped('this is no git checkout')
+        return
     status, text = run(TREE, ROOT)
-    return status == 0 or text
+    expect(status == 0, text)
 
 
-def check_a_clean_tree(folder):
-    made_tree(folder, {'src/a.cpp': b'', 'docs/b.png': bytes(700_000), '.gitignore': b'/out/\n', 'out/large': bytes(800_000)})
-    return run(TREE, folder) == (0, '')
+def check_a_clean_tree(kadr):
+    made_tree(kadr.folder, {'src/a.cpp': b'', 'docs/b.png': bytes(700_000), '.gitignore': b'/out/\n', 'out/large': bytes(800_000)})
+    expect(run(TREE, kadr.folder) == (0, ''), 'something is found in a clean tree')
 
 
-def check_a_large_file(folder):
-    made_tree(folder, {'src/a.cpp': b'', 'docs/b.png': bytes(700_001)})
-    status, text = run(TREE, folder)
-    return status == 1 and text.startswith('docs/b.png: ') or text
+def check_a_large_file(kadr):
+    made_tree(kadr.folder, {'src/a.cpp': b'', 'docs/b.png': bytes(700_001)})
+    status, text = run(TREE, kadr.folder)
+    expect(status == 1 and text.startswith('docs/b.png: '), text)
 
 
-def check_a_large_file_to_be_added(folder):
-    made_tree(folder, {'src/a.cpp': b'', 'tests/new.nc': bytes(700_001)})
-    status, text = run(TREE, folder)
-    return status == 1 and text.startswith('tests/new.nc: ') or text
+def check_a_large_file_to_be_added(kadr):
+    made_tree(kadr.folder, {'src/a.cpp': b'', 'tests/new.nc': bytes(700_001)})
+    status, text = run(TREE, kadr.folder)
+    expect(status == 1 and text.startswith('tests/new.nc: '), text)
 
 
-def check_names_at_the_top(folder):
-    made_tree(folder, {'src/a.cpp': b'', 'off': b'', '--help/x.ngc': b'', 'new.svg': b''})
-    status, text = run(TREE, folder)
-    return status == 1 and [line.split(': ')[0] for line in text.splitlines()] == ['--help', 'new.svg', 'off'] or text
+def check_names_at_the_top(kadr):
+    made_tree(kadr.folder, {'src/a.cpp': b'', 'off': b'', '--help/x.ngc': b'', 'new.svg': b''})
+    status, text = run(TREE, kadr.folder)
+    expect(status == 1 and [line.split(': ')[0] for line in text.splitlines()] == ['--help', 'new.svg', 'off'], text)
 
 
-def check_no_checkout(folder):
-    status, text = run(TREE, folder)
-    return status == 2 and 'no git checkout' in text or text
+def check_no_checkout(kadr):
+    status, text = run(TREE, kadr.folder)
+    expect(status == 2 and 'no git checkout' in text, text)
 
 
-def main():
-    parser = argparse.ArgumentParser(description='Check the rules of the source tree.')
-    parser.add_argument('--kadr', help='not used: every runner is told the program')
-    parser.parse_args()
-    failed = 0
-    checks = [check for name, check in globals().items() if name.startswith('check_')]
-    for check in checks:
-        with tempfile.TemporaryDirectory() as folder:
-            result = check(Path(folder))
-        if result is not True:
-            print(f'FAILED {check.__name__}: {result}')
-            failed += 1
-    print(f'{len(checks) - failed} passed, {failed} failed')
-    return 1 if failed else 0
+def results(kadr, more='', *changes):
+    return run(RESULTS, kadr.file('tests.xml', JUNIT.format(more=more)), *changes)
+
+
+def check_results_of_passed_tests(kadr):
+    status, text = results(kadr)
+    expect(status == 0 and text.endswith('\n2 passed, 0 failed\n'), text)
+    expect(text.index(' slow\n') < text.index(' oracle\n'), f'the slowest does not come first: {text}')
+    expect('  oracle: rs274 is not installed\n' in text, f'the reason is missing: {text}')
+
+
+def check_results_of_failed_tests(kadr):
+    for more in ('<testcase name="a" status="fail"/>', '<testcase name="a" status="notrun"/>', '<testcase name="a" status="disabled"/>'):
+        status, text = results(kadr, more)
+        expect(status == 1 and text.endswith('\n2 passed, 1 failed\n'), text)
+        expect(('fail' in more) != ('  a: not run' in text), text)
+
+
+def check_results_where_files_are_left(kadr):
+    status, text = results(kadr, '', '?? picture.svg\n M README.md')
+    expect(status == 1 and '  ?? picture.svg\n' in text and text.endswith('\n2 passed, 1 failed\n'), text)
+
+
+def check_no_results(kadr):
+    expect(run(RESULTS, kadr.folder / 'tests.xml') == (1, '0 passed, 0 failed\n'), 'no tests are taken for passed ones')
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(harness.main(__doc__, globals()))
