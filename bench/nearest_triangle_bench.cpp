@@ -1,7 +1,7 @@
 // NearestTriangle: the surface of a ball-milled block as the part, a million points of it and near it. What `kadr cut --part` does for each
 // point of what it has cut.
 //
-//   build/release/bench/kadr_bench --benchmark_filter=Nearest
+//   build/bench/bench/kadr_bench --benchmark_filter=Nearest
 
 #include <benchmark/benchmark.h>
 

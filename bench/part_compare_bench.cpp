@@ -1,7 +1,7 @@
 // What `kadr cut --part` does when the part is cut: a million points of a ball-milled surface, and the material beneath, against a part of
 // a million triangles.
 //
-//   build/release/bench/kadr_bench --benchmark_filter=Part
+//   build/bench/bench/kadr_bench --benchmark_filter=Part
 
 #include <benchmark/benchmark.h>
 

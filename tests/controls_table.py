@@ -76,9 +76,9 @@ ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_wor
 COMMA_WORDS = {"c": ",C", "r": ",R", "a": ",A"}  # in `takes`; `*`: every axis of the channel
 TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text is written by the program
 
-# Numbers of parameters that the rooms which obey parameters ask for by name; runs of them (N1704 …) are counted there.
+# Names of parameters, "0107" or "CLRG", that the rooms which obey parameters ask for; runs of them (N1704 …) are counted there.
 OBEYED = {number for room in ("control", "motion", "machine", "session") for path in sorted((ROOT / "src" / room).rglob("*.cpp"))
-          for number in re.findall(r'"(\d{4})"', path.read_text(encoding="utf-8"))}
+          for number in re.findall(r'"(\d{4}|[A-Z]{4})"', path.read_text(encoding="utf-8"))}
 
 passed = 0
 failures = []

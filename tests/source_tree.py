@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a tree of its own; dev/test_results
-counts what a run of the tests came to.
+counts what a run of the tests came to, dev/slowest names what took longest.
 
     source_tree.py --kadr build/release/kadr
 
@@ -101,6 +101,14 @@ def check_results_where_files_are_left(kadr):
 
 def check_no_results(kadr):
     expect(run(RESULTS, kadr.folder / 'tests.xml') == (1, '0 passed, 0 failed\n'), 'no tests are taken for passed ones')
+
+
+def check_slowest_steps(kadr):
+    kadr.file('build/.ninja_log', '# ninja log v5\n0\t1500\t1\ta.o\t1\n0\t2500\t1\tb.o\t2\n0\t3500\t1\ta.o\t3\n')
+    kadr.file('build/tests.xml', JUNIT.format(more=''))
+    status, text = run(ROOT / 'dev' / 'slowest', kadr.folder / 'build', kadr.folder / 'none', '--steps', '3')
+    steps = [line.split(': ', 1)[1] for line in text.splitlines()]
+    expect(status == 0 and steps == ['test slow', 'a.o', 'b.o'], text)
 
 
 if __name__ == '__main__':
