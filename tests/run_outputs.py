@@ -50,7 +50,7 @@ def refused(kadr, *arguments, word):
 
 # Options of files that are only read; every other option with FILE in some command's help is an output.
 ONLY_READ = {'--setup', '--setup-a', '--setup-b', '--baseline', '--part', '--tools'}
-NO_NAMES = ('off', 'OFF', 'no', 'none', 'None', 'false', '--help', '-q')
+WORDS_FOR_NONE = ('off', 'OFF', 'no', 'none', 'None', 'false')
 
 
 def options_of_outputs(kadr):
@@ -74,8 +74,10 @@ def check_words_for_none_are_no_file_names(kadr):
         expect(expected in outputs, f'{expected} is missing in {outputs}')
     expect(len(outputs) >= 20, f'only {len(outputs)} outputs are found: {outputs}')
     for command, option in outputs:
-        for name in NO_NAMES:
+        for name in WORDS_FOR_NONE:
             refused(kadr, *command, f'{option}={name}', word=f'write ./{name}')
+        for name in ('--help', '-q'):
+            refused(kadr, *command, f'{option}={name}', word=option)
     kadr.run('run', 'q.nc', '--control', 'mach3', '--trace', './off')
     expect((kadr.folder / 'off').exists(), './off is a name')
 

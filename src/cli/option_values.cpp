@@ -42,11 +42,18 @@ CLI::Validator among(std::vector<std::string> words) {
   return CLI::Validator(find, "");
 }
 
-/// An id in small letters; a file of one's own stays as it is. Whoever reads it says whether there is one.
-CLI::Option* id_of(CLI::Option* option, std::vector<std::string> ids) {
-  const auto find = [ids = std::move(ids)](std::string& word) {
-    for (const std::string& id : ids)
-      if (same_letters(word, id)) word = id;
+/// An id in small letters; a file of one's own stays as it is. Whoever reads it says whether there is one. `further_names` is asked only
+/// where the word is no id: it unpacks every built-in file.
+CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::vector<std::string> (*further_names)()) {
+  const auto find = [=](std::string& word) {
+    for (const auto names : {ids, further_names}) {
+      if (names == nullptr) continue;
+      for (const std::string& name : names()) {
+        if (!same_letters(word, name)) continue;
+        word = name;
+        return std::string();
+      }
+    }
     return std::string();
   };
   return takes(option, "ID", "ОБОЗНАЧЕНИЕ")->transform(CLI::Validator(find, ""));
@@ -113,8 +120,8 @@ CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double 
 
 CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
 
-CLI::Option* control_id(CLI::Option* option) { return id_of(option, control_names()); }
-CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines()); }
+CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_controls, control_names); }
+CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines, nullptr); }
 
 CLI::Option* encoding(CLI::Option* option) {
   const auto knows = [](std::string_view word) {
