@@ -93,7 +93,7 @@ RC_GTEST_PROP(journal, is_like_a_copy_of_all, ()) {
       case 5: journal.keep(numbers), numbers.fill(step); break;
       default: {
         const int key = static_cast<int>(i);
-        journal.on_undo([&rows, key, old = rows] { rows = old; });
+        journal.on_undo([&rows, old = rows] { rows = old; });
         if (rows.erase(key) == 0) rows[key] = step;
       }
     }
