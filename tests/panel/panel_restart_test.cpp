@@ -247,7 +247,8 @@ Setup with_radius() {
 }
 
 std::vector<Vec3> sorted(const Mesh& mesh) {
-  std::vector<Vec3> points(mesh.points.begin(), mesh.points.end());
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) points.push_back(mesh.point(i));
   std::sort(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   return points;
 }

@@ -74,11 +74,12 @@ TEST(give_machine, the_control_and_the_file_mean_the_same_place) {
       {"table-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
       {"head-head", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
       {"head-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 B40 C75 F1000\nX-5 B80 C200\nM30\n"}};
-  for (const auto& [id, program] : programs) {
+  for (const auto& [name, program] : programs) {
+    const std::string id = name;  // a lambda captures it: no structured binding
     const MachineProfile machine = load_machine(id).value();
     kadr::Setup setup;
     setup.offsets[1].length = 90;
-    const Vec3 zero = id == std::string("head-head") ? Vec3{900, 700, -600} : Vec3{-250, -250, -300};
+    const Vec3 zero = id == "head-head" ? Vec3{900, 700, -600} : Vec3{-250, -250, -300};
     setup.work_offsets["G54"] = {{"X", zero.x}, {"Y", zero.y}, {"Z", zero.z}};
     test::ASession session("nct", program, setup, "main.nc", machine);
     ASSERT_TRUE(session.opened());
