@@ -50,7 +50,7 @@ def numpy_there() -> Any:
     """numpy, or why it is needed."""
     try:
         import numpy
-    except ImportError:
+    except ModuleNotFoundError:  # another error of the import is numpy's own to tell
         raise ImportError('arrays need numpy (Debian: python3-numpy); without it: Session.moves()') from None
     return numpy
 

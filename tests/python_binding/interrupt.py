@@ -3,6 +3,7 @@ import os
 import signal
 import threading
 
+import numpy  # noqa: F401  Session.samples imports it: Ctrl-C within that import is numpy's own matter
 from cases import raises, run_all
 
 import kadr
