@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "action/end_given.h"
 #include "action/placement.h"
 #include "action/surface_speed.h"
 #include "base/alarm.h"
@@ -179,6 +180,7 @@ struct MotionModes {
   CornerSpeed corner_speed = CornerSpeed::limited;
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
   HoleWork in_hole = HoleWork::none;             //
+  EndGiven end_given = EndGiven::by_work;        //
   std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
   std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches

@@ -202,6 +202,7 @@ struct Behaviour {
   bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
   double feed_most = 0;                 // mm/min; 0 = no limit
   bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
+  double result_most = 0;               // greatest value of an assignment, of either sign (spec/fanuc 5.3); 0: no limit
   double reference_feed = 2000;         // mm/min, G25 of the 2С42
   double return_chip_break = 1;         // mm, G73
   double return_near = 1;               // mm, back to just above the bottom in G83
@@ -253,8 +254,10 @@ struct Behaviour {
   bool common_is_local_shift = false;        // #5201 and G10 L2 P0 are G52, not the common zero (spec/haas 2.4, 5.4)
   bool drills_third = false;                 // cycles drill along Z in any plane, unless a parameter says otherwise (spec/fanuc 10.1)
   bool numbers_by_five = false;              // files of programs have five digits (spec/haas 1.1)
+  bool uvw_are_increments = true;            // U, V, W that name no axis are increments along X, Y, Z (nct 5.1; not in milling of the Fanuc)
   std::uint32_t alarm_base = 4000;           // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
+  std::uint32_t m_codes_of_block = 8;  // most M codes of a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
   std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)

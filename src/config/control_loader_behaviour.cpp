@@ -28,6 +28,7 @@ Done ControlLoader::behaviour() {
     to = whole(*t, key, to, most);
   };
   flag("arc_radius_word", b.arc_radius_word);
+  number("result_most", b.result_most, ranges::any);
   number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
   number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
   flag("helix_by_lead", b.helix_by_lead);
@@ -86,8 +87,10 @@ Done ControlLoader::behaviour() {
   flag("common_is_local_shift", b.common_is_local_shift);
   flag("drills_third", b.drills_third);
   flag("numbers_by_five", b.numbers_by_five);
+  flag("uvw_are_increments", b.uvw_are_increments);
   count("alarm_base", b.alarm_base, 9000);
   count("call_depth", b.call_depth, 255);
+  count("m_codes_of_block", b.m_codes_of_block, 8);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);
   count("further_systems", b.further_systems, most_further_systems);

@@ -86,6 +86,8 @@ constexpr std::string_view only_of_nct[] = {"last_word_counts",
                                             "rounds_words",
                                             "repeats_keep_locals",
                                             "further_systems",
+                                            "uvw_are_increments",
+                                            "m_codes_of_block",
                                             "alarm_base"};
 
 /// Functions that work in a plane, or along the axis across it.

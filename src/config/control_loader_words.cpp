@@ -316,7 +316,7 @@ bool ControlLoader::sign_address(std::string_view text) {
 
 Done ControlLoader::address(char letter, const toml::table& row) {
   KADR_LOAD(known_keys(
-      row, {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many", "en", "ru", "manual"}));
+      row, {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many", "en", "ru", "manual"}));
   AddressRow& a = def_.addresses[static_cast<std::size_t>(letter - 'A')];
   a.letter = letter;
   const auto function = function_of(row, CalledBy::word, address_written(letter));
@@ -360,6 +360,7 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
   }
   // A format string says which addresses there are; a row with a format of its own adds one.
   w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
+  if (!typed(row, "point", true)) w.point = false;
   w.parameter = parameter;
   w.second_number = typed(row, "second", false);
   w.code = a.function == Function::code;

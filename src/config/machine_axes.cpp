@@ -157,6 +157,7 @@ class Fitter {
 
   /// U, V, W that are neither: incremental X, Y, Z (5.1).
   void increments() {
+    if (!def_.behaviour.uvw_are_increments) return;
     for (int i = 0; i < 3; ++i) {
       AddressRow& row = address(static_cast<char>('U' + i));
       const AddressRow main = address(static_cast<char>('X' + i));

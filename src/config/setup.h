@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/alarm.h"
+
 namespace kadr {
 
 using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
@@ -183,6 +185,7 @@ struct Setup {
   std::map<int, ChannelSetup> channels;  // the others
   std::vector<int> skip;                 // switches that are on
   bool optional_stop = false;
+  std::vector<AlarmId> disabled;                   // warnings and notes that are not told
   std::vector<std::string> mirror;                 // axes
   std::map<int, AxisValues> reference_points;      // machine
   std::map<int, std::optional<AxisValues>> probe;  // input → work position of the signal

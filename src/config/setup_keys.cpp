@@ -98,6 +98,7 @@ constexpr SetupKey keys[] = {
   {"parameters.*", F::number_or_text, N::fixed, any, U::none, stated, H::parameters, "", "0.5", "", "one parameter or bit", "один параметр или бит"},
 
   {"skip", F::wholes, N::fixed, {1, 9}, U::none, stated, H::nothing, "", "[1]", "", "skip switches that are on", "включённые переключатели пропуска кадров"},
+  {"disable", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["word_passed_over"])", "", "warnings and notes that are not told, by their id; an alarm is always told", "предупреждения и замечания, о которых не сообщать, по их имени; об ошибке сообщается всегда"},
   {"optional_stop", F::flag, N::fixed, any, U::none, stated, H::nothing, "", "true", "", "the switch of M1 is on", "включён переключатель останова по M1"},
   {"single_block", F::flag, N::fixed, any, U::none, null, H::machine_axes, "", "true", "", "the switch block by block is on", "включён покадровый режим"},
   {"mirror", F::texts, N::axis, any, U::none, stated, H::nothing, "", R"(["X"])", "", "axes mirrored by a switch of the panel", "оси, зеркально отражаемые переключателем пульта"},

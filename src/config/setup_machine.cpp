@@ -53,6 +53,13 @@ SpindleSetup spindle(const Json& value, const std::string& key) {
   return spindle;
 }
 
+/// The id of a warning or note.
+AlarmId finding(const Json& value, const std::string& key) {
+  const AlarmId id = alarm_named(word(value, key));
+  if (id == AlarmId::count) wrong(key, "the id of a warning or note");
+  return id;
+}
+
 /// The hole; every key of it must be there.
 void hole(const Json& value, const std::string& key, ProbeHole& to) {
   const Reader center = [&](const Json& item, const std::string& name) {
@@ -120,6 +127,7 @@ Readers readers_of_machine(Setup& s) {
          numbered(v, k, s.spindles, spindle, {1, most_spindles});
        }},
       {"skip", [&](const Json& v, const std::string& k) { s.skip = list(v, k, whole); }},
+      {"disable", [&](const Json& v, const std::string& k) { s.disabled = list(v, k, finding); }},
       {"optional_stop", to_flag(s.optional_stop)},
       {"single_block", or_null(to_flag(s.single_block))},
       {"mirror", [&](const Json& v, const std::string& k) { s.mirror = list(v, k, word); }},

@@ -138,7 +138,7 @@ class Interpreter : public ControlState, public RunMemory {
   /// A point that a transformation has led to. alarms position_out_of_range
   Status within_reach(const Axes& work) const;
   /// A straight motion to a machine position on the named axes.
-  Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed);
+  Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end = EndGiven::by_machine);
   /// The axes have been moved by hand.
   void stand_at(const Axes& machine);
   /// The tool stands where `position.programmed` says, on these axes, where work coordinates are the programmed ones and the frame is not

@@ -135,20 +135,20 @@ Status home_through(Interpreter& m, const Call& call) {
   }
   Axes home{};
   for (std::size_t a = 0; a < m.axis_count && a < 6; ++a) home[a] = m.variables.raw(first + static_cast<std::uint32_t>(a));
-  return m.to_machine(MotionKind::home, home, named_axes(m), 0);
+  return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
 }
 
 /// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
 Status home_axes(Interpreter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
-  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed);
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed, EndGiven::reference_1);
 }
 
 /// G25 (2С42): to the machine's reference point at 2000 mm/min.
 Status approach_reference(Interpreter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
-  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed);
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed, EndGiven::reference_1);
 }
 
 /// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.

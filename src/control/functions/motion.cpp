@@ -145,7 +145,7 @@ void Interpreter::stand_at(const Axes& machine) {
   position.programmed = transform.to_programmed(position.work);
 }
 
-Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
+Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end) {
   if (dialect) KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
@@ -156,6 +156,7 @@ Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask na
   if (!frames.is_plain()) position.work = frames.work_of(position.machine);
   position.programmed = transform.to_programmed(position.work);
   Motion& motion = add_motion(kind, named);
+  motion.end_given = end;
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
   if (frames.space && frames.space->leads_tip()) {  // the axes go evenly: no tip is led to a machine position

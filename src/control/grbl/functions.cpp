@@ -55,7 +55,7 @@ Status stored_move(Interpreter& m, const Call& call) {
   KADR_TRY(m.target(through, named));
   if (named != 0) KADR_TRY(m.straight(MotionKind::rapid, through, named));
   else named = (AxisMask{1} << grbl::axes) - 1;
-  return m.to_machine(MotionKind::rapid, stored, named, 0);
+  return m.to_machine(MotionKind::rapid, stored, named, 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
 }
 
 /// G28.1, G30.1 (arg 1, 2).

@@ -312,7 +312,9 @@ Status reference_move(Interpreter& m, const Call& call) {
   Axes to = m.position.programmed;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1U) != 0) to[a] = there[a];
-  return m.straight(MotionKind::rapid, to, named);
+  KADR_TRY(m.straight(MotionKind::rapid, to, named));
+  std::get<Motion>(m.batch->back().what).end_given = call.row->arg == 1 ? EndGiven::reference_1 : EndGiven::reference_2;
+  return {};
 }
 
 /// G28.1, G30.1 (arg 1, 2).

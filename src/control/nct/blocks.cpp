@@ -18,7 +18,6 @@
 namespace kadr::nct {
 namespace {
 
-constexpr std::size_t most_m_codes = 8;  // 13.1
 
 /// Words that an earlier run of the same block took away are there again.
 void give_back(Interpreter& m) {
@@ -107,7 +106,7 @@ void drop_repeated(Interpreter& m) {
   if (m.block->altered) m.note_addresses();
 }
 
-/// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
+/// One word an address, however it is spelled; at most so many M codes as the control allows, one of each exclusive group (nct 13.1).
 Status check_words(const Interpreter& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
@@ -121,7 +120,8 @@ Status check_words(const Interpreter& m) {
     seen |= letter_bit(w.address);
   }
   if (m_codes < 2) return {};
-  if (m_codes > most_m_codes) return fail(alarm(AlarmId::too_many_m_codes, m.block->where, double(m_codes), double{most_m_codes}));
+  const std::uint32_t most = m.def.behaviour.m_codes_of_block;
+  if (m_codes > most) return fail(alarm(AlarmId::too_many_m_codes, m.block->where, double(m_codes), double(most)));
   return check_m_codes(m);
 }
 

@@ -36,6 +36,8 @@ Status assign(Interpreter& m, const Statement& s) {
   if (!target) return fail(target.error());
   const auto value = value_of(m, s.value);
   if (!value) return fail(value.error());
+  const double most = m.def.behaviour.result_most;
+  if (most > 0 && std::fabs(*value) > most) return fail(alarm(AlarmId::result_too_large, s.where, *value));
   if (s.words_follow) keep_target(m, *target);
   return write_variable(m, *target, *value, s.where);
 }

@@ -33,7 +33,8 @@ Status point_of(Interpreter& m, Axes& to, AxisMask& named) {
 }
 
 Status to_reference(Interpreter& m, std::uint32_t point, AxisMask named) {
-  KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0));
+  const auto end = static_cast<EndGiven>(static_cast<std::uint32_t>(EndGiven::reference_1) + point - 1);
+  KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0, end));
   nct_of(m).moved = false;
   nct_of(m).stops_reading = true;
   return {};

@@ -153,12 +153,12 @@ class Arc {
 
   Result<PlaneArc> by_radius() {
     const double radius = m_.length_value('R') * m_.transform.radius_scale(plane_);
-    const double most = nct_of(m_).settings.radius_difference;
+    const double most = nct_of(m_).settings.radius_shortfall;
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
     if (r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
-      if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_mismatch, {}, r, half * 2 - r));
+      if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_too_small, {}, r, half));
       return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
     }
     auto arc = arc_by_radius(from_, to_, radius, turn_, tol::same_point);

@@ -128,7 +128,7 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
 
 void read_interpretation(Settings& s, const ParameterSource& p) {
   const double difference = p.value("1339", 0);
-  s.radius_difference = difference > 0 ? difference : 0.01;
+  s.radius_difference = s.radius_shortfall = difference > 0 ? difference : 0.01;
   s.radius_unlimited = !(difference > 0);
   s.length_of_block = p.value("length_of_block", 0) != 0;
   s.arc_without_data_stops = p.value("arc_needs_data", 0) != 0;

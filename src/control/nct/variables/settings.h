@@ -53,7 +53,8 @@ struct Settings {
   std::array<AxisSettings, max_axes> axes;                  // by index in the channel
   std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
   // interpretation
-  double radius_difference = 0.01;      // N1339, mm
+  double radius_difference = 0.01;      // N1339, mm; infinite where 0 means "not checked" (spec/fanuc 3.2)
+  double radius_shortfall = 0.01;       // by how much 2R may be less than the chord, mm; checked even where radius_difference is not
   bool dwell_seconds = false;           // N1337 #1 SEC
   bool centers_absolute = false;        // N1337 #2 CCA
   bool feed_along_helix = false;        // N1337 #3 HEF

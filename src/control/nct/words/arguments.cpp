@@ -11,7 +11,7 @@ namespace {
 /// By letter, type 1.
 constexpr std::array<std::uint8_t, 26> variable_of_letter = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
                                                              14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-constexpr int type_2_step = 3;
+constexpr std::size_t type_2_step = 3;
 
 class Assigner {
  public:
@@ -21,8 +21,11 @@ class Assigner {
     const char letter = w.written;
     if (letter < 'A' || letter > 'Z' || w.incremental || w.bare) return illegal(w);
     std::size_t number = variable_of_letter[static_cast<std::size_t>(letter - 'A')];
-    if (letter >= 'I' && letter <= 'K') {  // the next free one of its own row
-      while (number <= most_locals && occupied_[number]) number += type_2_step;
+    if (letter >= 'I' && letter <= 'K') {  // the next one of its own row, of those that are free
+      std::size_t& written = written_[static_cast<std::size_t>(letter - 'I')];
+      if (later_counts_) number += type_2_step * written++;
+      else
+        while (number <= most_locals && occupied_[number]) number += type_2_step;
       if (number > most_locals) return illegal(w);
     } else if (occupied_[number] && !later_counts_) {
       return illegal(w);
@@ -38,6 +41,7 @@ class Assigner {
   Locals& locals_;
   bool later_counts_;
   std::array<bool, most_locals + 1> occupied_{};
+  std::array<std::size_t, 3> written_{};  // I, J, K so far
 };
 
 }  // namespace

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""What a control takes over from the control that it extends stands in its notes, with the reason: each key of [behaviour] that its file does
+not write anew is named there, and no other. A parameter of one control must not decide for another.
+
+    inherited.py --kadr PROGRAM
+"""
+import re
+import tomllib
+
+import harness
+
+CONTROLS = harness.ROOT / 'controls'
+HEADING = '## Taken over from '
+
+
+def behaviour_of(control):
+    """Keys of its [behaviour] with those of the controls that it extends, by the control that writes them last."""
+    table = tomllib.loads((CONTROLS / f'{control}.toml').read_text(encoding='utf-8'))
+    keys = behaviour_of(table['extends']) if 'extends' in table else {}
+    return {**keys, **dict.fromkeys(table.get('behaviour', {}), control)}
+
+
+def named_in(notes):
+    """Keys in the first column of the section's table; None: there is no such section."""
+    text = notes.read_text(encoding='utf-8')
+    if HEADING not in text:
+        return None
+    section = text.split(HEADING, 1)[1].split('\n## ', 1)[0]
+    return {key for row in re.findall(r'^\| (`[^|]*) \|', section, re.MULTILINE) for key in re.findall(r'`(\w+)`', row)}
+
+
+def faults_of(control):
+    taken_over = {key for key, by in behaviour_of(control).items() if by != control}
+    named = named_in(harness.ROOT / 'docs' / 'controls' / f'{control}-notes.md')
+    if named is None:
+        return [f'{control}: its notes have no section "{HEADING}…"']
+    return [f'{control}: {key} is taken over, and its notes do not say why' for key in sorted(taken_over - named)] + \
+           [f'{control}: its notes name {key}, which is not taken over' for key in sorted(named - taken_over)]
+
+
+def main():
+    harness.kadr_of(__doc__)
+    tables = {path.stem: tomllib.loads(path.read_text(encoding='utf-8')) for path in CONTROLS.glob('*.toml')}
+    extending = sorted(control for control, table in tables.items() if 'extends' in table)
+    faults = [fault for control in extending for fault in faults_of(control)]
+    for fault in faults:
+        print(f'FAIL {fault}')
+    print(f'{len(extending)} passed, {len(faults)} failed')
+    return 1 if faults or not extending else 0
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())
