@@ -48,9 +48,8 @@ class Conversion {
     spec.to = to_.def.get();
     spec.tolerance = usual_tolerance(*from_.def, *to_.def);
     spec.source_text = shared_text_source(text_);
-    spec.source = [this] { return open(from_, shared_text_source(text_), setup_); };
-    if (Setup elsewhere = setup_; probe_elsewhere(elsewhere))
-      spec.elsewhere = [this, elsewhere] { return open(from_, shared_text_source(text_), elsewhere); };
+    spec.source = [this](const Setup& setup) { return open(from_, shared_text_source(text_), setup); };
+    spec.setup = setup_;
     spec.target = [this](std::shared_ptr<ByteSource> made, const Setup& setup) {
       auto session = open(to_, std::move(made), setup);
       if (session) (*session)->control().set_waiting(Control::Waiting::pass);

@@ -234,7 +234,7 @@ def wrong_use(kadr, folder):
     (folder / 'alarm.nc').write_text('G21\nG1 X10 F0\nG99 X1\nM30\n')
     got = run(kadr, 'convert', folder / 'alarm.nc', '--from', 'mach3', '--to', 'linuxcnc', '--lang', 'en')
     expect(got.returncode == 1 and got.stdout == '', f'a program with an alarm {got.stderr}')
-    forced = run(kadr, 'convert', EXAMPLES / 'linuxcnc' / 'bolt_circles.ngc', '--from', 'linuxcnc', '--to', 'mach3', '--force', '--lang', 'en')
+    forced = run(kadr, 'convert', EXAMPLES / 'mach3' / 'bolt_circle.tap', '--from', 'mach3', '--to', 'nct', '--force', '--lang', 'en')
     expect(forced.returncode == 1 and forced.stdout.startswith('(NOT PROVEN'), 'forced: it says so at its top')
 
 

@@ -65,8 +65,8 @@ class ConvertCommand {
   }
 
  private:
-  ConversionSpec::Opens opens(Setup setup) const {
-    return [this, setup = std::move(setup)]() -> tl::expected<std::unique_ptr<Session>, std::string> {
+  ConversionSpec::Opens opens() const {
+    return [this](const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto program = open_program(*job_);
       if (!program) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
       auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
@@ -85,8 +85,8 @@ class ConvertCommand {
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
     spec.source_text = utf8_text(open_text(job_->file, job_->encoding));
-    spec.source = opens(job_->setup);
-    if (Setup elsewhere = job_->setup; probe_elsewhere(elsewhere)) spec.elsewhere = opens(std::move(elsewhere));
+    spec.source = opens();
+    spec.setup = job_->setup;
     spec.target = [this](std::shared_ptr<ByteSource> text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto session =
           Session::open({to_, job_->profile, setup, {job_->file, shared_source(std::move(text)), Encoding::utf8}, o_.run.limits});

@@ -374,6 +374,10 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   const std::vector<std::string> frame = common_frame(*a, *b);
   const double chord = rules.tolerance * chord_of_tolerance;
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
+  Axes zero{};
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    if (const auto found = rules.zero_of_b.find(frame[i]); found != rules.zero_of_b.end()) zero[i] = found->second;
+  course_b.shift(zero);
   if (!rules.times) course_a.pass_times(), course_b.pass_times();
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();

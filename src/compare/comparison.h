@@ -33,6 +33,7 @@ struct CompareRules {
   bool messages = true;          // what is shown to the operator counts
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
   bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
+  std::map<std::string, double> zero_of_b{};  // mm by axis: b's control has no work zeros, the operator sets it to count from there
   bool first_only = false;       // it is over with the first difference
   bool times = true;             // CourseSpot::at is told
   std::size_t most_told = 1000;  // differences that are told one by one

@@ -68,7 +68,12 @@ void Course::more(ItemRing& to) {
 
 /// The others stay as they are: 0.
 void Course::put_in_frame(Axes& to, const Axes& machine) const {
-  for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] : 0;
+  for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] + shift_[i] : 0;
+}
+
+void Course::shift(const Axes& by) {
+  shift_ = by;
+  put_in_frame(start_, session_->stand().machine);
 }
 
 void Course::take(const Step& step) {

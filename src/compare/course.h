@@ -24,6 +24,8 @@ class Course {
 
   /// What is shown to the operator is passed over.
   void pass_messages() { messages_ = false; }
+  /// Its positions are told so much farther on, mm by axis of the frame: where the operator has set the zero. Before the first item.
+  void shift(const Axes& by);
   /// When things are is not told: nobody counts it. Before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
   /// Exact stops that do not count by look_at().
@@ -76,7 +78,7 @@ class Course {
   std::optional<Origin> exact_end_;  // of the motion that the axes have just stopped after
   double rpm_ = 0;
   bool surface_ = false;
-  Axes start_{};
+  Axes start_{}, shift_{};
   CourseItem end_;
   std::optional<AlarmReport> stopped_;
   bool over_ = false;

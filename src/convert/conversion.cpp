@@ -11,6 +11,7 @@
 #include "config/told.h"
 #include "convert/code_match.h"
 #include "convert/flat_program.h"
+#include "convert/proving.h"
 #include "convert/source_comments.h"
 #include "convert/word_by_word.h"
 #include "lang/text/text_spool.h"
@@ -34,7 +35,7 @@ class Writing {
   }
 
   tl::expected<ConversionTry, std::string> write() {
-    auto opened = spec_.source();
+    auto opened = spec_.source(spec_.setup);
     if (!opened) return tl::unexpected(opened.error());
     session_ = std::move(*opened);
     const FlatWay way = made_.as == ConvertedAs::contours  ? FlatWay::contours
@@ -56,6 +57,7 @@ class Writing {
     while (!made_.cannot_say && session_->go_on() == Session::State::running) {
     }
     if (!made_.cannot_say) note(flat.finish());
+    made_.counts_from = flat.counts_from();
     for (const std::string& comment : comments_.rest())
       if (!made_.cannot_say) blocks_.comment(comment), note(blocks_.end());
     if (!made_.cannot_say) made_.text = text_.source();
@@ -99,9 +101,23 @@ class Writing {
   OffsetsInForce now_;
 };
 
-tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const Setup& setup, const ProgramShape& shape,
-                                                 const CompareRules& rules) {
-  if (as == ConvertedAs::words) return word_by_word(spec, setup, shape, rules);
+/// From the states that are not given too.
+///   returns  an error sentence: a session could not be opened
+tl::expected<void, std::string> prove_in_others(const Proving& proving, ConversionTry& one) {
+  auto other = proving.from_others(one.text, one.as, one.counts_from);
+  if (!other) return tl::unexpected(other.error());
+  if (other->differs) {
+    one.proof = std::move(other->proof);
+    one.differs_elsewhere = other->is_elsewhere, one.differs_unstated = !other->is_elsewhere;
+  } else {
+    one.told_states = other->told, one.zero_by_operator = other->by_operator;
+  }
+  return {};
+}
+
+tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, ConvertedAs as, const ProgramShape& shape,
+                                                 const Proving& proving) {
+  if (as == ConvertedAs::words) return word_by_word(spec, shape, proving);
   ConversionTry one;
   one.as = as;
   if (as == ConvertedAs::as_it_stands) {
@@ -112,11 +128,11 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
     one = std::move(*written);
   }
   if (one.cannot_say || spec.stop.asked()) return one;
-  auto a = spec.source();
-  if (!a) return tl::unexpected(a.error());
-  auto b = spec.target(one.text, setup);
-  if (!b) return tl::unexpected(b.error());
-  one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
+  auto proof = proving.from_given(one.text, as);
+  if (!proof) return tl::unexpected(proof.error());
+  one.proof = std::move(*proof);
+  if (!one.is_equal() || spec.stop.asked()) return one;
+  if (const auto told = prove_in_others(proving, one); !told) return tl::unexpected(told.error());
   return one;
 }
 
@@ -125,7 +141,7 @@ bool is_written_so(ByteSource& text, const WrittenLetters& letters) {
 }
 
 /// What its text has no letters for is written with others; it is read once more then.
-tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Setup& setup, CompareRules rules) {
+tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Proving& proving) {
   const WrittenLetters letters = spec.letters.value_or(spec.to->letters);
   if (is_written_so(*one.text, letters)) return {};
   TextSpool text;
@@ -138,27 +154,11 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   if (characters == 0 || spec.stop.asked()) return {};
   one.transliterated = characters;
   one.text = text.source();
-  auto a = spec.source();
-  if (!a) return tl::unexpected(a.error());
-  auto b = spec.target(one.text, setup);
-  if (!b) return tl::unexpected(b.error());
-  rules.messages = false;  // their letters are others; that they come is proven
   const std::size_t passed = one.proof.passed_messages;
-  one.proof = compare_sessions(std::move(*a), std::move(*b), rules);
+  auto proof = proving.from_given(one.text, one.as, false);  // letters of messages are others; that they come is proven
+  if (!proof) return tl::unexpected(proof.error());
+  one.proof = std::move(*proof);
   one.proof.passed_messages = passed;
-  return {};
-}
-
-/// A program that probes must do the same wherever what it touches lies: once more, elsewhere.
-tl::expected<void, std::string> prove_elsewhere(const ConversionSpec& spec, ConversionTry& one, Setup setup, const CompareRules& rules) {
-  probe_elsewhere(setup);
-  auto a = spec.elsewhere();
-  if (!a) return tl::unexpected(a.error());
-  auto b = spec.target(one.text, setup);
-  if (!b) return tl::unexpected(b.error());
-  Comparison proof = compare_sessions(std::move(*a), std::move(*b), rules);
-  // A source that finds nothing there and stops tells nothing.
-  if (!proof.equal() && !proof.stopped_a) one.proof = std::move(proof);
   return {};
 }
 
@@ -195,13 +195,11 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to) {
 
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   Converted all;
-  auto session = spec.source();
+  auto session = spec.source(spec.setup);
   if (!session) return tl::unexpected(session.error());
   const std::unique_ptr<Session> opened = std::move(*session);
   if (const auto fault = MachineCodes(opened->def(), *spec.to).fault()) return tl::unexpected(sentence_of(*fault));
   const ProgramShape shape(spec.source_text, opened->def(), spec.stop);
-  all.setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), false);
-  all.plain_setup = corresponding_setup(opened->setup(), opened->def(), *spec.to, shape.names(), true);
   const CodeMatch match(opened->def(), *spec.to);
   const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
@@ -220,17 +218,16 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   rules.first_only = true;
   rules.times = false;
   rules.messages = shows_same_messages(opened->def(), *spec.to);
+  const Proving proving(spec, *opened, shape, rules);
+  all.setup = proving.setup_of(ConvertedAs::words), all.plain_setup = proving.setup_of(ConvertedAs::plain);
   for (const ConvertedAs as :
        {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
     if (spec.only && as != *spec.only) continue;
-    auto one = one_try(spec, as, all.setup_of(as), shape, rules);
+    auto one = one_try(spec, as, shape, proving);
     if (!one) return tl::unexpected(one.error());
-    if (one->is_proven() && spec.elsewhere) {
-      if (const auto told = prove_elsewhere(spec, *one, all.setup_of(as), rules); !told) return tl::unexpected(told.error());
-    }
     if (one->is_proven()) {
-      if (const auto told = write_in_letters(spec, *one, all.setup_of(as), rules); !told) return tl::unexpected(told.error());
+      if (const auto told = write_in_letters(spec, *one, proving); !told) return tl::unexpected(told.error());
     }
     const bool is_proven = one->is_proven(), never = one->proof.stopped_a.has_value();
     all.tries.push_back(std::move(*one));

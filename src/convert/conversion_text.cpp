@@ -77,7 +77,11 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
   }
   if (one.proof.differences.empty()) return {told("interrupted", "прервано"), {}};
   const CourseDifference& first = one.proof.differences.front();
-  return {sentence_of(first, lang), first.a.origin, first.a.file, first.b.origin.file == 0 ? first.b.origin.line : 0};
+  const std::string where = one.differs_unstated
+                                ? told("with work zeros, tool lengths, radii and reference points other than 0, which no set-up states (--setup): ",
+                                       "при нулях, вылетах, радиусах и опорных точках, не равных 0 и нигде не заданных (--setup): ")
+                                : "";
+  return {where + sentence_of(first, lang), first.a.origin, first.a.file, first.b.origin.file == 0 ? first.b.origin.line : 0};
 }
 
 std::string why_written_out(const WrittenOut& lines, const ConversionSides& sides) {
@@ -94,6 +98,12 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   if (one.proof.feeds_at_speed)
     notes.push_back(told("feed per revolution is written per minute, at the speed of the program",
                          "подача на оборот записана минутной, при частоте вращения из программы"));
+  if (one.told_states == std::size_t{0})
+    notes.push_back(told("taken for granted: zeros, lengths, radii and reference points that no set-up states are 0, for with others the program stops",
+                         "принято: не заданные нули, вылеты, радиусы и опорные точки равны 0, с другими программа останавливается"));
+  if (one.zero_by_operator)
+    notes.push_back(told("taken for granted: the zero of the part is set on the machine, no work zero of the program is stated",
+                         "принято: нуль детали задаёт наладчик на станке, рабочий нуль программы не задан"));
   if (one.transliterated != 0)
     notes.push_back(told(fmt::format("letters that its text cannot hold are written as others: {}", one.transliterated),
                          fmt::format("букв, которых нет в её кодировке, записано другими: {}", one.transliterated)));

@@ -19,8 +19,6 @@ constexpr double same_value = 1e-9;
 constexpr int most_turns = 1000;
 constexpr int first_system = 53;  // G54 is number 1
 
-Status no_code(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
-
 /// 17, 18, 19 by the axes of an arc.
 int plane_of(const Motion& motion, const std::vector<std::string>& axes) {
   const auto is = [&](const char* a, const char* b) {
@@ -33,6 +31,8 @@ int plane_of(const Motion& motion, const std::vector<std::string>& axes) {
 char centre_letter(const std::string& axis) { return axis == "X" ? 'I' : axis == "Y" ? 'J' : 'K'; }
 
 }  // namespace
+
+Status FlatProgram::no_code(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
 Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement) {
   placement_ = placement;
@@ -175,6 +175,7 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_said_) system_ = motion.system;
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
+  known_ = 0;  // zeros may differ where they do not here
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion says its machine coordinates
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
@@ -224,17 +225,21 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
   KADR_TRY(smoothing(motion));
   KADR_TRY(said_before(motion, now));
   KADR_TRY(said_with(motion, now));
-  const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
-  if (is_in_machine(motion) && !is_rapid) return no_code("machine_coordinates");
+  const bool is_rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home, in_machine = is_in_machine(motion);
+  if (in_machine && !is_rapid && (motion.kind != MotionKind::feed || !cuts_in_machine())) return no_code("machine_coordinates");
   switch (motion.kind) {
     case MotionKind::rapid:
-    case MotionKind::home: KADR_TRY(is_in_machine(motion) ? machine_motion(motion) : straight(Function::rapid, motion)); break;
+    case MotionKind::home:
+      if (is_by_reference(motion)) KADR_TRY(reference_motion(motion));
+      else if (is_without_zero(motion)) KADR_TRY(motion_without_zero(Function::rapid, motion));
+      else KADR_TRY(in_machine ? machine_motion(Function::rapid, motion) : straight(Function::rapid, motion));
+      break;
     case MotionKind::feed:
       KADR_TRY(rounding(motion));
       KADR_TRY(corners(motion));
       KADR_TRY(end_of_motion(motion.exact));
       KADR_TRY(feed(motion));
-      KADR_TRY(straight(Function::linear, motion));
+      KADR_TRY(in_machine ? machine_motion(Function::linear, motion) : straight(Function::linear, motion));
       break;
     case MotionKind::arc_cw:
     case MotionKind::arc_ccw:
@@ -253,36 +258,22 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
+  // Where the work coordinates of these axes are now depends on the zero: they are said anew.
+  if (motion.end_given != EndGiven::by_work) known_ &= ~motion.named;
+  else note_system(motion);
   ++motions_;
   return blocks_.end();
+}
+
+void FlatProgram::note_system(const Motion& motion) {
+  if (!counts_from_) counts_from_ = motion.system;
+  else if (*counts_from_ != motion.system) counts_from_several_ = true;
 }
 
 Status FlatProgram::motion_code(Function function) {
   if (function == code_) return {};
   code_ = function;
   return blocks_.code({{function, any_argument}});
-}
-
-/// No code takes the work zeros away: G53 of a block does.
-bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
-
-bool FlatProgram::is_in_machine(const Motion& motion) const {
-  return way_ != FlatWay::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
-}
-
-Status FlatProgram::machine_motion(const Motion& motion) {
-  const bool by_move =
-      row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) == nullptr;
-  KADR_TRY(blocks_.code(
-      {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}}));
-  if (!by_move) KADR_TRY(motion_code(Function::rapid));
-  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
-    if ((motion.named >> a & 1U) == 0) continue;
-    const auto letter = letter_of(a);
-    if (!letter) return no_code(axes_[a].c_str());
-    KADR_TRY(blocks_.word(*letter, motion.machine[a]));
-  }
-  return {};
 }
 
 /// Axes that stand already where they are to go are left out, but for those that nothing is known of.

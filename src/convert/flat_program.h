@@ -76,10 +76,13 @@ class FlatProgram {
   /// Motions behind a probe motion may be said: whoever asks looks whether their figures depend on it.
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
+  /// The one work system that all motions to work coordinates count from; nullopt: there are several, or none is said.
+  std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
   /// Motions that have been said.
   std::size_t motions() const { return motions_; }
 
  private:
+  static Status no_code(const char* what);
   Status motion(const Motion& motion, const OffsetsInForce& now);
   Status said_before(const Motion& motion, const OffsetsInForce& now);
   Status said_with(const Motion& motion, const OffsetsInForce& now);
@@ -96,7 +99,13 @@ class FlatProgram {
   double rise_of(std::size_t axis, const Axes& to) const;
   bool has_no_zeroless_system() const;
   bool is_in_machine(const Motion& motion) const;
-  Status machine_motion(const Motion& motion);
+  bool cuts_in_machine() const;
+  Status machine_motion(Function function, const Motion& motion);
+  bool is_without_zero(const Motion& motion) const;
+  Status motion_without_zero(Function function, const Motion& motion);
+  bool is_by_reference(const Motion& motion) const;
+  Status reference_motion(const Motion& motion);
+  void note_system(const Motion& motion);
   Status motion_code(Function function);
   Status feed(const Motion& motion);
   Status feed_unit(FeedUnit unit);
@@ -145,6 +154,8 @@ class FlatProgram {
   OffsetsInForce said_;
   std::uint32_t selected_ = 0;
   std::size_t motions_ = 0;
+  std::optional<std::uint16_t> counts_from_;
+  bool counts_from_several_ = false;
   Axes said_origin_{};  // of the work system, with the shifts that the other blocks have put in force
   bool after_probe_allowed_ = false;
   bool has_probed_ = false;  // what follows may depend on what was touched: figures of this run would not

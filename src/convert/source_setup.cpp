@@ -15,11 +15,6 @@
 namespace kadr {
 namespace {
 
-bool has_key(const ControlDef& def, const char* name) {
-  const nlohmann::json table = {{name, nlohmann::json::object()}};
-  return !fault_of(table, table, &def);
-}
-
 bool is_system(const CodeRow& row) {
   return row.function == Function::fixture || row.function == Function::work_zero || row.function == Function::work_system ||
          row.function == Function::table_system;
@@ -76,16 +71,16 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
                  const ProgramNames& names) {
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
-    if (has_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
+    if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
   if (to.has_parameter_file() && !made.offsets.empty())  // a tool table that M6 and G43 look in (spec/linuxcnc 5)
     for (const std::uint32_t tool : names.tools)
       if (known.allows(SetupNames::offset, std::to_string(tool))) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
   const VariableNumbers numbers(from, to);
-  if (has_key(to, "variables"))
+  if (allows_key(to, "variables"))
     for (const auto& [name, value] : setup.variables)
       if (const auto there = numbers.given(name); there && known.allows(SetupNames::variable, *there)) made.variables[*there] = value;
   const std::map<int, AxisValues> zeros = zeros_of(setup, from);
-  if (has_key(to, "zeros")) {
+  if (allows_key(to, "zeros")) {
     for (const auto& [number, values] : zeros)
       if (known.allows(SetupNames::zero, std::to_string(number))) made.zeros[number] = axes.of(values);
     return;
@@ -96,6 +91,11 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
 }
 
 }  // namespace
+
+bool allows_key(const ControlDef& def, const char* key) {
+  const nlohmann::json table = {{key, nlohmann::json::object()}};
+  return !fault_of(table, table, &def);
+}
 
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
@@ -169,10 +169,12 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   take_spindles(made, setup, from, to);
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;
-  if (has_key(to, "clock")) made.clock = setup.clock;
-  if (has_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
+  if (allows_key(to, "clock")) made.clock = setup.clock;
+  if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
   constexpr double usual_speed = 1000;  // $30 of Grbl as it comes: S above is cut down to it (spec/grbl 8)
   if (to.has_lines_alone() && names.most_speed > usual_speed) made.parameters[{"0030", "", ""}] = names.most_speed;
+  if (allows_key(to, "reference_points"))
+    for (const auto& [point, values] : setup.reference_points) made.reference_points[point] = axes.of(values);
   if (!plain) take_tables(made, setup, from, to, axes, names);
   return made;
 }
@@ -205,6 +207,7 @@ std::string setup_text(const Setup& setup) {
   if (!setup.start.empty()) put_axes(all["start"], setup.start);
   for (const auto& [name, values] : setup.work_offsets) put_axes(all["work_offsets"][name], values);
   for (const auto& [number, values] : setup.zeros) put_axes(all["zeros"][std::to_string(number)], values);
+  for (const auto& [number, values] : setup.reference_points) put_axes(all["reference_points"][std::to_string(number)], values);
   for (const auto& [number, offset] : setup.offsets) {
     nlohmann::ordered_json& row = all["offsets"][std::to_string(number)];
     row = nlohmann::ordered_json::object();

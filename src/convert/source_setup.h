@@ -17,6 +17,9 @@ namespace kadr {
 ///   plain  no tables: all of them are calculated in
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
+/// A set-up of the control may have this key.
+bool allows_key(const ControlDef& def, const char* key);
+
 /// It has a code for that; else it stops, and the tool is changed by hand.
 bool changes_tools(const ControlDef& def);
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "convert/proving.h"
 #include "convert/rewriting.h"
 #include "lang/text/text_spool.h"
 
@@ -19,13 +20,13 @@ constexpr std::size_t most_work = 6'000'000;  // lines, blocks and motions gone 
 
 class WordByWord {
  public:
-  WordByWord(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape, const CompareRules& rules)
-      : spec_(spec), setup_(setup), shape_(shape), rules_(rules) {
+  WordByWord(const ConversionSpec& spec, const ProgramShape& shape, const Proving& proving)
+      : spec_(spec), shape_(shape), proving_(proving) {
     made_.as = ConvertedAs::words;
   }
 
   tl::expected<ConversionTry, std::string> write() {
-    auto session = spec_.source();
+    auto session = spec_.source(spec_.setup);
     if (!session) return tl::unexpected(session.error());
     from_ = &(*session)->def();
     opened_ = std::move(*session);
@@ -56,10 +57,11 @@ class WordByWord {
   /// True: more must be written out.
   tl::expected<bool, std::string> one_round(bool ends_early) {
     made_.text = text_source({}), made_.cannot_say.reset(), made_.proof = {};
+    made_.told_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
     std::vector<FlatPlace> places;
     if (!places_.empty()) {
       for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
-      auto source = spec_.source();
+      auto source = spec_.source(spec_.setup);
       if (!source) return tl::unexpected(source.error());
       const auto blocks =
           write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
@@ -96,17 +98,20 @@ class WordByWord {
     return prove(*written);
   }
 
-  /// Figures that change with what a probe touches are not those of the program.
+  /// Figures that change with what a probe touches, or with what the set-up leaves open, are not those of the program.
   tl::expected<void, std::string> look_elsewhere(std::vector<FlatPlace>& places) const {
-    if (!spec_.elsewhere || std::none_of(places.begin(), places.end(), [](const FlatPlace& place) { return place.probed; })) return {};
-    std::vector<FlatPlace> others;
-    for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
-    auto source = spec_.elsewhere();
-    if (!source) return tl::unexpected(source.error());
-    if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop))
-      return {};
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].probed && places[i].text != others[i].text) places[i].cannot = alarm(AlarmId::function_has_no_code, {}, "probe");
+    for (const Setup& witness : proving_.witnesses()) {
+      std::vector<FlatPlace> others;
+      for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
+      auto source = spec_.source(witness);
+      if (!source) return tl::unexpected(source.error());
+      if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop))
+        continue;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i].text == others[i].text || places[i].times != others[i].times || places[i].cannot) continue;
+        places[i].cannot = places[i].probed ? alarm(AlarmId::function_has_no_code, {}, "probe") : alarm(AlarmId::conversion_unstated, {});
+      }
+    }
     return {};
   }
 
@@ -126,12 +131,20 @@ class WordByWord {
   }
 
   tl::expected<bool, std::string> prove(const Rewritten& written) {
-    auto a = spec_.source();
-    if (!a) return tl::unexpected(a.error());
-    auto b = spec_.target(made_.text, setup_);
-    if (!b) return tl::unexpected(b.error());
-    made_.proof = compare_sessions(std::move(*a), std::move(*b), rules_);
-    if (made_.is_proven() || made_.proof.stopped_a) return false;
+    auto proof = proving_.from_given(made_.text, ConvertedAs::words);
+    if (!proof) return tl::unexpected(proof.error());
+    made_.proof = std::move(*proof);
+    if (made_.proof.stopped_a) return false;
+    if (made_.is_equal()) {
+      auto other = proving_.from_others(made_.text, ConvertedAs::words, std::nullopt);
+      if (!other) return tl::unexpected(other.error());
+      if (!other->differs) {
+        made_.told_states = other->told, made_.zero_by_operator = other->by_operator;
+        return false;
+      }
+      made_.proof = std::move(other->proof);
+      made_.differs_elsewhere = other->is_elsewhere, made_.differs_unstated = !other->is_elsewhere;
+    }
     why_.reset(), varies_ = false;
     const auto line = place_of_failure(written);
     return line && write_out({*line, *line});
@@ -257,9 +270,8 @@ class WordByWord {
   }
 
   const ConversionSpec& spec_;
-  const Setup& setup_;
   const ProgramShape& shape_;
-  const CompareRules& rules_;
+  const Proving& proving_;
   const ControlDef* from_ = nullptr;
   std::unique_ptr<Session> opened_;                // it owns the control's definition
   std::map<std::uint32_t, std::uint32_t> places_;  // written out: first line → last
@@ -276,9 +288,8 @@ class WordByWord {
 
 }  // namespace
 
-tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape,
-                                                      const CompareRules& rules) {
-  return WordByWord(spec, setup, shape, rules).write();
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const ProgramShape& shape, const Proving& proving) {
+  return WordByWord(spec, shape, proving).write();
 }
 
 }  // namespace kadr

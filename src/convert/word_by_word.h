@@ -7,11 +7,11 @@
 
 namespace kadr {
 
+class Proving;
+
 /// The best that could be done; proven or not.
-///   setup    of the other control
-///   shape    of the program; rules: of the proof
+///   shape    of the program
 ///   returns  an error sentence: a session could not be opened
-tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const Setup& setup, const ProgramShape& shape,
-                                                      const CompareRules& rules);
+tl::expected<ConversionTry, std::string> word_by_word(const ConversionSpec& spec, const ProgramShape& shape, const Proving& proving);
 
 }  // namespace kadr

@@ -26,9 +26,8 @@ class PageConversion {
     spec.stop = stop_;
     spec.tolerance = usual_tolerance(*from_.def, *to_);
     spec.source_text = std::move(text);
-    spec.source = [this] { return source(from_.setup); };
-    if (Setup elsewhere = from_.setup; probe_elsewhere(elsewhere))
-      spec.elsewhere = [this, elsewhere = std::move(elsewhere)] { return source(elsewhere); };
+    spec.source = [this](const Setup& setup) { return source(setup); };
+    spec.setup = from_.setup;
     spec.target = [this](std::shared_ptr<ByteSource> made, const Setup& setup) { return target(std::move(made), setup); };
     return converted(spec);
   }

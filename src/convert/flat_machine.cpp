@@ -1,0 +1,100 @@
+// Motions to places of the machine: G53, G28, G30. Of convert/flat_program; tested by tests/convert_open.py.
+
+#include <algorithm>
+
+#include "convert/flat_program.h"
+
+namespace kadr {
+
+/// No code takes the work zeros away: G53 of a block does.
+bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
+
+namespace {
+
+constexpr std::initializer_list<Wanted> machine_codes = {
+    {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
+
+const CodeRow* reference_code(const ControlDef& def, int point) {
+  const int row = std::min(point, 2);  // G28, G30
+  const CodeRow* const found = row_that_does(
+      def, {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
+  return found != nullptr && (point <= 2 || found->function == Function::reference_return) ? found : nullptr;
+}
+
+}  // namespace
+
+/// The other control takes the work zero away by a code of its own (G53 of the 2С42 and of GOST): its words are then those of the machine,
+/// but for the tool's length.
+bool FlatProgram::is_without_zero(const Motion& motion) const {
+  return way_ != FlatWay::plain && motion.end_given == EndGiven::by_machine && row_that_does(blocks_.def(), machine_codes) == nullptr &&
+         !has_no_zeroless_system();
+}
+
+Status FlatProgram::motion_without_zero(Function function, const Motion& motion) {
+  const CodeRow* const with_zero = row_that_does(blocks_.def(), {{Function::work_zero, motion.system}});
+  if (motion.system != 0 && with_zero == nullptr) return no_code("machine_coordinates");
+  if (relative_) KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  KADR_TRY(blocks_.code({{Function::work_zero, 0}}));
+  KADR_TRY(blocks_.end());
+  KADR_TRY(motion_code(function));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, motion.machine[a] - placement_.length[a]));
+  }
+  KADR_TRY(blocks_.end());
+  if (relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
+  return motion.system == 0 ? Status() : blocks_.code({{Function::work_zero, motion.system}});
+}
+
+bool FlatProgram::is_in_machine(const Motion& motion) const {
+  if (motion.end_given == EndGiven::by_machine && row_that_does(blocks_.def(), machine_codes) != nullptr) return true;
+  return way_ != FlatWay::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
+}
+
+/// Its machine coordinates stand beside G1 too.
+bool FlatProgram::cuts_in_machine() const {
+  return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
+}
+
+Status FlatProgram::machine_motion(Function function, const Motion& motion) {
+  if (relative_) KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  KADR_TRY(blocks_.code(machine_codes));
+  if (cuts_in_machine()) KADR_TRY(motion_code(function));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, motion.machine[a]));
+  }
+  if (!relative_) return {};
+  KADR_TRY(blocks_.end());
+  return blocks_.code({{Function::incremental, any_argument}});
+}
+
+bool FlatProgram::is_by_reference(const Motion& motion) const {
+  const int point = reference_of(motion.end_given);
+  return point != 0 && reference_code(blocks_.def(), point) != nullptr;
+}
+
+/// In increments of 0: straight to the reference point, wherever the machine has it.
+Status FlatProgram::reference_motion(const Motion& motion) {
+  const int point = reference_of(motion.end_given);
+  const CodeRow* const row = reference_code(blocks_.def(), point);
+  if (!relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
+  KADR_TRY(blocks_.code({{row->function, row->arg}}));
+  if (point > 1 && row->function == Function::reference_return) KADR_TRY(blocks_.word('P', point));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, 0));
+  }
+  code_ = Function::count;
+  if (relative_) return {};
+  KADR_TRY(blocks_.end());
+  return blocks_.code({{Function::absolute, any_argument}});
+}
+
+}  // namespace kadr

@@ -1,0 +1,116 @@
+// States that a set-up leaves open. For convert/conversion, convert/word_by_word; tested by tests/convert_open.py.
+
+#include "convert/open_states.h"
+
+#include <map>
+#include <random>
+#include <string>
+
+#include "config/setup_names.h"
+#include "convert/source_setup.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_systems = 64;
+constexpr int most_offsets = 99, most_zeros = 16;
+constexpr std::uint32_t first_seed = 20999;
+
+/// Values in steps that every control's words hold.
+class Values {
+ public:
+  explicit Values(std::uint32_t seed) : random_(seed) {}
+  double zero(const std::string& axis) { return axis == "Z" ? -between(1000, 3000) / 10 : -between(500, 4500) / 10; }
+  double length() { return between(400, 1600) / 10; }
+  double radius() { return between(10, 60) / 100; }
+  double reference() { return between(-200, 200) / 10; }
+
+ private:
+  double between(int least, int most) {  // never 0
+    const int value = least + int(random_() % std::uint32_t(most - least + 1));
+    return value == 0 ? most : value;
+  }
+  std::mt19937 random_;
+};
+
+class Filler {
+ public:
+  Filler(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes, const ProgramNames& names, std::uint32_t seed)
+      : def_(def), known_(&def, axes, axes), names_(names), values_(seed) {
+    state_.setup = given;
+    for (const std::string& axis : axes)
+      if (axis == "X" || axis == "Y" || axis == "Z") axes_.push_back(axis);
+  }
+
+  OpenState fill() {
+    zeros();
+    offsets();
+    references();
+    return std::move(state_);
+  }
+
+ private:
+  void zeros() {
+    Setup& setup = state_.setup;
+    if (allows_key(def_, "zeros")) {
+      for (int number = 1; number <= most_zeros; ++number)
+        if (known_.allows(SetupNames::zero, std::to_string(number))) fill_zero(setup.zeros[number], number);
+      return;
+    }
+    if (!allows_key(def_, "work_offsets")) return;
+    // G110 and G154 P1 of the Haas are two names of one system.
+    std::map<std::uint32_t, std::string> name_of;
+    for (const WorkSystem& system : work_systems(def_))
+      if (system.works && system.row != 0 && (name_of.size() < most_systems || setup.work_offsets.contains(system.name)))
+        if (const auto [at, is_new] = name_of.try_emplace(system.row, system.name); !is_new && setup.work_offsets.contains(system.name))
+          at->second = system.name;
+    for (const auto& [row, name] : name_of) fill_zero(setup.work_offsets[name], int(row));
+  }
+  void fill_zero(AxisValues& values, int number) {
+    for (const std::string& axis : axes_)
+      if (const auto [at, is_open] = values.try_emplace(axis, 0.0); is_open) state_.zeros[number][axis] = at->second = values_.zero(axis);
+  }
+
+  void offsets() {
+    if (!allows_key(def_, "offsets")) return;
+    std::vector<int> numbers;
+    // A tool table that M6 looks in (spec/linuxcnc 5): a row more is a tool more.
+    if (def_.has_parameter_file()) numbers.assign(names_.tools.begin(), names_.tools.end());
+    else
+      for (int number = 1; number <= most_offsets; ++number) numbers.push_back(number);
+    for (const int number : numbers) {
+      if (number == 0 || !known_.allows(SetupNames::offset, std::to_string(number))) continue;
+      if (state_.setup.correctors.contains(number)) continue;  // another name of the same row
+      const auto [at, is_open] = state_.setup.offsets.try_emplace(number);
+      if (is_open) at->second.length = values_.length(), at->second.radius = values_.radius();
+    }
+  }
+
+  void references() {
+    if (!allows_key(def_, "reference_points")) return;
+    for (const int point : {1, 2}) {
+      if (!known_.allows(SetupNames::reference_point, std::to_string(point))) continue;
+      AxisValues& values = state_.setup.reference_points[point];
+      for (const std::string& axis : axes_)
+        if (const auto [at, is_open] = values.try_emplace(axis, 0.0); is_open) at->second = values_.reference();
+    }
+  }
+
+  const ControlDef& def_;
+  const SetupNamesOf known_;
+  const ProgramNames& names_;
+  std::vector<std::string> axes_;
+  Values values_;
+  OpenState state_;
+};
+
+}  // namespace
+
+std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes, const ProgramNames& names,
+                                   int count) {
+  std::vector<OpenState> states;
+  for (int i = 0; i < count; ++i) states.push_back(Filler(given, def, axes, names, first_seed + std::uint32_t(i)).fill());
+  return states;
+}
+
+}  // namespace kadr
