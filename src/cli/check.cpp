@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cli/files.h"
+#include "cli/found.h"
 #include "cli/guessed_control.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
@@ -32,9 +33,8 @@ struct Report {
   std::optional<Baseline> baseline;
   std::vector<Unreadable> unreadable;
 
-  void add(const AlarmReport& report, Finding finding, const AlarmTexts& texts, Lang lang) {
-    if (text == stderr) say(alarm_text(report, texts, lang, colours()));
-    else if (text != nullptr) fmt::print(text, "{}", alarm_text(report, texts, lang));
+  void add(const AlarmReport& report, Finding finding, Found& found) {
+    if (text != nullptr) found.tell(report);
     else findings.push_back(std::move(finding));
   }
 };
@@ -45,8 +45,8 @@ class Collector {
   using Seen = std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>>;
 
   /// `seen`: of the file so far; what several programs of a tape have in common is told once.
-  Collector(const Job& job, const Options& options, Report& report, Seen& seen)
-      : job_(job), lang_(language(options)), strict_(options.strict), to_(report), seen_(seen) {}
+  Collector(const Job& job, const Options& options, Report& report, Found& found, Seen& seen)
+      : job_(job), lang_(language(options)), strict_(options.strict), to_(report), found_(found), seen_(seen) {}
 
   bool take(AlarmReport report) {
     // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
@@ -56,7 +56,7 @@ class Collector {
     Finding finding = finding_of(report, job_.texts(), lang_);
     if (to_.baseline && to_.baseline->has(finding)) return true;
     if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
-    to_.add(report, std::move(finding), job_.texts(), lang_);
+    to_.add(report, std::move(finding), found_);
     return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
   }
 
@@ -71,6 +71,7 @@ class Collector {
   const Lang lang_;
   const bool strict_;
   Report& to_;
+  Found& found_;
   Seen& seen_;
   std::size_t again_ = 0;
 };
@@ -98,10 +99,11 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
   const std::vector<Channel>& channels = session->channels();
   Progress progress(options.quiet);
   std::deque<Collector> collectors;
+  Found found(job.texts(), language(options), report.text, options.every);
   session->together().stop_together = false;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (seen.size() <= i) seen.emplace_back();
-    collectors.emplace_back(job, options, report, seen[i]);
+    collectors.emplace_back(job, options, report, found, seen[i]);
     collectors.back().one_pass = one_pass;
     session->outlets(i) = outlets_of(collectors.back(), progress);
   }
@@ -115,6 +117,7 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
     count.warnings += collectors[i].warnings;
     clean = clean && collectors[i].clean();
   }
+  if (report.text != nullptr) found.finish();
   return clean ? Checked::clean : Checked::faulty;
 }
 

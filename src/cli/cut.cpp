@@ -8,6 +8,7 @@
 #include "cli/cut_job.h"
 #include "cli/cut_meshes.h"
 #include "cli/drive.h"
+#include "cli/found.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
@@ -139,10 +140,8 @@ std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options,
   return std::move(*watch);
 }
 
-void tell_on_terminal(const CutOptions& options, const Job& job, std::FILE* blocks, CutRun& run) {
-  const auto tell = [&job, lang = language(options.run)](const AlarmReport& report) {
-    say(alarm_text(report, job.texts(), lang, colours()));
-  };
+void tell_on_terminal(Found& found, std::FILE* blocks, CutRun& run) {
+  const auto tell = [&found](const AlarmReport& report) { found.tell(report); };
   run.on_report = tell;
   run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
   run.on_note = [](const std::string& note) { say(note + "\n"); };
@@ -173,11 +172,13 @@ int cut(const CutOptions& given) {
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
   CutRun run(*session, cut_job, watch->get());
-  tell_on_terminal(options, *job, outputs.stream("--blocks"), run);
+  Found found(job->texts(), language(options.run), stderr, options.run.every);
+  tell_on_terminal(found, outputs.stream("--blocks"), run);
   Progress progress(options.run.quiet);
   run.attach(options.run.limits.stop, &progress);
   drive->carry_out(*session);
   if (!interrupted()) run.finish();
+  found.finish();
   return interrupted() ? interrupted_status() : tell_results(options, *job, cut_job, run, part, outputs);
 }
 

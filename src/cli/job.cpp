@@ -35,12 +35,14 @@ bool take_setup(Job& job, const Options& options) {
     return false;
   }
   sources.insert(sources.end(), stated->begin(), stated->end());
+  for (const std::string& name : options.disabled) job.setup.disabled.push_back(alarm_named(name));
   if (sources.empty()) return true;
   auto read = read_setup(sources, job.def.get(), job.lang);
   if (!read) {
     complain(read.error());
     return false;
   }
+  read->setup.disabled.insert(read->setup.disabled.end(), job.setup.disabled.begin(), job.setup.disabled.end());
   job.setup = std::move(read->setup);
   job.stated = std::move(read->stated);
   if (!options.setup.empty()) job.setup_lines = std::move(read->lines);

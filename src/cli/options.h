@@ -41,6 +41,8 @@ struct Options {
   std::vector<std::string> control_for;  // PATTERN=ID
   bool guesses_silently = false;         // which control: nothing is said of it
   bool strict = false;                   // warnings count as errors
+  bool every = false;                    // each finding is printed whole, however many are alike
+  std::vector<std::string> disabled;     // ids of warnings and notes that are not told
   std::vector<int> skip;                 // switches that are on
   std::uint32_t program = 0;             // number of one on a tape with several; 0: the first, of check all
   bool optional_stop = false;

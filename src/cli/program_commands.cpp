@@ -72,6 +72,17 @@ void program_options(CLI::App& app, Options& o) {
                                    "проходы бесконечной УП (M99, M47), если они могут различаться")),
                0, std::numeric_limits<std::uint32_t>::max())
       ->capture_default_str();
+  takes(app.add_option("--disable", o.disabled,
+                       told("a warning or note that is not told, by its id; repeated",
+                            "предупреждение или замечание, о котором не сообщать, по имени; можно повторять"))
+            ->allow_extra_args(false)
+            ->check([](const std::string& name) {
+              return alarm_named(name) != AlarmId::count ? std::string()
+                                                         : told("no finding has this name: ", "нет сообщения с таким именем: ") + name;
+            }),
+        "ID", "ИМЯ");
+  app.add_flag("--every", o.every,
+               told("print each warning whole, however many are alike", "печатать каждое предупреждение целиком, сколько бы ни было похожих"));
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
 }

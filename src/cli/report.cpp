@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/found.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
@@ -74,7 +75,8 @@ std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
 
 class ReportRun {
  public:
-  ReportRun(const Job& job, bool quiet) : job_(job), progress_(quiet) {}
+  ReportRun(const Job& job, const Options& options)
+      : job_(job), progress_(options.quiet), found_(job.texts(), job.lang, stderr, options.every) {}
 
   /// Complains.
   bool open(const OpenedProgram& opened) {
@@ -105,6 +107,7 @@ class ReportRun {
     run_->on_contour = [this](const ViewPiece& piece) { contour_.push_back(piece); };
     run_->carry_out();
     if (const auto note = unstated(run_->control(), job_)) take(*note, 0);
+    found_.finish();
     erase_bar();
   }
 
@@ -140,11 +143,12 @@ class ReportRun {
  private:
   void take(const AlarmReport& report, double at) {
     alarms_.push_back({report, at});
-    say(alarm_text(report, job_.texts(), job_.lang, colours()));
+    found_.tell(report);
   }
 
   const Job& job_;
   Progress progress_;
+  Found found_;
   std::unique_ptr<ProgramRun> run_;
   std::unique_ptr<SourceText> source_;
   std::vector<ReportAlarm> alarms_;
@@ -197,7 +201,7 @@ int report(const ReportOptions& options) {
     for (const std::string& note : library->notes) say(note + "\n");
     tools = std::move(*library);
   }
-  ReportRun run(*job, options.cut.run.quiet);
+  ReportRun run(*job, options.cut.run);
   if (!run.open(*opened) || !outputs.open()) return wrong_usage;
   run.carry_out();
   if (!interrupted() && !options.cut.stock.empty() && !run.cut(options.cut, tools)) return wrong_usage;

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "cli/drive.h"
+#include "cli/found.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
@@ -59,7 +60,8 @@ class RunCommand {
         drive_(drive),
         channels_(session.channels()),
         outputs_(outputs),
-        progress_(options.quiet || writes_to_terminal(options)) {
+        progress_(options.quiet || writes_to_terminal(options)),
+        found_(job.texts(), lang_, stderr, options.every) {
     std::FILE* const trace = outputs.stream("--trace");
     std::FILE* const samples = outputs.stream("--samples");
     for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -96,6 +98,7 @@ class RunCommand {
     std::vector<Stopped> stopped;
     for (std::size_t i = 0; i < channels_.size(); ++i) stopped.push_back(session_.stopped(i));
     tell_unstated();
+    found_.finish();
     for (const auto& view : views_)
       if (view->statistics.extents().systems().size() > 1) view->statistics.name_systems(system_names(*job_.def));
     for (std::size_t i = 0; i < views_.size(); ++i) mark_stop(*views_[i], stopped[i]);
@@ -115,7 +118,7 @@ class RunCommand {
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
-      kadr::cli::say(alarm_text(report, job_.texts(), lang_, colours()));
+      found_.tell(report);
     };
     return {.step = {},
             .warning = say,
@@ -176,7 +179,7 @@ class RunCommand {
   void tell_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
-      if (const auto note = unstated(*channel.control, job_)) kadr::cli::say(alarm_text(*note, job_.texts(), lang_, colours()));
+      if (const auto note = unstated(*channel.control, job_)) found_.tell(*note);
     }
   }
 
@@ -272,6 +275,7 @@ class RunCommand {
   const std::vector<Channel>& channels_;
   const Outputs& outputs_;
   Progress progress_;
+  Found found_;
   std::vector<std::unique_ptr<View>> views_;
   bool plan_failed_ = false;  // there is no plan, or no more of its samples (exit status 1)
 };

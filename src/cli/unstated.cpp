@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 namespace kadr::cli {
@@ -18,6 +19,8 @@ bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>&
 }  // namespace
 
 std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
+  const std::vector<AlarmId>& disabled = job.setup.disabled;
+  if (std::find(disabled.begin(), disabled.end(), AlarmId::not_stated) != disabled.end()) return std::nullopt;
   const auto counts = [](UseKind kind) {
     return kind == UseKind::length || kind == UseKind::radius || kind == UseKind::work_zero || kind == UseKind::corrector;
   };

@@ -113,7 +113,8 @@ Control& ChannelRun::settled() {
 }
 
 void ChannelRun::warn(const AlarmReport& warning) {
-  if (!outlets_.silent) outlets_.warning(warning);
+  const bool is_disabled = std::find(setup_.disabled.begin(), setup_.disabled.end(), warning.alarm.id) != setup_.disabled.end();
+  if (!outlets_.silent && !is_disabled) outlets_.warning(warning);
 }
 
 ChannelRun::State ChannelRun::step() { return take(next_batch()); }
