@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Kadr as a library: installed into a folder of its own, found there by CMake and by pkg-config, the programs of examples/library built on
-it and run. What they must print stands here, worked out by hand.
+it and run. What they must print stands here, worked out by hand; what docs/library.md prints of it is compared too.
 
     library.py --kadr build/release/kadr
 
@@ -17,6 +17,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from math import pi
 from pathlib import Path
+
+import docs_commands
 
 TIME_LIMIT_S = 840  # it compiles the whole library where ccache does not know it
 ROOT = Path(__file__).resolve().parent.parent
@@ -131,6 +133,17 @@ def examples(folder):
         yield None if done.returncode == 2 and 'No such file' in done.stderr else f'{name}, no file: {done.returncode} {done.stderr}'
 
 
+def as_printed(folder):
+    """What docs/library.md and its Russian page show of the programs' output."""
+    for page in ('docs/library.md', 'docs/ru/library.md'):
+        for command in docs_commands.commands_of(ROOT / page):
+            if command.text.startswith('build/examples/'):
+                text = command.text.replace('build/examples', shlex.quote(str(folder)), 1)
+                done = subprocess.run(['bash', '-c', text], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=TIME_LIMIT_S)
+                faults = list(docs_commands.faults_of(command.said(), done.stdout.splitlines()))
+                yield f'{command}: {faults[0]}' if faults else None
+
+
 def by_pkg_config(build, prefix, folder):
     compiler, flags = compiler_of(build)
     libdir = next(prefix.rglob('kadr.pc')).parent
@@ -163,6 +176,7 @@ def failures(build, folder):
     built(build, prefix, folder / 'shared')
     must(['cmake', '--build', folder / 'shared'])
     yield from examples(folder / 'shared')
+    yield from as_printed(folder / 'shared')
     built(build, prefix, folder / 'static', '-DKADR_STATIC=ON')
     must(['cmake', '--build', folder / 'static', '--target', 'interpret'])
     yield prints('interpret, static', run([folder / 'static/interpret', EXAMPLES / 'part.nc']), INTERPRET)
