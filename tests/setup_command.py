@@ -25,6 +25,13 @@ TEMPLATES = [
     ('comment beside the call, in Russian letters', 'mach3', 'T3 M6 (ФРЕЗА 12)\nG41 D3 G1 X10 Y10 F100\nX20\nG40 X30\nM30\n',
      {'offsets': {'3': {'radius': 6}}}, ['proposed from line 1 "ФРЕЗА 12"']),
     ('inches', 'mach3', 'G20\n(T1 D=0.5)\nT1 M6\nG41 D1 G1 X10 Y10 F10\nX20\nG40 X30\nM30\n', {'offsets': {'1': {'radius': 6.35}}}, []),
+    ('inches of a Fanuc, which is back in millimetres at M30', 'fanuc',
+     '(T2 D=0.842 CR=0. - FLAT END MILL)\nG20 G90\nT2 M6\nG41 D2 G1 X10. Y10. F10.\nX20.\nG40 X30.\nM30\n',
+     {'offsets': {'2': {'radius': 10.6934, 'corner_radius': 0}}}, ['T2, line 4; proposed from line 1 "T2 D=0.842 CR=0. - FLAT END MILL"']),
+    ('a numbered drill in inches', 'haas', 'G20 G90\nT3 M6 (#7 DRILL)\nG1 X1. F10.\nM30\n', {}, ['T3: line 2; diameter 5.1054 by line 2 "#7 DRILL"']),
+    ('not sure', 'fanuc', '(T5 6. FLAT ENDMILL)\nG20 G90\nT5 M6\nG41 D5 G1 X10. Y10. F10.\nX20.\nG40 X30.\nT6 M6 (SPOT DRILL)\nM30\n',
+     {'offsets': {'5': {'radius': None}}},
+     ['offsets.5.radius: T5, line 4 (D5); fill in; not sure: line 1 "T5 6. FLAT ENDMILL"', 'T6: line 7; not sure: line 7 "SPOT DRILL"']),
     ('numbers of offsets are no figures', 'mach3', '(T1 H1 D1)\nT1 M6\nG43 H1 Z5\nM30\n', {'offsets': {'1': {'length': None}}}, ['line 3 (H1)']),
     ('H of another tool than its number', 'nct', '(T7 D=10)\nT7 M6\nG43 H21 Z50\nG41 D22 G1 X10 Y10 F100\nX20\nG40 X30\nM30\n',
      {'offsets': {'21': {'length': None}, '22': {'radius': 5}}}, ['offsets.22.radius: T7, line 4; proposed from line 1']),
@@ -86,6 +93,9 @@ TOOLS = [
     ('a tap is none of the kinds', 'mach3', 'T3 M6 (TAP M8)\nM30\n', ['[[tool]]', 'number = 3', 'diameter = 8'], 'kind must be'),
     ('inches', 'mach3', 'G20\nT1 M6 (.5 IN ENDMILL R.0625)\nM30\n', ['[[tool]]', 'number = 1', 'kind = "bull"', 'diameter = 12.7', 'corner = 1.5875'],
      'flutes is missing'),
+    ('inches of a Fanuc', 'fanuc', 'G20 G90\nT1 M6 (1/2 ENDMILL .030R)\nG1 X1. F10.\nM30\n',
+     ['[[tool]]', 'number = 1', 'kind = "bull"', 'diameter = 12.7', 'corner = 0.762'], 'flutes is missing'),
+    ('not sure of the size', 'haas', 'G20 G90\nT1 M6 (ENDMILL 10)\nG1 X1. F10.\nM30\n', ['[[tool]]', 'number = 1'], 'kind must be'),
     ('no tool at all', 'mach3', 'G1 X1 F100\nM30\n', [], '[[tool]] tables'),
 ]
 

@@ -25,15 +25,21 @@ namespace {
 constexpr std::size_t gives_up_at = 1000;
 constexpr std::size_t most_ranges = 20;  // of lines that were not carried out, told one by one
 
+/// What the run of the program came to.
+struct CarriedOut {
+  std::size_t faults = 0;
+  MotionUnits moved;
+};
+
 class TemplateMaker {
  public:
-  TemplateMaker(const Job& job, const Control& control, std::size_t faults)
+  TemplateMaker(const Job& job, const Control& control, const CarriedOut& done)
       : job_(job),
         control_(control),
         ru_(job.lang == Lang::ru),
-        faults_(faults),
+        faults_(done.faults),
         lines_(lines_of(control)),
-        proposals_(lines_, ends_in_inches(control)) {}
+        proposals_(lines_, comments_in_inches(control, done.moved)) {}
 
   SetupTemplate make() {
     for (const Use& use : control_.use().all()) take(use);
@@ -98,8 +104,8 @@ class TemplateMaker {
           fmt::format("{}: {}{}; предложено по строке {} «{}», проверьте", used.key, tool, place(use.origin), proposal->line,
                       proposal->text));
     else
-      say(fmt::format("{}: {}{} ({}); fill in", used.key, tool, place(use.origin), used.word),
-          fmt::format("{}: {}{} ({}); впишите", used.key, tool, place(use.origin), used.word));
+      say(fmt::format("{}: {}{} ({}); fill in{}", used.key, tool, place(use.origin), used.word, is_radius ? not_sure(use.tool) : ""),
+          fmt::format("{}: {}{} ({}); впишите{}", used.key, tool, place(use.origin), used.word, is_radius ? not_sure(use.tool) : ""));
     if (proposal && proposal->said.corner && has(*job_.def, SetupNeeds::corner_radius))
       row->cells.emplace_back("corner_radius", proposal->said.corner);
   }
@@ -118,9 +124,19 @@ class TemplateMaker {
     say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
   }
 
-  std::optional<ToolProposal> proposal_for(std::uint32_t tool) const {
+  /// Line of the block that calls the tool; 0: it is in another file.
+  std::uint32_t called_at(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
-    return proposals_.of(tool, use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line);
+    return use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line;
+  }
+  std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
+
+  /// Behind what is told of a tool that no size is proposed for: the comment that speaks of it.
+  std::string not_sure(std::uint32_t tool) const {
+    const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
+    if (!comment) return {};
+    return ru_ ? fmt::format("; не ясно: строка {} «{}»", comment->line, comment->text)
+               : fmt::format("; not sure: line {} \"{}\"", comment->line, comment->text);
   }
 
   void tell_tool(std::uint32_t tool, const Use& use) {
@@ -130,7 +146,9 @@ class TemplateMaker {
                       number_text(*proposal->said.diameter), proposal->line, proposal->text),
           fmt::format("T{}: {}; диаметр {} по строке {} «{}»; программа его радиуса не использует", tool, place(use.origin),
                       number_text(*proposal->said.diameter), proposal->line, proposal->text));
-    else say(fmt::format("T{}: {}", tool, place(use.origin)), fmt::format("T{}: {}", tool, place(use.origin)));
+    else
+      say(fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)),
+          fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)));
   }
 
   /// A line that holds a block, and not only the number of the program.
@@ -178,34 +196,39 @@ class TemplateMaker {
 };
 
 /// The tools that the program uses, as a tools file to be filled in.
-std::string tools_text(const Job& job, const Control& control) {
-  const ProgramLines lines = lines_of(control);
-  const ToolProposals proposals(lines, ends_in_inches(control));
+std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
+  const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
   for (const Use& use : control.use().all()) {
     if (use.kind != UseKind::tool) continue;
-    ToolsTemplate::Row row{use.number, use.origin, {}, {}};
-    if (const auto proposal = proposals.of(use.number, use.origin.file == 0 ? use.origin.line : 0))
+    ToolsTemplate::Row row{use.number, use.origin, {}, {}, {}};
+    const std::uint32_t called_at = use.origin.file == 0 ? use.origin.line : 0;
+    if (const auto proposal = proposals.of(use.number, called_at))
       row.said = proposal->said, row.why = fmt::format("{} \"{}\"", proposal->line, proposal->text);
+    else if (const auto comment = proposals.unsure(use.number, called_at))
+      row.not_sure = fmt::format("{} \"{}\"", comment->line, comment->text);
     made.rows.push_back(std::move(row));
   }
   return tools_template_text(made);
 }
 
-/// Carries the program out past its faults, a limited number of blocks; returns how many faults there were.
-std::size_t carry_out_past_faults(Session& session) {
-  std::size_t faults = 0;
+/// Carries the program out past its faults, a limited number of blocks.
+CarriedOut carry_out_past_faults(Session& session) {
+  CarriedOut done;
   Outlets& outlets = session.outlets();
   outlets.stop = stop_token();
   outlets.warning = [](const AlarmReport&) {};
+  outlets.programmed = [&](const Action& action) {
+    if (const auto* const motion = std::get_if<Motion>(&action.what)) done.moved.take(*motion);
+  };
   outlets.alarm = [&](const AlarmReport& report) {
     const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;
-    if (!fatal) ++faults;
-    return !fatal && faults < gives_up_at;
+    if (!fatal) ++done.faults;
+    return !fatal && done.faults < gives_up_at;
   };
   session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
   (void)session.run();
-  return faults;
+  return done;
 }
 
 bool write_to(const std::string& name, const std::string& text) {
@@ -234,10 +257,10 @@ int write_setup(const SetupOptions& options) {
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session) return wrong_usage;
   session->control().watch_use();
-  const std::size_t faults = carry_out_past_faults(*session);
+  const CarriedOut done = carry_out_past_faults(*session);
   if (interrupted()) return interrupted_status();
-  const std::string text =
-      options.tools ? tools_text(*job, session->control()) : template_text(TemplateMaker(*job, session->control(), faults).make());
+  const std::string text = options.tools ? tools_text(*job, session->control(), done.moved)
+                                         : template_text(TemplateMaker(*job, session->control(), done).make());
   return write_to(options.output, text) ? ok : wrong_usage;
 }
 

@@ -1,4 +1,4 @@
-// Tools by comments. For cli/setup_command and view/page_part.
+// Tools by comments. For cli/setup_command and view/proposals; tested by tests/session/tool_proposals_test.cpp.
 
 #include "session/tool_proposals.h"
 
@@ -19,30 +19,48 @@ ProgramLines lines_of(const Control& control) {
   return control.texts_of(numbers, 0);
 }
 
-bool ends_in_inches(const Control& control) {
+/// The unit of the blocks that cut decides, not what is in force at the end: M30 of a Fanuc or Haas resets to millimetres, and G70 is a
+/// unit on one control and a cycle on another. Only a program without a motion is asked for its codes in force.
+bool comments_in_inches(const Control& control, const MotionUnits& moved) {
+  if (!moved.empty()) return moved.unit() == LengthUnit::inch;
   const Ending ending = control.ending();
   return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
 }
 
+ToolProposals::ToolProposals(const ProgramLines& lines, bool inch) {
+  for (const auto& [number, text] : lines)
+    for (const std::string& comment : comments_of(text)) {
+      const ToolComment said = read_tool_comment(comment, inch);
+      if (said.diameter || said.unsure) read_.push_back({said, number, comment});
+    }
+}
+
 template <class Fits>
-std::optional<ToolProposal> ToolProposals::in_line(const std::string& text, std::uint32_t number, const Fits& fits) const {
-  for (const std::string& comment : comments_of(text)) {
-    const ToolComment said = read_tool_comment(comment, inch_);
-    if (said.diameter && fits(said.tool)) return ToolProposal{said, number, comment};
-  }
+const ToolProposal* ToolProposals::first_in(std::uint32_t line, const Fits& fits) const {
+  const auto from = std::lower_bound(read_.begin(), read_.end(), line, [](const ToolProposal& p, std::uint32_t n) { return p.line < n; });
+  for (auto p = from; p != read_.end() && p->line == line; ++p)
+    if (fits(p->said)) return &*p;
+  return nullptr;
+}
+
+template <class Fits>
+std::optional<ToolProposal> ToolProposals::find(std::uint32_t tool, std::uint32_t called_at, const Fits& fits) const {
+  const auto named = std::find_if(read_.begin(), read_.end(), [&](const ToolProposal& p) { return p.said.tool == tool && fits(p.said); });
+  if (named != read_.end()) return *named;
+  if (called_at == 0) return std::nullopt;
+  for (const std::uint32_t line : {called_at, called_at - 1, called_at + 1})
+    if (const auto* const beside =
+            first_in(line, [&](const ToolComment& said) { return fits(said) && (!said.tool || *said.tool == tool); }))
+      return *beside;
   return std::nullopt;
 }
 
 std::optional<ToolProposal> ToolProposals::of(std::uint32_t tool, std::uint32_t called_at) const {
-  for (const auto& [number, text] : lines_)
-    if (auto found = in_line(text, number, [tool](const auto& named) { return named == tool; })) return found;
-  if (called_at == 0) return std::nullopt;
-  for (const std::uint32_t number : {called_at, called_at - 1, called_at + 1}) {
-    const auto line = lines_.find(number);
-    if (line == lines_.end()) continue;
-    if (auto found = in_line(line->second, number, [tool](const auto& named) { return !named || *named == tool; })) return found;
-  }
-  return std::nullopt;
+  return find(tool, called_at, [](const ToolComment& said) { return said.diameter.has_value(); });
+}
+
+std::optional<ToolProposal> ToolProposals::unsure(std::uint32_t tool, std::uint32_t called_at) const {
+  return find(tool, called_at, [](const ToolComment& said) { return said.unsure; });
 }
 
 }  // namespace kadr

@@ -1,13 +1,68 @@
-// lang/text/tool_comment: what comments say of tools, as shops and CAM systems write them.
+// lang/text/tool_comment: what comments say of tools, as shops and CAM systems write them. The rules and most of the comments stand in
+// tests/lang/tool_comments.tsv.
 
 #include "lang/text/tool_comment.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
 namespace kadr::tool_comment_test {
 namespace {
 
 constexpr double none = -1;
+
+constexpr double tolerance = 0.002;          // mm: the table has four decimals, of inches in part
+constexpr std::size_t rows_of_table = 650;   // and more; a table that is not found is no table that passes
+constexpr std::size_t columns_of_table = 7;  // unit, text, tool, diameter, corner, kind, from
+
+const char* name_of(ToolWord kind) {
+  constexpr const char* names[] = {"none", "mill", "ball", "drill", "chamfer", "taper", "tap", "reamer"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<std::string> columns_of(const std::string& line) {
+  std::vector<std::string> columns;
+  std::istringstream in(line);
+  for (std::string column; std::getline(in, column, '\t');) columns.push_back(column);
+  return columns;
+}
+
+/// `*` is not judged, of `-` nothing may be read.
+testing::AssertionResult is_as_told(const char* what, std::optional<double> read, const std::string& told) {
+  const bool same = told == "*" || (told == "-" ? !read : read && std::fabs(*read - std::stod(told)) <= tolerance);
+  if (same) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << what << " " << (read ? std::to_string(*read) : "-") << ", not " << told;
+}
+
+void check_row(const std::vector<std::string>& row, const std::string& place) {
+  const ToolComment said = read_tool_comment(row[1], row[0] == "inch");
+  const std::string of = place + " (" + row[1] + ")";
+  EXPECT_TRUE(is_as_told("tool", said.tool ? std::optional<double>(*said.tool) : std::nullopt, row[2])) << of;
+  EXPECT_TRUE(is_as_told("diameter", said.diameter, row[3])) << of;
+  EXPECT_TRUE(is_as_told("corner", said.corner, row[4])) << of;
+  if (row[5] != "*") {
+    EXPECT_EQ(name_of(said.kind), row[5]) << of;
+  }
+  EXPECT_FALSE(said.unsure && said.diameter) << of;
+}
+
+TEST(tool_comment, as_the_table_has_it) {
+  std::ifstream file(KADR_ROOT "/tests/lang/tool_comments.tsv");
+  std::size_t number = 0, rows = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.empty() || line[0] == '#' || line.starts_with("unit\t")) continue;
+    const std::vector<std::string> row = columns_of(line);
+    ASSERT_EQ(row.size(), columns_of_table) << "row " << number;
+    ASSERT_TRUE(row[0] == "mm" || row[0] == "inch") << "row " << number;
+    check_row(row, "row " + std::to_string(number));
+    ++rows;
+  }
+  EXPECT_GE(rows, rows_of_table);
+}
 
 TEST(tool_comment, as_written_in_programs) {
   const struct {
@@ -20,6 +75,12 @@ TEST(tool_comment, as_written_in_programs) {
       {"T01 FREZA D=10 R0.5", 1, 10, 0.5},
       {"T1 D=8. CR=0. - ZMIN=-5. - FLAT END MILL", 1, 8, 0},
       {"T12 D=6,5 R=0,5", 12, 6.5, 0.5},
+      {"T7 D=10", 7, 10, none},
+      {"T1 H1 D21", 1, none, none},
+      {"T05 END MILL D16, CORRECTOR 21", 5, 16, none},
+      {"СВЕРЛИТЬ 3 ОТВ. ПОД М8, СВЕРЛО Д6.8", none, 6.8, none},
+      {"T3 DRILL 10", 3, 10, none},
+      {"BROCA 6MM", none, 6, none},
       {"TOOL 3: 12 MM ENDMILL", 3, 12, none},
       {"10mm flat endmill", none, 10, none},
       {"СВЕРЛО Ø8.5", none, 8.5, none},
@@ -73,6 +134,49 @@ TEST(tool_comment, inches) {
   EXPECT_DOUBLE_EQ(read_tool_comment("T1 D8 MM ENDMILL", true).diameter.value_or(0), 8);
   EXPECT_DOUBLE_EQ(read_tool_comment(".5 IN ENDMILL R.0625", true).diameter.value_or(0), 12.7);
   EXPECT_DOUBLE_EQ(read_tool_comment(".25\" DRILL, T4 D=.25 IN", false).diameter.value_or(0), 6.35);
+}
+
+TEST(tool_comment, of_several_tools_the_first) {
+  const ToolComment said = read_tool_comment("T1 = D16 ENDMILL, T3 = DRILL 6.8", false);
+  EXPECT_EQ(said.tool, 1U);
+  EXPECT_EQ(said.diameter, 16);
+  EXPECT_EQ(said.kind, ToolWord::mill);
+}
+
+// What other tables would not show: readings that look right and are wrong.
+TEST(tool_comment, rather_nothing_than_a_wrong_size) {
+  const struct {
+    const char* text;
+    bool inch;
+  } rows[] = {
+      {"3/8 OR 1/2 ENDMILL", true},
+      {"SETUP 1/2 ENDMILL", true},  // the first of two
+      {"1/4 TAP DRILL", true},      // the drill for a quarter-inch tap
+      {"DRILL AND TAP 1/4-20", true},
+      {"8-32 TAP #29 DRILL", true},
+      {"T3 TURN OD DIA 1.5", true},
+      {"ENDMILL BROKE 1/2 WAY", true},
+      {"MILL 3/8 DEEP", true},
+      {"DRILL A HOLE", true},
+      {"C DRILL", true},  // a centre drill
+      {"T1 DIA 0.5000 ENDMILL", false},
+      {"DRILL 10", false},  // the tenth drilling, maybe
+      {"DRILL HOLES DIA 6", false},
+      {"12MM PLATE 10MM ENDMILL", false},
+      {"M29 S500 TAP", false},
+      {"ENDMILL WEAR OFFSET D31", false},
+      {"VERSION 2.5 ENDMILL PROGRAM", false},
+  };
+  for (const auto& row : rows) EXPECT_FALSE(read_tool_comment(row.text, row.inch).diameter) << row.text;
+}
+
+TEST(tool_comment, tells_where_it_is_not_sure) {
+  for (const char* text : {"6. FLAT ENDMILL", "TOOL 1 = CHAMFER MILL .010", "T4 = SPOT DRILL", "1/2 ENDMILL OVERSIZE"}) {
+    EXPECT_TRUE(read_tool_comment(text, true).unsure) << text;
+    EXPECT_FALSE(read_tool_comment(text, true).diameter) << text;
+  }
+  for (const char* text : {"1/2 ENDMILL", "T12", "DEPTH .5", "CLAMP AT THE EDGES", ""})
+    EXPECT_FALSE(read_tool_comment(text, true).unsure) << text;
 }
 
 TEST(tool_comment, of_a_line) {

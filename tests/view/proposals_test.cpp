@@ -57,6 +57,29 @@ TEST(Proposals, OfEachToolThatCuts) {
     }
 }
 
+// A Fanuc control is back in millimetres at M30; the figures of the comments are inches all the same.
+TEST(Proposals, OfAProgramInInches) {
+  const auto run = run_of(
+      "(T2 D=0.842 CR=0. - FLAT END MILL)\n"
+      "(TOOL 4 = 3/8IN ENDMILL)\n"
+      "(T3 1/4-20 TAP DRILL #7)\n"
+      "(T7 6. FLAT ENDMILL)\n"
+      "G20 G90\n"
+      "T2 M6\nG1 X1. F10.\n"
+      "T4 M6\nG1 X2.\n"
+      "T3 M6\nG1 X3.\n"
+      "T7 M6\nG1 X4.\n"
+      "M30\n",
+      "fanuc");
+  const auto tools = proposed_tools(*run, nullptr);
+  ASSERT_EQ(tools.size(), 4U);
+  EXPECT_NEAR(tools[0].tool.diameter, 21.3868, 1e-9);
+  EXPECT_NEAR(tools[1].tool.diameter, 9.525, 1e-9);
+  EXPECT_NEAR(tools[2].tool.diameter, 5.1054, 1e-9);
+  EXPECT_FALSE(tools[3].known) << "six inches, or six millimetres";
+  EXPECT_EQ(tools[3].tool.diameter, 0);
+}
+
 TEST(Proposals, OfAProgramThatCallsNone) {
   const auto run = run_of("G21 G90\nG1 X10 F100\nM30\n");
   const auto tools = proposed_tools(*run, nullptr);

@@ -18,10 +18,13 @@ struct ToolComment {
   std::optional<double> corner;       // radius of the corner, mm
   std::optional<double> angle;        // of the whole point, degrees
   ToolWord kind = ToolWord::none;
+  bool unsure = false;  // it speaks of a tool, but no size in it is sure
   bool empty() const { return !tool && !diameter && !corner; }
 };
 
-/// `text`: UTF-8. `inch`: figures without a unit are inches.
+/// What it says for certain: a size that may be something else is left out.
+///   text  UTF-8
+///   inch  figures without a unit are inches; fractions always are
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
 /// The comments of a line: between brackets, after a semicolon, UTF-8.

@@ -22,9 +22,10 @@ class RowText {
 
   std::string text() {
     text_ = "\n[[tool]]\n";
-    const std::string at = (ru_ ? "строка " : "line ") + std::to_string(row_.called.line);
-    line(fmt::format("number = {}", row_.number),
-         row_.why.empty() ? at : at + (ru_ ? "; предложено по строке " : "; proposed from line ") + one_line(row_.why));
+    std::string at = (ru_ ? "строка " : "line ") + std::to_string(row_.called.line);
+    if (!row_.why.empty()) at += (ru_ ? "; предложено по строке " : "; proposed from line ") + one_line(row_.why);
+    if (!row_.not_sure.empty()) at += (ru_ ? "; не ясно: строка " : "; not sure: line ") + one_line(row_.not_sure);
+    line(fmt::format("number = {}", row_.number), at);
     const ToolComment said = row_.said.value_or(ToolComment{});
     const std::string_view kind = kind_word(said);
     if (kind.empty())

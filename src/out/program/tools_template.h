@@ -18,6 +18,7 @@ struct ToolsTemplate {
     Origin called;                    // where the program calls it first
     std::optional<ToolComment> said;  // nothing: no comment speaks of it
     std::string why;                  // line and text of that comment
+    std::string not_sure;             // of one that speaks of it without a size that is sure
   };
   std::string program;
   Lang lang = Lang::en;

@@ -84,8 +84,7 @@ void RunExtents::take(const Motion& motion, const ToolPosition& at, const Curve&
   const WorkSpace* const frame = at.space && at.space->has_frame() ? at.space.get() : nullptr;
   if (systems_.empty() || systems_[now_].system != motion.system) enter(motion.system);
   const bool cutting = cuts(motion);
-  if (cutting) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
-  moved_in_inches_ = motion.inch;
+  units_.take(motion);
   Reach& reach = cutting ? systems_[now_].cutting : systems_[now_].other;
   if (const std::size_t into = 2 * now_ + (cutting ? 1 : 0); stands_in_ != into) {
     reach.take(roles_, frame != nullptr ? frame->in_system(from) : from);
@@ -101,7 +100,7 @@ void RunExtents::take(const Motion& motion, const ToolPosition& at, const Curve&
     if (roles_.is_rotary(a) && motion.to[a] != from[a]) turned_ |= AxisMask{1} << a;
 }
 
-LengthUnit RunExtents::unit() const {
+LengthUnit MotionUnits::unit() const {
   if (cut_in_mm_ && cut_in_inches_) return LengthUnit::mixed;
   return cut_in_inches_ || (!cut_in_mm_ && moved_in_inches_) ? LengthUnit::inch : LengthUnit::mm;
 }

@@ -46,6 +46,21 @@ const char* speed_unit_name(LengthUnit unit, Lang lang);
 /// A length in its unit: to 0.001 mm, 0.0001 in.
 std::string length_text(double mm, LengthUnit unit);
 
+/// Which unit the motions of a run are programmed in.
+class MotionUnits {
+ public:
+  void take(const Motion& motion) {
+    if (cuts(motion)) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
+    moved_ = true, moved_in_inches_ = motion.inch;
+  }
+  /// Nothing has moved.
+  bool empty() const { return !moved_; }
+  LengthUnit unit() const;
+
+ private:
+  bool cut_in_mm_ = false, cut_in_inches_ = false, moved_in_inches_ = false, moved_ = false;
+};
+
 /// What motions of one kind reach: X, Y, Z in mm, rotary axes in degrees.
 struct Reach {
   Box box;
@@ -72,7 +87,8 @@ class RunExtents {
   void lift() { stands_in_ = nowhere; }
 
   const std::vector<SystemExtents>& systems() const { return systems_; }
-  LengthUnit unit() const;
+  const MotionUnits& units() const { return units_; }
+  LengthUnit unit() const { return units_.unit(); }
   Box cutting_box() const;
   Box box() const;
 
@@ -92,7 +108,7 @@ class RunExtents {
   std::size_t now_ = 0;              // index of the system in force
   std::size_t stands_in_ = nowhere;  // the reach that has taken the place where the tool stands: twice the system's index, 1 more: cutting
   AxisMask turned_ = 0;              // rotary axes that have moved
-  bool cut_in_mm_ = false, cut_in_inches_ = false, moved_in_inches_ = false;
+  MotionUnits units_;
 };
 
 }  // namespace kadr

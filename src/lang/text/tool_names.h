@@ -1,0 +1,39 @@
+#pragma once
+// The names of tools in a comment: BALL END MILL, SPOT DRILL, ФРЕЗА; and what kind of tool they name.
+
+#include <cstddef>
+#include <vector>
+
+#include "lang/text/tool_figures.h"
+
+namespace kadr {
+
+/// Words that stand together and name a tool.
+struct ToolName {
+  std::size_t first = 0, last = 0;  // pieces
+  ToolWord kind = ToolWord::none;
+  bool is_tap_drill = false;
+  bool size_behind = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordSays
+};
+
+class ToolNames {
+ public:
+  /// `pieces` must outlive it. What is said of another thing (behind FOR, WITH) names no tool here.
+  explicit ToolNames(const std::vector<CommentPiece>& pieces);
+
+  const std::vector<ToolName>& all() const { return all_; }
+  ToolWord kind() const;
+  /// One of the comment's words says so, of this tool.
+  bool any(WordSays what) const;
+
+ private:
+  bool is_of_name(std::size_t i) const;
+  std::size_t next_of_name(std::size_t i) const;
+  ToolName name_from(std::size_t first) const;
+  bool is_none(const ToolName& name) const;
+
+  const std::vector<CommentPiece>& pieces_;
+  std::vector<ToolName> all_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,61 @@
+#pragma once
+// Which figure of a comment is the size of its tool.
+
+#include <optional>
+#include <vector>
+
+#include "lang/text/tool_names.h"
+
+namespace kadr {
+
+class ToolSize {
+ public:
+  /// What is handed in must outlive it. `inch`: figures without a unit are inches.
+  ToolSize(const std::vector<CommentPiece>& pieces, const ToolNames& names, bool inch);
+
+  /// mm; nothing where it is not sure.
+  std::optional<double> diameter() const;
+  /// Radius of the corner of a tool of that diameter, mm.
+  std::optional<double> corner(std::optional<double> diameter) const;
+
+ private:
+  using Sizes = std::vector<double>;  // mm, of one step: they must agree
+  bool has(std::size_t i) const { return i < pieces_.size(); }
+  bool says(std::size_t i, WordSays what) const { return has(i) && pieces_[i].meaning.is(what); }
+  bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
+  bool names_two_works() const;
+  double mm(const CommentPiece& figure) const;
+  bool is_measured(const CommentPiece& figure) const;
+  bool is_whole(const CommentPiece& figure) const;
+
+  Sizes called() const;
+  bool is_called(std::size_t figure) const;
+  bool is_offset(std::size_t figure) const;
+  bool speaks_of_tool(std::size_t figure) const;
+  bool is_of_part(std::size_t figure) const;
+
+  Sizes in_names() const;
+  std::optional<std::size_t> before(const ToolName& name) const;
+  bool fits_before(std::size_t figure, const ToolName& name, bool strangers) const;
+  void add_threads(Sizes& sizes) const;
+  void add_named_drills(Sizes& sizes) const;
+  bool names_drill(std::size_t at) const;
+  std::optional<std::size_t> letter_of_drill(std::size_t at) const;
+
+  Sizes behind_names() const;
+  std::optional<std::size_t> behind(const ToolName& name) const;
+  bool fits_behind(std::size_t figure, const ToolName& name, bool divided) const;
+  Sizes without_name() const;
+
+  bool is_likely(const CommentPiece& figure) const;
+
+  const std::vector<CommentPiece>& pieces_;
+  const ToolNames& names_;
+  const bool inch_;
+  const ToolWord kind_;
+  bool has_no_size_ = false;  // its name says another thing than its diameter
+  bool is_wide_ = false;      // a face mill, a saw
+  bool is_disc_ = false;      // a slot mill, a key cutter
+};
+
+}  // namespace kadr
