@@ -202,6 +202,7 @@ struct Behaviour {
   bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
   double feed_most = 0;                 // mm/min; 0 = no limit
   bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
+  bool label_may_be_zero = false;       // O0000 is warned of: a CAM system's usual number, and the operator gives one (spec/fanuc 1.1)
   double result_most = 0;               // greatest value of an assignment, of either sign (spec/fanuc 5.3); 0: no limit
   double reference_feed = 2000;         // mm/min, G25 of the 2С42
   double return_chip_break = 1;         // mm, G73

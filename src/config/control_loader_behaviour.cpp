@@ -87,6 +87,7 @@ Done ControlLoader::behaviour() {
   flag("common_is_local_shift", b.common_is_local_shift);
   flag("drills_third", b.drills_third);
   flag("numbers_by_five", b.numbers_by_five);
+  flag("label_may_be_zero", b.label_may_be_zero);
   flag("uvw_are_increments", b.uvw_are_increments);
   count("alarm_base", b.alarm_base, 9000);
   count("call_depth", b.call_depth, 255);

@@ -87,6 +87,7 @@ constexpr std::string_view only_of_nct[] = {"last_word_counts",
                                             "repeats_keep_locals",
                                             "further_systems",
                                             "uvw_are_increments",
+                                            "label_may_be_zero",
                                             "m_codes_of_block",
                                             "alarm_base"};
 

@@ -158,6 +158,7 @@ std::shared_ptr<ByteSource> Control::source_of(std::uint32_t file) const {
   return interpreter_->flow.has_file(file) ? interpreter_->flow.file(std::uint16_t(file)).source() : nullptr;
 }
 std::vector<std::string> Control::files_read() const { return interpreter_->flow.paths(); }
+std::vector<std::uint16_t> Control::called_files() const { return interpreter_->flow.called_files(); }
 const WrittenFiles& Control::files_written() const {
   static const WrittenFiles none;
   return interpreter_->dialect ? interpreter_->dialect->files_written() : none;

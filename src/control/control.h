@@ -179,6 +179,8 @@ class Control {
   const std::string& file_name(std::uint16_t file) const;
   /// Paths of all files that have been read: the program, what it called.
   std::vector<std::string> files_read() const;
+  /// Numbers of the files that the program has called: file_name(), source_of(), Origin::file. They do not follow each other.
+  std::vector<std::uint16_t> called_files() const;
   /// What the program has written, or would have (RunLimits::writes_files).
   const WrittenFiles& files_written() const;
 

@@ -59,7 +59,7 @@ Status Dialect::may_move(const Interpreter&, AxisMask) const { return {}; }
 void Dialect::note_motion(Interpreter& m, Motion& motion) {
   if (m.modal.contour != ContourPhase::off) note_contour(m, motion, m.moved_from);
 }
-double Dialect::inch_feed(const Interpreter&, const Motion& motion, const Axes&) const { return motion.feed; }
+double Dialect::inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const { return feed_in_inches(m, motion, from); }
 ArcRule Dialect::arc_rule(const Interpreter& m) const { return m.plain_arc_rule(); }
 void Dialect::note_feed(Interpreter&) {}
 const WrittenFiles& Dialect::files_written() const {

@@ -290,14 +290,19 @@ Status Interpreter::execute() {
 }
 
 /// N and O have ranges too (nct 1.1); O names a program at the start of a file.
-Status Interpreter::check_numbers() const {
+Status Interpreter::check_numbers() {
   const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
     const AddressRow& row = def.address(letter);
     if (value >= row.least && value <= row.most) return {};
     return fail(alarm(AlarmId::value_out_of_range, where, letter, double(value)));
   };
   if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
-  return block->marker == Marker::label ? check('O', block->label, block->where) : Status();
+  if (block->marker != Marker::label) return {};
+  if (block->label == 0 && def.behaviour.label_may_be_zero) {
+    warn(warning(AlarmId::program_number_zero, block->where));
+    return {};
+  }
+  return check('O', block->label, block->where);
 }
 
 /// The block's words carried out, or nothing of them.

@@ -281,7 +281,7 @@ class Interpreter : public ControlState, public RunMemory {
   void report_changes();
   std::vector<std::string> codes_in_force(const Modal& of) const;
   Status attempt();
-  Status check_numbers() const;
+  Status check_numbers();
   Status words();
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);

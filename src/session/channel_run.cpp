@@ -38,6 +38,8 @@ VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.
 ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic)
     : control_(control),
       setup_(setup),
+      knows_rates_(profile.id != MachineProfile{}.id ||
+                   std::any_of(setup.machine.begin(), setup.machine.end(), [](const auto& axis) { return axis.second.rapid.has_value(); })),
       outlets_(outlets),
       logic_(logic),
       corners_(control.tool_position()),
@@ -308,7 +310,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
     if (look_ahead_) look_ahead_->consume(step);
     else if (outlets_.timed) outlets_.timed(step, 0);
     if (!moves && outlets_.step) outlets_.step(step);
-    if (!now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
+    if (knows_rates_ && !now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
     if (step.from.space && step.from.space->leads_tip()) watch_whirl(step);
     if (now_.gear.concerns(step.action)) watch_gear(step.action);
   });

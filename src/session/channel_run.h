@@ -164,6 +164,7 @@ class ChannelRun {
 
   Control& control_;
   const Setup& setup_;
+  const bool knows_rates_;  // a machine is chosen, or the set-up states rates
   const Outlets& outlets_;
   Logic& logic_;
   ContourCorners corners_;

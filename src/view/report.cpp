@@ -117,8 +117,8 @@ PageJson sources_json(const ReportContent& c) {
   PageJson list = PageJson::array({{{"file", 0}, {"name", c.file}, {"text", text_of(c.source)}}});
   std::size_t bytes = 0;
   const Control& control = c.run.control();
-  for (std::size_t file = 1; file < control.files_read().size(); ++file) {
-    const std::string& name = control.file_name(std::uint16_t(file));
+  for (const std::uint16_t file : control.called_files()) {
+    const std::string& name = control.file_name(file);
     OpenedText text = open_text(name);
     if (!text.source) continue;
     const SourceText called(std::move(text));

@@ -87,6 +87,13 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   return reader;
 }
 
+std::vector<std::uint16_t> Flow::called_files() const {
+  std::vector<std::uint16_t> numbers;
+  for (std::size_t i = 1; i < files_.size(); ++i)
+    if (files_[i] && i != now_.entered.reader) numbers.push_back(static_cast<std::uint16_t>(i));
+  return numbers;
+}
+
 std::vector<std::string> Flow::paths() const {
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < files_.size(); ++i)

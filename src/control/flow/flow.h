@@ -180,6 +180,8 @@ class Flow {
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
   /// It is the number of a file: the cycle bodies are none.
   bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
+  /// Numbers of the files that the program has called, in the order in which they were opened: those of Origin::file.
+  std::vector<std::uint16_t> called_files() const;
   /// Of all files opened, the program first.
   std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }

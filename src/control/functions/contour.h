@@ -49,4 +49,8 @@ Status arc_beside_contour(const Interpreter& m, Span where, std::string_view cod
 ///   from  work coordinates at its beginning
 void note_contour(Interpreter& m, Motion& motion, const Axes& from);
 
+/// The feed of a motion from there while inches are in force, mm/min or degrees/min: where only rotary axes move, F counts degrees, and
+/// degrees are no inches (NIST 2.1.2.5; LinuxCNC, Mach3).
+double feed_in_inches(const Interpreter& m, const Motion& motion, const Axes& from);
+
 }  // namespace kadr

@@ -68,6 +68,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.join_corner = CornerJoin::extended;
   motion.entry = ContourEntry::by_corner;
   motion.in_hole = HoleWork::none;
+  motion.end_given = EndGiven::by_work;
   motion.corner_speed = CornerSpeed::limited;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
@@ -194,12 +195,22 @@ double Interpreter::feed_limited(double feed) const {
   return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
 }
 
+double feed_in_inches(const Interpreter& m, const Motion& motion, const Axes& from) {
+  bool turns = false;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if (std::fabs(motion.to[a] - from[a]) <= tol::same_point) continue;
+    if ((m.def.rotary >> a & 1u) == 0) return motion.feed;
+    turns = true;
+  }
+  return turns ? motion.feed / mm_per_inch : motion.feed;
+}
+
 void Interpreter::set_feed(Motion& motion) {
   switch (modal.feed_mode) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
       motion.feed = feed_limited(modal.feed);
-      if (modal.inch && dialect) motion.feed = dialect->inch_feed(*this, motion, moved_from);
+      if (modal.inch) motion.feed = dialect ? dialect->inch_feed(*this, motion, moved_from) : feed_in_inches(*this, motion, moved_from);
       break;
     case FeedMode::per_revolution:
       motion.unit = FeedUnit::mm_per_rev;

@@ -24,7 +24,7 @@ Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
   if (!others) return fail(others.error());
   if (*others) return {};
   if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
-  if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
+  if (dir != SpindleDir::orient && m.modal.rpm == 0 && !m.has('S')) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
   m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
   return {};

@@ -15,7 +15,7 @@ struct Alike {
   std::string_view written, meant;
 };
 /// What people write for the same thing.
-constexpr std::array<Alike, 17> alike = {{
+constexpr std::array<Alike, 17> sign_spellings = {{
     {"Ø", " DIA "},
     {"ø", " DIA "},
     {"⌀", " DIA "},
@@ -39,9 +39,9 @@ std::string with_signs_made_alike(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     const auto* const found =
-        std::find_if(alike.begin(), alike.end(), [&](const Alike& a) { return text.substr(i, a.written.size()) == a.written; });
-    out += found == alike.end() ? text.substr(i, 1) : found->meant;
-    i += found == alike.end() ? 1 : found->written.size();
+        std::find_if(sign_spellings.begin(), sign_spellings.end(), [&](const Alike& a) { return text.substr(i, a.written.size()) == a.written; });
+    out += found == sign_spellings.end() ? text.substr(i, 1) : found->meant;
+    i += found == sign_spellings.end() ? 1 : found->written.size();
   }
   return out;
 }

@@ -22,9 +22,9 @@ constexpr double most_wholes = 6;          // inches before a fraction: 1 1/4
 constexpr std::size_t longest_size = 3;    // digits of a whole size; 1234 is a number of something
 constexpr std::size_t longest_number = 8;  // digits of T
 
-class Marker {
+class FigureMarker {
  public:
-  explicit Marker(std::vector<CommentPiece> pieces) : all_(std::move(pieces)) {}
+  explicit FigureMarker(std::vector<CommentPiece> pieces) : all_(std::move(pieces)) {}
 
   std::vector<CommentPiece> marked() {
     read_abbreviations();
@@ -89,7 +89,7 @@ class Marker {
 };
 
 /// NO.17: the point is that of the word.
-void Marker::read_abbreviations() {
+void FigureMarker::read_abbreviations() {
   for (std::size_t i = 1; i < count(); ++i) {
     CommentPiece& f = all_[i];
     if (!is_figure(i) || !f.leads_point || !f.joined || !says(i - 1, number | tool_number)) continue;
@@ -101,7 +101,7 @@ void Marker::read_abbreviations() {
 }
 
 /// IN is a unit where no other word can be meant: "4 IN VISE" has none, "1/4 IN DRILL" and ".5IN" have.
-bool Marker::is_unit(std::size_t figure, std::size_t at) const {
+bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   if (!says(at, unit_mm | unit_inch)) return false;
   if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // T5 "F" DRILL
   if (all_[at].text != "IN" || joined(at)) return true;
@@ -111,7 +111,7 @@ bool Marker::is_unit(std::size_t figure, std::size_t at) const {
 }
 
 /// 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) has no length.
-void Marker::take_units() {
+void FigureMarker::take_units() {
   bool braced = false;
   for (std::size_t i = 0; i < count(); ++i) {
     braced = is_sign(i, '{') || (braced && !is_sign(i, '}'));
@@ -129,7 +129,7 @@ void Marker::take_units() {
 }
 
 /// A figure in a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a point divides it from a word: DRILL.828, BAR5/8.
-bool Marker::is_part_of_name(std::size_t i) const {
+bool FigureMarker::is_part_of_name(std::size_t i) const {
   const CommentPiece& f = all_[i];
   if (f.is_broken) return true;
   const bool whole = !f.has_point && !f.is_fraction;
@@ -149,13 +149,13 @@ bool Marker::is_part_of_name(std::size_t i) const {
          !(is_letter(all_[i + 1]) && (all_[i + 1].text == "F" || all_[i + 1].text == "Z"));
 }
 
-void Marker::mark_names() {
+void FigureMarker::mark_names() {
   for (std::size_t i = 0; i < count(); ++i)
     if (is_open(i) && is_part_of_name(i)) all_[i].figure = FigureIs::other;
 }
 
 /// T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-; not X-T3, TOOL 1/2, TOOL 6MM.
-void Marker::mark_tool_numbers() {
+void FigureMarker::mark_tool_numbers() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, tool_number) || !all_[i].is_word()) continue;
     const bool is_t = is_letter(all_[i]);
@@ -171,13 +171,13 @@ void Marker::mark_tool_numbers() {
 }
 
 /// A word that says of a figure beside it what it is: 4FL, LOC 1.5, S2000, ZMIN=-5.
-void Marker::mark_beside_words() {
+void FigureMarker::mark_beside_words() {
   for (std::size_t i = 0; i < count(); ++i)
-    if (says(i, other_before | other_behind | numbered)) mark_by_word(i);
+    if (says(i, other_before | other_behind | is_numbered)) mark_by_word(i);
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece& word = all_[i];
     if (!word.is_word()) continue;
-    const WordSays known = means_diameter | means_corner | tool_number | tool | letter | number | numbered | times | other_behind | degrees;
+    const WordSays known = means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_behind | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // S2000, Z-.5, H7
@@ -191,13 +191,13 @@ void Marker::mark_beside_words() {
 }
 
 /// The word before the figure says what it is: of DIA .5 LOC 1.0 the .5 is not that of LOC.
-bool Marker::is_called(std::size_t figure) const {
+bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
   return says(i, means_diameter | means_corner | other_behind) && !is_figure(i - 1);
 }
 
-void Marker::mark_by_word(std::size_t word) {
+void FigureMarker::mark_by_word(std::size_t word) {
   const std::size_t before = is_sign(word - 1, '-') && joined(word) && joined(word - 1) ? word - 2 : word - 1;  // 2-FLUTE
   const std::size_t at = behind(word, ".:=-#");
   const bool is_equal = is_sign(word + 1, '=') && is_open(at);
@@ -209,11 +209,11 @@ void Marker::mark_by_word(std::size_t word) {
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
   const bool divided = is_sign(word + 1, ':');  // OPERATION: 1.5MM ENDMILL
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
-  if (says(word, other_behind) || (says(word, numbered) && is_number)) all_[at].figure = FigureIs::other;
+  if (says(word, other_behind) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
 
 /// 1 1/4, 1-1/4.
-void Marker::join_wholes_and_fractions() {
+void FigureMarker::join_wholes_and_fractions() {
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece whole = all_[i];
     if (!is_open(i) || whole.has_point || whole.is_fraction || whole.unit != 0 || whole.value > most_wholes || whole.value < 1) continue;
@@ -227,7 +227,7 @@ void Marker::join_wholes_and_fractions() {
 }
 
 /// M8, and 1/4-20, .250-20, #8-32, NO. 6-32.
-void Marker::mark_threads() {
+void FigureMarker::mark_threads() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!is_open(i)) continue;
     const bool is_metric = joined(i) && i > 0 && (all_[i - 1].text == "M" || all_[i - 1].text == "М") && all_[i].unit == 0;
@@ -237,7 +237,7 @@ void Marker::mark_threads() {
   }
 }
 
-void Marker::mark_inch_thread(std::size_t size) {
+void FigureMarker::mark_inch_thread(std::size_t size) {
   const bool hyphen = is_sign(size + 1, '-') && joined(size + 1) && joined(size + 2);
   const bool ends = !is_sign(size + 3, '-') || !joined(size + 3);
   if (!hyphen || !is_open(size + 2) || !ends || all_[size].unit == 1 || all_[size + 2].unit != 0) return;
@@ -250,7 +250,7 @@ void Marker::mark_inch_thread(std::size_t size) {
 }
 
 /// 03-0086, 2016-01-30, 10:30, A881-02: numbers of things. Dashes that follow a word of the tool divide: DIA-0.5, .500-DRILL.
-void Marker::mark_chains_of_numbers() {
+void FigureMarker::mark_chains_of_numbers() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!(is_sign(i, '-') || is_sign(i, ':')) || !joined(i) || !joined(i + 1)) continue;
     const bool both = is_figure(i - 1) && is_figure(i + 1);
@@ -264,7 +264,7 @@ void Marker::mark_chains_of_numbers() {
 }
 
 /// -.0002, +.0005: by how much something differs. (-1/2: only a dash before a size.)
-void Marker::mark_signed() {
+void FigureMarker::mark_signed() {
   for (std::size_t i = 1; i < count(); ++i) {
     const bool sign = is_sign(i - 1, '+') || (is_sign(i - 1, '-') && !joined(i - 1));
     if (sign && joined(i) && is_open(i) && !all_[i].is_fraction) all_[i].figure = FigureIs::other;
@@ -272,7 +272,7 @@ void Marker::mark_signed() {
 }
 
 /// The figure that DIA means: DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
-std::size_t Marker::figure_called_by(std::size_t word) const {
+std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
   const std::size_t at = behind(word, is_single ? "=:." : "=:.-");
   const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || is_sign(at - 1, '-') || joined(at));
@@ -282,7 +282,7 @@ std::size_t Marker::figure_called_by(std::size_t word) const {
   return before_is_free ? word - 1 : in_diameter ? word - 2 : count();
 }
 
-void Marker::mark_diameters() {
+void FigureMarker::mark_diameters() {
   for (std::size_t i = 0; i < count(); ++i) {
     const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // SVERLO F8.5
     if (!says(i, means_diameter) && !is_f) continue;
@@ -296,7 +296,7 @@ void Marker::mark_diameters() {
 }
 
 /// CR=0.5, R.06, .030R, 0.125 RAD, TIP RAD.: 4
-void Marker::mark_corners() {
+void FigureMarker::mark_corners() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, means_corner) || !all_[i].is_word()) continue;
     const bool is_single = is_letter(all_[i]);
@@ -310,7 +310,7 @@ void Marker::mark_corners() {
 }
 
 /// 90 DEG, 90-DEG.
-void Marker::mark_angles() {
+void FigureMarker::mark_angles() {
   for (std::size_t i = 1; i < count(); ++i) {
     if (!says(i, degrees)) continue;
     const std::size_t at = is_sign(i - 1, '-') ? i - 2 : i - 1;
@@ -319,7 +319,7 @@ void Marker::mark_angles() {
 }
 
 /// Of A X B the second is a length, an angle, a width. 4X is a count.
-void Marker::mark_second_sizes() {
+void FigureMarker::mark_second_sizes() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!says(i, times) && !is_sign(i, '*')) continue;
     const bool counts = is_open(i - 1) && joined(i) && !joined(i + 1) && all_[i - 1].unit == 0 && !all_[i - 1].is_fraction;
@@ -329,18 +329,18 @@ void Marker::mark_second_sizes() {
 }
 
 /// #7, NO. 7, NUMBER 7; not "No. 26: …".
-void Marker::mark_numbers_of_drills() {
+void FigureMarker::mark_numbers_of_drills() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, number)) continue;
     const std::size_t at = behind(i, ".#");
     if (!is_open(at)) continue;
     const bool is_plain = !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 && !is_sign(at + 1, ':');
-    const bool is_of_part = i > 0 && says(i - 1, of_part | numbered);  // PART NO. 7
+    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // PART NO. 7
     all_[at].figure = is_plain && !is_of_part ? FigureIs::drill_number : FigureIs::other;
   }
 }
 
-void Marker::mark_clauses() {
+void FigureMarker::mark_clauses() {
   std::uint32_t clause = 0;
   bool another_begun = false;
   for (std::size_t i = 0; i < count(); ++i) {
@@ -356,7 +356,7 @@ void Marker::mark_clauses() {
 std::vector<CommentToken> with_letters_divided(std::vector<CommentToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string& word = tokens[i].text;
-    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != nothing) continue;
+    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != no_meaning) continue;
     const std::size_t letter = is_high(word.back()) ? 2 : 1;  // bytes
     if (word.size() <= letter || !meaning_of(word.substr(0, word.size() - letter)).is(tool)) continue;
     CommentToken last{Is::word, word.substr(word.size() - letter)};
@@ -377,7 +377,7 @@ std::vector<CommentPiece> comment_pieces(std::string_view text) {
     if (!piece.is_figure()) piece.meaning = meaning_of(piece.text);
     pieces.push_back(std::move(piece));
   }
-  return Marker(std::move(pieces)).marked();
+  return FigureMarker(std::move(pieces)).marked();
 }
 
 }  // namespace kadr

@@ -201,7 +201,7 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
   const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));  // 3 - ENDMILL
-  const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.says == nothing;
+  const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.says == no_meaning;
   return !angle && !listed && !strangers && !after_stranger && name.kind != ToolWord::tap;
 }
 
@@ -296,7 +296,7 @@ bool ToolSize::fits_behind(std::size_t at, const ToolName& name, bool divided) c
   if (is_measured(f)) return true;
   if (name.no_bare_size) return false;
   const bool bare_whole = is_whole(f);
-  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == nothing;  // DRILL 4 CORNERS
+  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;  // DRILL 4 CORNERS
   const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // T3 DRILL 10 is no tenth drilling
   return !bare_whole || ((name.size_behind || of_number) && !divided);
 }

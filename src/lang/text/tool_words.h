@@ -12,7 +12,7 @@ constexpr std::uint64_t bit(unsigned n) { return std::uint64_t{1} << n; }
 
 /// What a word says; a word may say several things.
 enum class WordSays : std::uint64_t {
-  nothing = 0,
+  no_meaning = 0,
   // of the tool
   tool = bit(0),          // names one: a size may stand before it
   size_behind = bit(1),   // … and behind it: ENDMILL 10
@@ -41,7 +41,7 @@ enum class WordSays : std::uint64_t {
   times = bit(22),         // X: 1/2 X 82 DEG
   other_before = bit(23),  // the figure before it is no size of a tool: 4 FLUTES
   other_behind = bit(24),  // … the one behind it: LENGTH 4.0
-  numbered = bit(25),      // a number behind it is its own: OP 10, PART NO. 7
+  is_numbered = bit(25),      // a number behind it is its own: OP 10, PART NO. 7
   // of what the comment speaks of
   another = bit(26),      // what follows is another thing's: FOR, WITH
   ends_phrase = bit(27),  // no name of a tool goes on behind it: AND, OF, IS
@@ -55,7 +55,7 @@ enum class WordSays : std::uint64_t {
 constexpr WordSays operator|(WordSays a, WordSays b) { return WordSays(std::uint64_t(a) | std::uint64_t(b)); }
 
 struct ToolWordMeaning {
-  WordSays says = WordSays::nothing;
+  WordSays says = WordSays::no_meaning;
   ToolWord kind = ToolWord::none;
   bool is(WordSays any) const { return (std::uint64_t(says) & std::uint64_t(any)) != 0; }
 };
