@@ -74,7 +74,7 @@ def leave(kadr, command, text):
     process.wait()
     expect(process.returncode == 2, f'exit status {process.returncode}, expected 2; {kadr.said()[:300]}')
     lines = [line for line in kadr.said().splitlines() if line.startswith('kadr:')]
-    expect(len(lines) == 1 and 'reader has gone' in lines[0], f'one line should name the pipe: {kadr.said()!r}')
+    expect(not lines, f'a reader that has enough is nothing to complain of: {kadr.said()!r}')
     expect(took < MOST_S, f'it worked on for {took:.2f} s for nobody')
 
 

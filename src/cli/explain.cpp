@@ -51,10 +51,32 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   return text;
 }
 
+/// What every built-in control says of a code, an alarm or words.
+int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
+  bool any = false;
+  for (const std::string& id : built_in_controls()) {
+    const auto def = load_control(id);
+    if (!def) continue;
+    const auto texts = AlarmTexts::load(&*def);
+    if (!texts) continue;
+    auto text = explain_code(*def, *texts, what, lang);
+    if (!text) text = explain_words(*def, *texts, what, lang);
+    if (!text) continue;
+    const bool is_named = text->starts_with(id + " ") || text->starts_with(id + ":");
+    fmt::print("{}{}", is_named ? std::string() : id + ": ", *text);
+    any = true;
+  }
+  if (any) return ok;
+  complain(refusal);
+  return wrong_usage;
+}
+
 }  // namespace
 
 int explain(const ExplainOptions& options) {
   const auto def = load_control(options.control);
+  if (!def && options.code.empty() && !options.markdown && !options.control.ends_with(".toml"))
+    return explain_everywhere(options.control, def.error(), language_named(options.lang));
   if (!def) {
     complain(def.error());
     return wrong_usage;
@@ -77,7 +99,8 @@ int explain(const ExplainOptions& options) {
     fmt::print("{}", explain_control(*def, lang));
     return ok;
   }
-  const auto text = explain_code(*def, *texts, options.code, lang);
+  auto text = explain_code(*def, *texts, options.code, lang);
+  if (!text) text = explain_words(*def, *texts, options.code, lang);
   if (!text) {
     complain(unknown_code(*def, options.code, lang));
     return wrong_usage;
@@ -86,7 +109,8 @@ int explain(const ExplainOptions& options) {
   return ok;
 }
 
-int list_controls(const std::string& lang_name) {
+int list_controls(const std::string& of, const std::string& lang_name) {
+  if (!of.empty()) return explain({of, {}, lang_name});
   const Lang lang = language_named(lang_name);
   for (const std::string& id : built_in_controls()) {
     const auto def = load_control(id);

@@ -31,7 +31,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
   if (app.got_subcommand("setup")) return write_setup(commands.setup);
-  if (app.got_subcommand("controls")) return list_controls(commands.options.lang);
+  if (app.got_subcommand("controls")) return list_controls(commands.explain.control, commands.options.lang);
   if (app.got_subcommand("machines")) return list_machines(commands.machine);
   if (app.got_subcommand("tape")) {
     TapeOptions options = commands.tape;
@@ -61,6 +61,17 @@ int perform(const CLI::App& app, const Commands& commands) {
   return ok;
 }
 
+/// "kadr help run" and "kadr version", as other programs have them, in the words of the command line.
+void take_usual_words(int argc, char** argv) {
+  static char help[] = "--help", version[] = "--version";
+  if (argc < 2) return;
+  const std::string_view word = argv[1];
+  if (word == "version" && argc == 2) argv[1] = version;
+  if (word != "help") return;
+  for (int i = 1; i + 1 < argc; ++i) argv[i] = argv[i + 1];
+  argv[argc - 1] = help;
+}
+
 /// A command that failed has said so already.
 int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
 
@@ -71,6 +82,7 @@ int main(int argc, char** argv) {
   using namespace kadr::cli;
   survive_closed_pipes();
   catch_interrupts();
+  take_usual_words(argc, argv);
   Commands commands;
   commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop =
       commands.report.cut.run.limits.stop = stop_token();

@@ -56,6 +56,9 @@ Lang language(const Options& options);
 
 /// Message of the program itself, to stderr.
 void complain(const std::string& text);
+/// What cannot be written, and why. Of a reader that has gone (`| head`) nothing is said: it has had enough.
+///   error  errno
+void complain_of_writing(const std::string& name, int error);
 
 int run(const Options& options);
 int debug(const Options& options);
@@ -127,7 +130,8 @@ struct ExplainOptions {
   bool markdown = false;  // the page of docs/controls
 };
 int explain(const ExplainOptions& options);
-int list_controls(const std::string& lang);
+/// `id`: of the control whose codes are told; empty: all controls, a line each.
+int list_controls(const std::string& id, const std::string& lang);
 /// `id`: of the machine whose axes are told; empty: all machines, a line each.
 int list_machines(const std::string& id);
 

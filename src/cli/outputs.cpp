@@ -36,7 +36,7 @@ FileSet set_of(const std::string& name, int stream) {
 bool came_out() {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  complain(fmt::format("{}: {}", told("standard output", "стандартный вывод"), told_errno(errno != 0 ? errno : EIO)));
+  complain_of_writing(told("standard output", "стандартный вывод"), errno != 0 ? errno : EIO);
   return false;
 }
 

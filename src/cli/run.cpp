@@ -198,7 +198,7 @@ class RunCommand {
       if (stopped[i].report) trace.finish(ending, *stopped[i].report, job_.texts(), lang_, more);
       else trace.finish(ending, more);
       if (trace.ok()) continue;
-      complain(fmt::format("{}: {}", options_.trace, told_errno(trace.error())));
+      complain_of_writing(options_.trace, trace.error());
       return false;
     }
     return true;
@@ -214,7 +214,7 @@ class RunCommand {
         outlets_of(*view).warning(report);
       }
       if (written) continue;
-      complain(fmt::format("{}: {}", options_.samples, told_errno(view->planned->error())));
+      complain_of_writing(options_.samples, view->planned->error());
       return false;
     }
     return true;
@@ -251,20 +251,27 @@ class RunCommand {
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
-      if (channels_.size() > 1) fmt::print("{}", channel_heading(channels_[i].number, lang_));
-      fmt::print("{}", views_[i]->planned->why(*channels_[i].control, lang_));
+      if (channels_.size() > 1) fmt::print(text_goes_to(), "{}", channel_heading(channels_[i].number, lang_));
+      fmt::print(text_goes_to(), "{}", views_[i]->planned->why(*channels_[i].control, lang_));
     }
   }
 
+  /// What a program reads is alone on standard output: then the summary goes to standard error.
+  std::FILE* text_goes_to() const {
+    const auto is_data = [](const std::string& name) { return name == "-"; };
+    return is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
+  }
+
   void print_summary() const {
-    if (channels_.size() == 1) return fmt::print("{}", summary_of(0));
+    std::FILE* const to = text_goes_to();
+    if (channels_.size() == 1) return fmt::print(to, "{}", summary_of(0));
     std::vector<ChannelTime> times;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const View& view = *views_[i];
       times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
-      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
+      fmt::print(to, "{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
     }
-    fmt::print("{}", channels_text(times, lang_));
+    fmt::print(to, "{}", channels_text(times, lang_));
   }
 
   const Options& options_;

@@ -6,11 +6,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 
 #include "cli/options.h"
+#include "config/read_file.h"
 #include "out/text/source_line.h"
 
 namespace kadr::cli {
@@ -68,5 +70,9 @@ void say(const std::string& text) {
 }
 
 void complain(const std::string& text) { say("kadr: " + text + "\n"); }
+
+void complain_of_writing(const std::string& name, int error) {
+  if (error != EPIPE) complain(name + ": " + told_errno(error));
+}
 
 }  // namespace kadr::cli

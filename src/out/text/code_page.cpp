@@ -5,8 +5,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/ascii.h"
 #include "out/text/asked_code.h"
 #include "out/text/cycle_text.h"
 #include "out/text/in_language.h"
@@ -110,7 +112,64 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
   return text;
 }
 
+/// As the control prints them: PS0114, error:33, ALARM:2.
+std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
+  const std::size_t digits = what.find_first_of("0123456789");
+  if (digits == std::string::npos || digits < 2 || what.find_first_not_of("0123456789", digits) != std::string::npos) return std::nullopt;
+  std::optional<std::string> text;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i) {
+    const auto id = static_cast<AlarmId>(i);
+    const std::string& pattern = texts.pattern(id, Lang::en);
+    const std::string_view first = std::string_view(pattern).substr(0, pattern.find_first_of(" ,"));
+    if (first.size() == what.size() && std::equal(first.begin(), first.end(), what.begin(), [](char a, char b) { return to_upper(a) == to_upper(b); }))
+      text = text.value_or("") + alarm_text_of(def, texts, id, lang);
+  }
+  return text;
+}
+
+/// Small letters, Latin and Russian (UTF-8: А to Я are D0 90 to D0 AF).
+std::string small_letters(std::string_view text) {
+  std::string small(text);
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    if (is_capital(small[i])) small[i] = to_lower(small[i]);
+    if (static_cast<unsigned char>(small[i]) != 0xD0 || i + 1 >= small.size()) continue;
+    const auto next = static_cast<unsigned char>(small[i + 1]);
+    if (next >= 0x90 && next <= 0x9F) small[i + 1] = static_cast<char>(next + 0x20);
+    if (next >= 0xA0 && next <= 0xAF) small[i] = static_cast<char>(0xD1), small[i + 1] = static_cast<char>(next - 0x20);
+  }
+  return small;
+}
+
+bool has_words(std::string_view text, std::string_view words) {
+  const std::string small = small_letters(text), wanted = small_letters(words);
+  for (std::size_t at = 0; at < wanted.size();) {
+    const std::size_t end = std::min(wanted.find(' ', at), wanted.size());
+    if (end > at && small.find(wanted.substr(at, end - at)) == std::string::npos) return false;
+    at = end + 1;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang) {
+  constexpr std::size_t least = 3;  // bytes: letters alone are addresses
+  if (words.size() < least || words.find_first_not_of(' ') == std::string::npos) return std::nullopt;
+  std::string found;
+  const auto offer = [&](const std::string& name, const std::string& en, const std::string& ru) {
+    if (has_words(en + " " + ru, words)) found += fmt::format("  {:<10}{}\n", name, lang == Lang::ru ? ru : en);
+  };
+  for (const CodeRow& row : def.codes) offer(row.code, row.text.en, row.text.ru);
+  for (const CycleRow& row : def.cycles) offer(row.name, row.text.en, row.text.ru);
+  for (const AddressRow& row : def.addresses)
+    if (row.function != Function::count) offer(address_written(row.letter), row.text.en, row.text.ru);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i) {
+    const auto id = static_cast<AlarmId>(i);
+    offer(std::string(name_of(id)) + " ", texts.pattern(id, Lang::en), texts.pattern(id, Lang::ru));
+  }
+  if (found.empty()) return std::nullopt;
+  return fmt::format("{}: {}\n{}", def.id, words, found);
+}
 
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
   const std::string code = code_asked(what);
@@ -121,6 +180,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
     const auto parameter = explain_parameter(def, code, lang);
     return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;
   }
+  if (const auto alarms = prefixed_alarms(def, texts, what, lang)) return alarms;
   if (what[0] == '#') return explain_variable(def, what, lang);
   const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
   if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {

@@ -13,6 +13,8 @@ namespace kadr {
 /// number (radius_mismatch, 2012), a system variable (#5021, ABSIO).
 ///   returns  nothing, if it has no such row
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang);
+/// Codes, addresses, cycles and alarms of the control whose text in either language has all these words, a line each; nullopt: none has.
+std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang);
 
 /// Overview of a control: its codes in one list.
 std::string explain_control(const ControlDef& def, Lang lang);
