@@ -144,7 +144,10 @@ class Reader {
 
   void remember() {
     CycleMemory& memory = m_.cycle_memory;
-    if (m_.has(m_.letters.axis_letter[hole_.drill])) memory.bottom = m_.length_value(m_.letters.axis_letter[hole_.drill]);
+    if (const char drill = m_.letters.axis_letter[hole_.drill]; m_.has(drill)) {
+      const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;  // G7 in G19; R stays a radius (2.9, #2948)
+      memory.bottom = m_.length_value(drill) / (is_diameter ? 2 : 1);
+    }
     if (m_.has('R')) memory.level = m_.length_value('R');
     if (m_.has('P')) memory.dwell = m_.value('P');
     if (m_.has('Q')) memory.peck = m_.length_value('Q');
