@@ -45,7 +45,7 @@ std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t oth
 std::string commands_text() {
   return told(
       "  step [N]             N blocks, into calls          next [N]     N blocks, over calls\n"
-      "  finish               out of the call               continue     to the next breakpoint, or to the end\n"
+      "  finish               out of the call               continue, run  to the next breakpoint, or to the end\n"
       "  until LINE[:PASS]    to a line                     back [N]     N commands of motion back\n"
       "  break [FILE:]LINE [if CONDITION], break if CONDITION, break call NAME\n"
       "  breaks               lists them                    delete N     takes one away\n"
@@ -56,7 +56,7 @@ std::string commands_text() {
       "  search LINE[:PASS]   to a line as the control's own block search goes there, and what that forgets (nct)\n"
       "  quit                 ends\n",
       "  step [N]             N кадров, заходя в вызовы     next [N]     N кадров, не заходя в вызовы\n"
-      "  finish               до выхода из вызова           continue     до точки останова или до конца\n"
+      "  finish               до выхода из вызова           continue, run  до точки останова или до конца\n"
       "  until СТРОКА[:ПРОХОД] до строки                    back [N]     на N команд движения назад\n"
       "  break [ФАЙЛ:]СТРОКА [if УСЛОВИЕ], break if УСЛОВИЕ, break call ИМЯ\n"
       "  breaks               их перечень                   delete N     убрать точку\n"
@@ -104,11 +104,11 @@ class Debugger : public PartOfProgram {
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
     if (word == "finish" || word == "f") return move(How::out, "");
-    if (word == "continue" || word == "c") return go_on();
+    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // gdb begins by run
     if (word == "until" || word == "u") return until(rest);
     if (word == "back") return back(rest);
     if (word == "break" || word == "b") return add_break(rest);
-    if (word == "breaks") return list_breaks();
+    if (word == "breaks" || (word == "info" && rest.starts_with('b'))) return list_breaks();
     if (word == "delete" || word == "d") return remove(rest);
     if (word == "print" || word == "p") return print(rest);
     if (word == "watch" || word == "w") return watch(rest);
