@@ -57,7 +57,7 @@ GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert"}
 TEXT_KEYS = {"en", "ru", "manual"}
-ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
+ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "from",
                          "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}

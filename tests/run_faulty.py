@@ -73,7 +73,7 @@ class Expected:
 
 
 def run(kadr, program, control, args, style):
-    done = harness.Kadr(kadr, program.parent).call('check', program.name, '--control', control, '--lang', 'en', '--format', style, *args)
+    done = harness.Kadr(kadr, program.parent).call('check', program.name, '--control', control, '--lang', 'en', '--format', style, *(['--every'] if style == 'text' else []), *args)
     return done.returncode, done.stdout, done.stderr
 
 

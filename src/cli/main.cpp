@@ -66,7 +66,7 @@ void take_usual_words(int argc, char** argv) {
   static char help[] = "--help", version[] = "--version";
   if (argc < 2) return;
   const std::string_view word = argv[1];
-  if (word == "version" && argc == 2) argv[1] = version;
+  if (word == "version") argv[1] = version;
   if (word != "help") return;
   for (int i = 1; i + 1 < argc; ++i) argv[i] = argv[i + 1];
   argv[argc - 1] = help;

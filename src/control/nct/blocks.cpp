@@ -125,6 +125,18 @@ Status check_words(const Interpreter& m) {
   return check_m_codes(m);
 }
 
+/// S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
+Status check_points(const Interpreter& m) {
+  const std::uint64_t concerned = nct_of(m).without_point;
+  if ((m.block->letters & concerned) == 0) return {};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.has_point && w.address != 0 && (letter_bit(w.address) & concerned) != 0)
+      return fail(alarm(AlarmId::point_not_allowed, w.where, w.address));
+  }
+  return {};
+}
+
 /// P has one meaning in a block (8, 10.2.2, 14.4.2).
 Status one_meaning_of_p(const Interpreter& m) {
   if (!m.has('P')) return {};
@@ -261,6 +273,7 @@ Result<bool> before_plan(Interpreter& m) {
     return false;
   }
   if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
+    KADR_TRY(check_points(m));
     KADR_TRY(check_values(m));
     note_words(m);
     m.block->calls_macro = false;
@@ -274,6 +287,7 @@ Result<bool> before_plan(Interpreter& m) {
     m.block->checked = m.block->letters;
     return false;
   }
+  KADR_TRY(check_points(m));
   if (m.def.behaviour.last_word_counts) drop_repeated(m);
   if (!m.def.grammar.least_increments.empty()) count_increments(m);
   KADR_TRY(check_values(m));

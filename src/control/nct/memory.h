@@ -194,6 +194,7 @@ struct Memory {
   std::vector<std::pair<std::size_t, int>> spindle_axes;  // axis, spindle that it is made of (11.8)
   Endless endless;
   std::uint64_t parameters_seen = 0;  // version of the parameters that `settings` are of, plus 1
+  std::uint64_t without_point = 0;  // letters whose numbers take no decimal point (spec/fanuc 1.3)
 };
 
 }  // namespace kadr::nct

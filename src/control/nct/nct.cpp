@@ -192,6 +192,10 @@ void Nct::refresh_settings(Interpreter& m) {
 bool Nct::start(Interpreter& m, const Setup& setup) {
   setup_reference_ = m.tables.reference;
   refresh_settings(m);
+  without_point = 0;
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if (const WordFormat& format = m.def.grammar.word(letter); format.known && format.whole_digits == 0 && !format.point)
+      without_point |= letter_bit(letter);
   singular = setup.kinematics.singular;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();

@@ -46,7 +46,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
     // check_digits of lang/block/word_reader has nothing to do where digits are free and all of them count
     easy_[static_cast<std::size_t>(letter - 'A')] =
-        !format.code && format.whole_digits == 0 && format.point && !format.implied && !format.second_number && format.counted == 0;
+        !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
 }
 
@@ -158,7 +158,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
 bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
   constexpr std::uint64_t most_code = 99'999;
   if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;
-  if (format.whole_digits == 0) return format.point || !digits.has_point;
+  if (format.whole_digits == 0) return true;
   const bool implied = format.implied && !digits.has_point;
   const std::size_t most = format.whole_digits + (implied ? std::size_t{format.fraction_digits} : 0);
   if ((digits.has_point && !format.point) || digits.whole > most || digits.fraction > format.fraction_digits) return false;

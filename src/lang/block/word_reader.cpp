@@ -98,8 +98,6 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
   w.has_point = read.has_point;
   if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
-  else if (read.has_point && format.known && !format.point)
-    return fail(alarm(AlarmId::point_not_allowed, span(begin, cursor_.at), w.address));
   w.value = format.implied && !read.has_point ? read.mantissa / powers_of_ten[format.fraction_digits] : read.value;
   if (format.counted != 0 && !read.has_point) w.value = read.mantissa / powers_of_ten[w.counted = format.counted];
   if (sign == '-') w.value = -w.value;

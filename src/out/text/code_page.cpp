@@ -140,11 +140,25 @@ std::string small_letters(std::string_view text) {
   return small;
 }
 
+/// Words of manuals for one thing: whoever asks by one of them means the others.
+constexpr std::string_view same_words[][3] = {{"cutter", "radius", "contour"}, {"canned", "drilling", "cycle"},   {"fixture", "work zero", "work system"},
+                                              {"home", "reference", ""},       {"pause", "dwell", ""},            {"фреза", "радиус", "эквидистант"},
+                                              {"выдержка", "пауза", ""},       {"сверление", "цикл", ""}};
+
+/// A word, or one that means the same, within the text; both in small letters.
+bool has_word(const std::string& text, const std::string& word) {
+  if (text.find(word) != std::string::npos) return true;
+  for (const auto& group : same_words)
+    if (std::find(std::begin(group), std::end(group), word) != std::end(group))
+      return std::any_of(std::begin(group), std::end(group), [&](std::string_view one) { return !one.empty() && text.find(one) != std::string::npos; });
+  return false;
+}
+
 bool has_words(std::string_view text, std::string_view words) {
   const std::string small = small_letters(text), wanted = small_letters(words);
   for (std::size_t at = 0; at < wanted.size();) {
     const std::size_t end = std::min(wanted.find(' ', at), wanted.size());
-    if (end > at && small.find(wanted.substr(at, end - at)) == std::string::npos) return false;
+    if (end > at && !has_word(small, wanted.substr(at, end - at))) return false;
     at = end + 1;
   }
   return true;
