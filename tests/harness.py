@@ -202,6 +202,8 @@ def stands(process, seconds=1.0):
     end, before, since = time.monotonic() + TIME_LIMIT_S, None, time.monotonic()
     while time.monotonic() < end:
         now = times_of(process)[0], spent(process)
+        if now[0] == 'Z':   # it is over
+            return False
         if now != before or now[0] != 'S':
             before, since = now, time.monotonic()
         elif time.monotonic() - since >= seconds:
