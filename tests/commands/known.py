@@ -1,0 +1,65 @@
+"""What is known to be wrong, with the reason. It does not fail tests/every_command.py, and fails it once it is mended: then its row goes."""
+import collections
+import dataclasses
+import fnmatch
+import re
+
+import harness
+
+
+@dataclasses.dataclass
+class Open:
+    check: str | list   # the checks that find it, by their names (fnmatch): one pattern or several
+    fault: str          # what they say of it (a regular expression)
+    why: str
+
+    def finds(self, what):
+        return any(fnmatch.fnmatch(what, pattern) for pattern in ([self.check] if isinstance(self.check, str) else self.check))
+
+
+OPEN = {
+    'E2': Open('limits small: variable*', r'memory', 'linuxcnc: parameters from 1e9 on are as many as their numbers'),
+    'E3-threads': Open('limits no threads: *', r'SIGABRT|left over', 'no thread can be made: std::thread throws, and nobody takes it'),
+    'E3-memory': Open('limits memory: *', r'SIGABRT|left over',
+                      'cli/stop.cpp cannot make its thread; stock/cut: what a thread throws, or a thread that is not joined, ends the program'),
+    'E4': Open('limits small: samples of a long cycle*', r'SIGXCPU|memory|left over', '--max-time does not bound the work that comes before the samples'),
+    'E7-device': Open('limits device: *', r'read whole', 'a program from a device or pipe is read into memory to its end, up to 2 GiB'),
+    'E7-baseline': Open('limits pipe: check --baseline*', r'waits', 'check --baseline opens a FIFO and waits for somebody to write into it'),
+    'E8-signals': Open('limits SIG[HQ]*', r'left over', 'SIGHUP and SIGQUIT are not held back as SIGINT and SIGTERM are'),
+    'E8-names': Open('limits names: *', r'control character', 'names of files and words of the command line are printed as they are'),
+    'E8-full': Open('limits full disk: setup*', r'left over', 'setup --out: the file that could not be written stays, empty'),
+    'E8-debug': Open(['*/*.tape: debug', 'limits texts: debug'], r'control character', 'kadr debug prints the lines of a program as their bytes'),
+    'E8-diff': Open('limits texts: diff *', r'control character', 'kadr diff prints the messages of a program as their bytes'),
+    'C3-head': Open([f'limits no reader: {command}*' for command in ('check * --format', 'setup', 'debug', 'explain', 'man', 'completion')], r'complains',
+                    'a reader that goes away (| head) is told of on standard error, in part as a disk that fails'),
+    'file-size': Open('limits file size: *', r'SIGXFSZ|left over', 'SIGXFSZ (ulimit -f) ends the program, and .kadr-PID-N stays; ignored, it would be a write error'),
+}
+
+
+class Tally(harness.Tally):
+    """Counts the checks; what OPEN names is counted by its row."""
+
+    def __init__(self, tell_open=False):
+        super().__init__()
+        self.looked_at, self.open, self.tell_open = set(), collections.Counter(), tell_open
+
+    def judge(self, what, faults):
+        rows = [(name, row) for name, row in OPEN.items() if row.finds(what)]
+        known = {fault: [name for name, row in rows if re.search(row.fault, fault)] for fault in faults}
+        with self.lock:
+            self.looked_at |= {name for name, _ in rows}
+            self.open.update({name for names in known.values() for name in names})
+        left = [fault for fault, names in known.items() if not names]
+        if self.tell_open:
+            for fault in known.keys() - left:
+                print(f'open {" ".join(known[fault])} {what}: {fault}', flush=True)
+        if left or not known:
+            super().judge(what, left)
+
+    def result(self):
+        for name, row in OPEN.items():
+            if self.open[name]:
+                print(f'open {name}: {self.open[name]} checks; {row.why}', flush=True)
+            elif name in self.looked_at:
+                super().judge(f'open {name}', ['it is found no more: its row in OPEN goes'])
+        return super().result()
