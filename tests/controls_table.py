@@ -365,6 +365,8 @@ def check_alarms(table):
         check_keys(row, ALARM_KEYS, where)
         check_text(row | ({"ru": "текст программы"} if name in TEXT_OF_THE_PROGRAM else {}), where, manual=False)
         check_text({"en": row.get("hint_en", ""), "ru": row.get("hint_ru", "")}, f"{where} hint", manual=False)
+        check(not re.search(r"\bN\d{4}\b", " ".join(str(text) for text in row.values())),
+              f"{where}: names a parameter of one control; that text stands in the control's file")
         check(row.get("severity", "alarm") in ("alarm", "warning", "note"), f"{where}: severity")
         args = row.get("args", -1)
         check(0 <= args <= 3, f"{where}: args 0 to 3")

@@ -15,7 +15,7 @@
   X(mark_letter) X(call_digits) X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
   X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
-  X(code_unknown) X(group_conflict) X(word_unused) X(word_passed_over) X(word_without_effect) X(word_missing) X(word_not_integer) \
+  X(code_unknown) X(group_conflict) X(word_unused) X(word_passed_over) X(axis_passed_over) X(word_without_effect) X(word_missing) X(word_not_integer) \
   X(value_out_of_range) X(no_axis_word) X(own_block) X(not_together)                         \
   X(variable_unknown) X(variable_not_set)                              \
   X(division_by_zero) X(not_a_number)                                                        \
@@ -55,7 +55,7 @@
   X(parameter_unknown) X(parameter_not_writable) X(parameter_argument) X(data_block)         \
   /* spindles, tools, M codes (nct 11 to 13) */                                              \
   X(m_codes_contradict) X(one_spindle) X(spindle_of_other_channel) X(spindle_not_indexable)  \
-  X(spindle_not_orientable) X(spindle_loop_open) X(spindle_not_referenced) X(tool_not_found) \
+  X(spindle_not_orientable) X(spindle_loop_open) X(spindle_not_referenced) X(tool_not_found) X(length_of_other_tool) \
   X(magazine_number) X(too_many_m_codes)                                                     \
   /* geometry, cycles, probes (nct 4, 10, 18, 19, 21) */                                     \
   X(thread_definition) X(thread_axes) X(incremental_in_machine) X(plane_illegal)             \
@@ -74,7 +74,7 @@
   X(gear_not_on) X(coupling_parameter) X(axis_follows)                              \
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
-  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
+  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed) X(compensation_plane)           \
   X(compensation_interference) X(contour_cut) X(beside_contour)                              \
   /* transformations (nct 16) */                                                             \
   X(mirror_state)                                                      \

@@ -17,7 +17,7 @@ bool has_several_processors() {
 
 SideBySide::~SideBySide() {
   if (!thread_.joinable()) return;
-  wait_for(done_, [&] { return is_done(); });
+  finish();
   over_.store(true, std::memory_order_release);
   given_.fetch_add(1, std::memory_order_release);
   given_.notify_one();
@@ -54,15 +54,34 @@ void SideBySide::work() {
     wait_for(
         given_, [&] { return given_.load(std::memory_order_acquire) != seen; }, few_looks);
     if (over_.load(std::memory_order_acquire)) return;
+    if (!claim(seen + 1)) continue;
     carry_out();
     done_.store(seen + 1, std::memory_order_release);
     done_.notify_one();
   }
 }
 
+/// The piece of work of that number is this side's.
+bool SideBySide::claim(std::uint32_t number) {
+  std::uint32_t before = number - 1;
+  return claimed_.compare_exchange_strong(before, number, std::memory_order_acq_rel);
+}
+
+/// What the thread has not begun yet, as no processor is free for it, is done here.
+void SideBySide::finish() {
+  const std::uint32_t given = given_.load(std::memory_order_relaxed);
+  if (is_done()) return;
+  if (claim(given)) {
+    carry_out();
+    done_.store(given, std::memory_order_release);
+  } else {
+    wait_for(done_, [&] { return is_done(); });
+  }
+}
+
 void SideBySide::wait() {
   if (!begun_) return;
-  if (!alone_) wait_for(done_, [&] { return is_done(); });
+  if (!alone_) finish();
   begun_ = false;
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }

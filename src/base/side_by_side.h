@@ -10,9 +10,10 @@
 namespace kadr {
 
 /// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
-/// some 20 µs, in a virtual machine longer. `most_looks`: 20,000 take less than a millisecond.
+/// some 20 µs, in a virtual machine longer; 500 looks take about as long. More would use up the time slice of the very thread that is waited
+/// for where the machine is busy.
 template <class Value, class Done>
-void wait_for(const std::atomic<Value>& changes, const Done& done, int most_looks = 20'000) {
+void wait_for(const std::atomic<Value>& changes, const Done& done, int most_looks = 500) {
   for (int look = 0;; ++look) {
     const Value seen = changes.load(std::memory_order_acquire);
     if (done()) return;
@@ -46,6 +47,8 @@ class SideBySide {
  private:
   void work();
   void carry_out();
+  bool claim(std::uint32_t number);
+  void finish();
   bool is_done() const { return done_.load(std::memory_order_acquire) == given_.load(std::memory_order_relaxed); }
 
   std::function<void()> work_;
@@ -53,7 +56,7 @@ class SideBySide {
   bool begun_ = false;  // and not waited for
   bool alone_ = false;  // no thread is to be had
   std::thread thread_;  // begun with the first work
-  std::atomic<std::uint32_t> given_ = 0, done_ = 0;
+  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // by number, from 1
   std::atomic<bool> over_ = false;
 };
 

@@ -22,7 +22,8 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
   const std::vector<AlarmId>& disabled = job.setup.disabled;
   if (std::find(disabled.begin(), disabled.end(), AlarmId::not_stated) != disabled.end()) return std::nullopt;
   const auto counts = [](UseKind kind) {
-    return kind == UseKind::length || kind == UseKind::radius || kind == UseKind::work_zero || kind == UseKind::corrector;
+    return kind == UseKind::length || kind == UseKind::radius || kind == UseKind::work_zero || kind == UseKind::corrector ||
+           kind == UseKind::variable;
   };
   const Use* first = nullptr;
   std::string list;

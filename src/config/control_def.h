@@ -237,6 +237,7 @@ struct Behaviour {
   bool shifts_by_q = false;                  // G76, G87: Q is the shift, its direction a parameter (spec/fanuc 10.5)
   bool taps_rigid = false;                   // G74, G84 turn the spindle with the axis, always (spec/haas 8.4)
   bool pecks_by_ijk = false;                 // G83 I J K: the first cut, each next so much less, never below K (spec/haas 8.3)
+  bool compensation_in_xy = false;           // G41, G42 in another plane than XY are an alarm (spec/haas 10)
   bool reference_outside_cycles = false;     // G27 to G30 in a drilling cycle are an alarm (spec/fanuc 10.1)
   bool reference_all_axes = false;           // G28 alone: all axes, straight to the point (spec/haas 5.1)
   bool length_axis_third = false;            // G43 acts on Z whatever the block names, unless a parameter says otherwise (spec/fanuc 7.1)

@@ -115,6 +115,17 @@ void lay_variables(const toml::table& under, toml::table& over) {
 
 bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
 
+/// Sections of the manual of another control are none of the one that extends it.
+void forget_sections(toml::table& table) {
+  for (auto&& [key, value] : table) {
+    if (key == "manual") value.ref<std::string>() = "";
+    else if (toml::table* const inner = value.as_table()) forget_sections(*inner);
+    else if (toml::array* const rows = value.as_array())
+      for (toml::node& row : *rows)
+        if (toml::table* const one = row.as_table()) forget_sections(*one);
+  }
+}
+
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage, const FileDoor* door) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
@@ -138,6 +149,7 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   auto under = merged(std::move(*base_table), name, from, lineage, door);
   if (!under) return under;
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
+  if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>()) forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);

@@ -70,6 +70,7 @@ Done ControlLoader::behaviour() {
   flag("taps_rigid", b.taps_rigid);
   flag("pecks_by_ijk", b.pecks_by_ijk);
   flag("reference_outside_cycles", b.reference_outside_cycles);
+  flag("compensation_in_xy", b.compensation_in_xy);
   flag("reference_all_axes", b.reference_all_axes);
   flag("length_axis_third", b.length_axis_third);
   flag("arc_difference_free", b.arc_difference_free);

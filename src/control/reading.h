@@ -10,7 +10,7 @@ struct Reading {
 
   bool known(double number, double& value) const {
     if (m.macro_variables == nullptr || !m.macro_variables->known(number, value)) return false;
-    if (is_vacant(value) && m.use.watches()) [[unlikely]]
+    if (is_vacant(value)) [[unlikely]]
       note_read(m, number);
     return true;
   }

@@ -181,11 +181,15 @@ Ending Interpreter::ending() {
   return e;
 }
 
+/// Of an axis that machines of this control may have.
+constexpr bool names_an_axis(char letter) { return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z'); }
+
 /// Words that nothing in the block takes: the control says nothing of them (spec/fanuc 1.2).
 void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (const Word& w = block->words[i]; w.address != 0 && (letters_passed & letter_bit(w.address)) != 0)
-      warn(warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
+      warn(names_an_axis(w.address) ? warning(AlarmId::axis_passed_over, w.where, std::string_view(&w.address, 1), block->text_of(w.where))
+                                    : warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
 }
 
 /// What the block changed of the things that survive power-off.

@@ -50,8 +50,18 @@ void RunAhead::begin_thread() {
 void RunAhead::work() {
   while (!over_.load(std::memory_order_acquire)) {
     wait_for(news_, [this] { return may_make() || over_.load(std::memory_order_acquire); });
-    while (may_make()) make();
+    while (may_make()) make_or_wait([this] { return may_make(); });
   }
+}
+
+/// The next batch, made by whichever side has the control free: the one that needs it does not wait for the other to be given a processor.
+template <class Wanted>
+void RunAhead::make_or_wait(const Wanted& wanted) {
+  if (in_hand_.exchange(1, std::memory_order_acquire) != 0)
+    return wait_for(in_hand_, [this] { return in_hand_.load(std::memory_order_acquire) == 0; });
+  if (wanted()) make();
+  in_hand_.store(0, std::memory_order_release);
+  in_hand_.notify_one();
 }
 
 void RunAhead::make() {
@@ -68,11 +78,11 @@ void RunAhead::make() {
   in_work_ = nullptr;
   if (batch.is_last()) stands_.store(true, std::memory_order_release);
   made_.store(made + 1, std::memory_order_release);
-  made_.notify_one();
 }
 
 Control::State RunAhead::take(ActionBatch& actions, std::vector<AlarmReport>& warnings) {
-  wait_for(made_, [this] { return made_.load(std::memory_order_acquire) > taken_; });
+  const auto is_missing = [this] { return made_.load(std::memory_order_acquire) <= taken_; };
+  while (is_missing()) make_or_wait(is_missing);
   Batch& batch = ring_[taken_ % depth];
   if (batch.failure) std::rethrow_exception(batch.failure);
   std::swap(actions, batch.actions);
@@ -82,16 +92,15 @@ Control::State RunAhead::take(ActionBatch& actions, std::vector<AlarmReport>& wa
   ++taken_;
   if (going_) {
     allowed_.store(taken_ + depth, std::memory_order_release);
-    give_way();
+    if (!beside_ || taken_ + depth >= made_.load(std::memory_order_acquire) + worth_waking) give_way();
   }
   return state;
 }
 
 void RunAhead::settle() {
   if (!going_) return;
-  wait_for(made_, [this] {
-    return made_.load(std::memory_order_acquire) == allowed_.load(std::memory_order_relaxed) || stands_.load(std::memory_order_acquire);
-  });
+  while (may_make()) make_or_wait([this] { return may_make(); });
+  wait_for(in_hand_, [this] { return in_hand_.load(std::memory_order_acquire) == 0; });
 }
 
 void RunAhead::add_to_come(std::vector<Batch>& to) const {

@@ -52,10 +52,13 @@ class RunAhead {
 
  private:
   static constexpr std::uint64_t depth = 16;
+  static constexpr std::uint64_t worth_waking = depth / 2;  // batches to be made: for fewer the thread is left asleep
 
   void begin_thread();
   void work();
   void make();
+  template <class Wanted>
+  void make_or_wait(const Wanted& wanted);
   bool may_make() const;
   void give_way();
 
@@ -70,6 +73,7 @@ class RunAhead {
   std::atomic<std::uint64_t> allowed_ = 0;  // batches that may be made in all
   std::atomic<std::uint64_t> made_ = 0;
   std::atomic<bool> stands_ = true;  // the last batch made is the last
+  std::atomic<std::uint32_t> in_hand_ = 0;  // 1: one of the two sides runs the control
   std::atomic<bool> over_ = false;
   std::atomic<std::uint32_t> news_ = 0;  // counts what the thread may wait for
 };

@@ -18,7 +18,7 @@ enum class UseKind : std::uint8_t {
   work_zero,      // by the row of its table: work_systems() of config/setup_names tells the names
   corrector,      // of an axis, or of a tool's radius
   tool,           // T
-  variable,       // #n read before anything was written to it; only where it is watched
+  variable,       // #n read before anything was written to it; of a control without vacant variables only where it is watched
   parameter,      // R0 … R9, the same
   skip_switch,    // of /, /n
   optional_stop,  // M1

@@ -25,11 +25,11 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   return text;
 }
 
+const char* axes_of(const CodeRow& row, Lang lang) { return !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes"; }
+
 }  // namespace
 
-std::string words_of(const CodeRow& row, Lang lang) {
-  return letters_of(row.takes, !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes");
-}
+std::string words_of(const CodeRow& row, Lang lang) { return letters_of(row.takes, axes_of(row, lang)); }
 
 std::string initial_mark(const ControlDef& def, const CodeRow& row) {
   if (row.group == 0 || def.groups[row.group].power_on < 0) return {};
@@ -50,6 +50,11 @@ std::string format_of(const ControlDef& def, const AddressRow& row) {
 
 namespace {
 
+/// Nothing for a row that comes from the control which this one extends: it has a manual of its own.
+std::string source_text(const ControlDef& def, const std::string& section, Lang lang) {
+  return section.empty() ? std::string() : fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, section);
+}
+
 std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
   std::string text = fmt::format("{} {}: {}\n", def.id, row.code, in_language(row.text, lang));
@@ -58,15 +63,12 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
                       row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
-  if (row.takes != 0 || row.takes_all_axes)
-    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang)) + words_text(def, row, lang);
+  if (const std::string words = letters_of(row.takes | number_words(def, row), axes_of(row, lang)); !words.empty())
+    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words) + words_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
-  text += steps_text(row, lang);
-  text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
-                      row.arg != 0 ? fmt::format(" {}", row.arg) : "");
+  text += steps_text(def, row, lang);
   if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
-  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
-  return text;
+  return text + source_text(def, row.manual, lang);
 }
 
 std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
@@ -76,8 +78,7 @@ std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
     text += fmt::format("  {}\n",
                         ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
-  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
-  return text;
+  return text + source_text(def, row.manual, lang);
 }
 
 std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
@@ -90,8 +91,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   }
   text += steps_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
-  text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
-  return text;
+  return text + source_text(def, row.manual, lang);
 }
 
 /// The alarm in both languages where the control has words of its own: an operator reads them on its screen.

@@ -79,12 +79,17 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-std::vector<std::string> drilling_steps(const DrillCycle& cycle, Lang lang) {
+/// `by_e`: the cycle has a word E for how far it draws back between pecks; else a parameter of the control says it.
+std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
+  const auto words_for = [&](DrillStep step) {
+    if (!by_e && step == DrillStep::break_chips) return in_language(step_words[static_cast<std::size_t>(CycleStep::peck_break)], lang);
+    if (!by_e && step == DrillStep::clear_chips) return in_language(step_words[static_cast<std::size_t>(CycleStep::peck_full)], lang);
+    return in_language(drill_words[static_cast<std::size_t>(step)], lang);
+  };
   std::vector<std::string> steps;
   if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.emplace_back(in_language(over_hole, lang));
   for (const DrillStep step : cycle.steps)
-    if (const std::string_view text = in_language(drill_words[static_cast<std::size_t>(step)], lang); !text.empty())
-      steps.emplace_back(text);
+    if (const std::string_view text = words_for(step); !text.empty()) steps.emplace_back(text);
   return steps;
 }
 
@@ -162,15 +167,16 @@ std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   return numbered(steps, head(lang));
 }
 
-std::string steps_text(const CodeRow& row, Lang lang) {
+std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   if (row.function != Function::drilling) return {};
   const DrillCycle* const cycle = drill_cycle(drill_code(row));
   if (cycle == nullptr) return {};
-  std::string text = numbered(drilling_steps(*cycle, lang), head(lang));
+  const bool by_e = (row.takes & bits("E")) != 0;
+  std::string text = numbered(drilling_steps(*cycle, by_e, lang), head(lang));
   if (!may_bore_back(*cycle)) return text;
-  const std::string_view oriented = lang == Lang::ru ? "шаги, если шпиндель ориентируется (N0607 #1 ORI = 1)"
-                                                     : "steps, where the spindle can be oriented (N0607 #1 ORI = 1)";
-  return text + numbered(drilling_steps(*drill_cycle(back_boring), lang), oriented);
+  const std::string_view parameter = def.lineage.empty() ? " (N0607 #1 ORI = 1)" : "";  // of the NCT
+  const std::string_view oriented = lang == Lang::ru ? "шаги, если шпиндель ориентируется" : "steps, where the spindle can be oriented";
+  return text + numbered(drilling_steps(*drill_cycle(back_boring), by_e, lang), fmt::format("{}{}", oriented, parameter));
 }
 
 std::uint64_t words_used(const CodeRow& row) {

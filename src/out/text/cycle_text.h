@@ -12,7 +12,7 @@ namespace kadr {
 /// Lines "    1. feed to the bottom" under a head; empty, if nothing is known.
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang);
 /// The same of a code whose cycle is of the engine's: G81 of the NCT.
-std::string steps_text(const CodeRow& row, Lang lang);
+std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang);
 /// Letters (bits) that a drilling code obeys: of Q, E, P, I, J, K those that its own operations use; all of any other code.
 std::uint64_t words_used(const CodeRow& row);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "out/text/cycle_text.h"
 
@@ -20,7 +21,7 @@ struct Meaning {
   std::string_view en, ru;
 };
 
-// nct 18.0: drilling. Mach3 10.7.22 to 10.7.24: cycle.
+// nct 18.0: drilling; 15.5.1: radius_side. Mach3 10.7.22 to 10.7.24: cycle.
 constexpr Meaning meanings[] = {
     {Function::drilling, 'R', WordUnit::length, "point R: coordinate, in G91 the distance from the initial point",
      "точка R: координата, в G91 расстояние от исходной точки"},
@@ -36,6 +37,9 @@ constexpr Meaning meanings[] = {
      "смещение ориентированного инструмента по Y, в приращениях"},
     {Function::drilling, 'K', WordUnit::length, "shift of the oriented tool along Z, incremental",
      "смещение ориентированного инструмента по Z, в приращениях"},
+    {Function::radius_side, 'I', WordUnit::length, "direction of the way in, along X", "направление подхода по X"},
+    {Function::radius_side, 'J', WordUnit::length, "direction of the way in, along Y", "направление подхода по Y"},
+    {Function::radius_side, 'K', WordUnit::length, "direction of the way in, along Z", "направление подхода по Z"},
     {Function::cycle, 'Z', WordUnit::length, "bottom of the hole (G17): coordinate, in G91 the distance from R",
      "дно отверстия (G17): координата, в G91 расстояние от R"},
     {Function::cycle, 'R', WordUnit::length, "level R: coordinate, in G91 the distance from where the tool stands",
@@ -56,10 +60,48 @@ std::string_view unit_of(WordUnit unit, Lang lang) {
   return "";
 }
 
+/// Where the control says it otherwise than the NCT.
+std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
+  using enum WordUnit;
+  const std::uint64_t used = words_used(code);
+  const bool pecks = (used >> ('Q' - 'A') & 1u) != 0, shifts = (used >> ('K' - 'A') & 1u) != 0;
+  if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, "number of repetitions", "число повторений"};
+  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q)
+    return Meaning{code.function, letter, length, "shift of the oriented tool, positive", "смещение ориентированного инструмента, положительное"};
+  if (!pecks || !def.behaviour.pecks_by_ijk) return std::nullopt;
+  switch (letter) {
+    case 'I': return Meaning{code.function, letter, length, "depth of the first peck, without Q", "глубина первого прохода, без Q"};
+    case 'J': return Meaning{code.function, letter, length, "how much less each next peck is", "на сколько каждый следующий проход меньше"};
+    case 'K': return Meaning{code.function, letter, length, "depth of the smallest peck", "глубина наименьшего прохода"};
+    default: return std::nullopt;
+  }
+}
+
+/// The letters that the cycle looks at on this control.
+std::uint64_t used_letters(const ControlDef& def, const CodeRow& row) {
+  std::uint64_t used = words_used(row);
+  if (row.function != Function::drilling) return used;
+  for (int i = 0; i <= 'Z' - 'A'; ++i)
+    if (drilling_meaning(def, row, static_cast<char>('A' + i))) used |= std::uint64_t{1} << i;
+  return used;
+}
+
 }  // namespace
+
+std::uint64_t number_words(const ControlDef& def, const CodeRow& row) {
+  const Function wanted = row.function == Function::radius_side   ? Function::radius_number
+                          : row.function == Function::length_comp ? Function::length_number
+                                                                  : Function::count;
+  std::uint64_t letters = 0;
+  for (const AddressRow& address : def.addresses)
+    if (wanted != Function::count && address.function == wanted) letters |= std::uint64_t{1} << (address.letter - 'A');
+  return letters;
+}
 
 std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang) {
   const bool ru = lang == Lang::ru;
+  if (code.function == Function::drilling)
+    if (const auto own = drilling_meaning(def, code, letter)) return fmt::format("{}{}", ru ? own->ru : own->en, unit_of(own->unit, lang));
   const auto* const found = std::find_if(std::begin(meanings), std::end(meanings),
                                          [&](const Meaning& one) { return one.function == code.function && one.letter == letter; });
   if (found != std::end(meanings)) return fmt::format("{}{}", ru ? found->ru : found->en, unit_of(found->unit, lang));
@@ -75,10 +117,10 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
     text += fmt::format("    {}{}\n", ru ? "оси" : "axes",
                         ru ? ": отверстие в плоскости; ось сверления: дно, в G91 расстояние от R, мм (дюйм)"
                            : ": the hole in the plane; the drilling axis: the bottom, in G91 the distance from R, mm (inch)");
-  const std::uint64_t used = words_used(row);
+  const std::uint64_t used = used_letters(def, row);
   std::string idle;
   for (int i = 0; i <= comma_vector - 'A'; ++i) {
-    if ((row.takes >> i & 1u) == 0) continue;
+    if (((row.takes | number_words(def, row)) >> i & 1u) == 0) continue;
     const char letter = static_cast<char>('A' + i);
     const std::string name = address_written(letter);
     if ((used >> i & 1u) == 0) idle += (idle.empty() ? "" : " ") + name;

@@ -116,6 +116,7 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.rotation_adds = p.value("rotation_adds", 0) != 0;
   s.rotation_usual = p.value("rotation_usual", 0);
   s.holes_exact = p.value("holes_exact", 0) != 0;
+  s.length_of_tool = p.value("length_of_tool", 0) != 0;
   s.shift_direction = whole(p.value("shift_direction", 0));
   if (s.shift_direction == 1 || s.shift_direction == 3) s.shift_negative = true;
   if (s.shift_direction >= 2) s.shift_second = true;

@@ -78,6 +78,7 @@ struct Settings {
   bool rotation_adds = false;           // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
   double rotation_usual = 0;            // 5410, setting 72, degrees
   bool holes_exact = false;             // spec/haas 8.1: setting 57
+  bool length_of_tool = false;          // spec/haas 10: setting 15
   int shift_direction = 0;              // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
   bool shift_is_global = false;         // spec/haas 5.3: setting 33 = 1
   unsigned mirrored = 0;                // spec/haas 6.1: settings 45 to 48, a bit an axis

@@ -71,6 +71,13 @@ void register_length(Interpreter& m, std::uint32_t number) {
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
 }
 
+/// spec/haas 10, Setting 15: H must be the tool in the spindle; H0 ends the compensation.
+Status of_tool(const Interpreter& m, std::uint32_t number) {
+  const std::uint32_t tool = m.modal.tool;
+  if (!nct_of(m).settings.length_of_tool || number == 0 || number == tool) return {};
+  return fail(alarm(AlarmId::length_of_other_tool, m.where('H'), double(number), double(tool)));
+}
+
 }  // namespace
 
 bool nct::only_shifts_length(const Interpreter& m) {
@@ -99,6 +106,7 @@ Status length_comp(Interpreter& m, const Call& call) {
   if (m.has('H')) {
     const auto number = nct::offset_number(m, 'H');
     if (!number) return fail(number.error());
+    KADR_TRY(of_tool(m, *number));
     m.modal.length_number = *number;
     nct_of(m).state.words.h = *number;
   } else if (!m.has_axis_words() && !turning) {
@@ -116,6 +124,7 @@ Status length_number(Interpreter& m, const Call& call) {
   if (m.has_code({Function::length_comp, Function::tool_lead, Function::tool_orientation})) return {};
   const auto number = nct::offset_number(m, 'H');
   if (!number) return fail(number.error());
+  KADR_TRY(of_tool(m, *number));
   const bool changes = m.modal.length_number != *number;
   m.modal.length_number = *number;
   nct_of(m).state.words.h = *number;
@@ -140,6 +149,8 @@ Status radius_number(Interpreter& m, const Call&) {
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
 Status radius_side(Interpreter& m, const Call& call) {
   nct::Volatile& state = nct_of(m).state;
+  if (m.def.behaviour.compensation_in_xy && call.row->arg != 0 && m.modal.plane != Plane::xy)
+    return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
   else if (side == 0) state.side_step = state.compensates ? SideStep::ends : SideStep::none;
