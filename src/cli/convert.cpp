@@ -106,7 +106,7 @@ class ConvertCommand {
     const ConversionSides sides{*job_->def, job_->texts(), *of_target};
     if (!made.taken) {
       complain(nothing_proven());
-      for (const ConversionTry& one : made.tries) tell_why(one, sides);
+      tell_whys(made, made.tries.size(), sides);
     }
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
@@ -125,7 +125,7 @@ class ConvertCommand {
     say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, language(o_.run)), told("written", "записано"), way_in_words(one.as)));
     for (const std::string& note : notes_on(made, one)) say(fmt::format("  {}\n", note));
     explain(one, sides);
-    for (std::size_t i = 0; i < *made.taken; ++i) tell_why(made.tries[i], sides);
+    tell_whys(made, *made.taken, sides);
     return ok;
   }
 
@@ -158,11 +158,23 @@ class ConvertCommand {
       say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
     }
   }
-  /// Why this way was not taken.
-  void tell_why(const ConversionTry& one, const ConversionSides& sides) const {
-    explain(one, sides);
-    const ConversionRefusal why = refusal_of(one, sides);
-    say(fmt::format("  {} {}: {}{}\n", told("not", "не"), way_in_words(one.as), place_of(why), why.text));
+  /// Why the first so many ways were not taken; ways that one and the same reason rules out in one line.
+  void tell_whys(const Converted& made, std::size_t count, const ConversionSides& sides) const {
+    std::vector<ConversionRefusal> whys;
+    for (std::size_t i = 0; i < count; ++i) {
+      explain(made.tries[i], sides);
+      whys.push_back(refusal_of(made.tries[i], sides));
+    }
+    const auto is_same = [](const ConversionRefusal& a, const ConversionRefusal& b) {
+      return a.text == b.text && a.file == b.file && a.at.file == b.at.file && a.at.line == b.at.line && a.written_text == b.written_text;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); })) continue;
+      std::string ways = way_in_words(made.tries[i].as);
+      for (std::size_t k = i + 1; k < count; ++k)
+        if (is_same(whys[i], whys[k])) ways += told(", not ", ", не ") + std::string(way_in_words(made.tries[k].as));
+      say(fmt::format("  {} {}: {}{}\n", told("not", "не"), ways, place_of(whys[i]), whys[i].text));
+    }
   }
 
   /// "flange.nc:12 | 14: "; the second line is of what was written.

@@ -14,6 +14,7 @@
 #include "compare/comparison_text.h"
 #include "compare/difference_plot.h"
 #include "config/told.h"
+#include "out/program/words.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "out/text/source_line.h"
@@ -110,13 +111,14 @@ void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
   else fmt::print("{}\n", summary_of(made, lang));
 }
 
-CompareRules rules_of(const DiffOptions& o, DifferencePlot& plot) {
+CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePlot& plot) {
   CompareRules rules;
   rules.tolerance = o.tolerance;
   rules.most_told = most_shown;
   rules.messages = !o.no_messages;
   rules.tools_by_hand = o.tools_by_hand;
   rules.feeds_at_speed = o.feeds_at_speed;
+  if (const Words form(of_b, 'F'); o.feeds_rounded && form.known()) rules.feed_step = form.increment();
   rules.stop = o.both.limits.stop;
   if (!o.plot.empty()) rules.on_piece = [&plot](const ComparedPiece& piece) { plot.take(piece); };
   return rules;
@@ -186,6 +188,9 @@ void add_diff(CLI::App& app, Commands& c) {
   diff->add_flag("--feeds-at-speed", o.feeds_at_speed,
                  told("a feed per revolution is the same as what it makes per minute",
                       "подача на оборот — то же, что минутная при этой частоте вращения"));
+  diff->add_flag("--feeds-rounded", o.feeds_rounded,
+                 told("feeds that the F word of B's control cannot tell apart are the same",
+                      "подачи, которых слово F системы B не различает, одинаковы"));
   writes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
   control_id(
       diff->add_option("--control-a", o.control_a,
@@ -216,7 +221,7 @@ int diff(const DiffOptions& o) {
   Outputs outputs = outputs_of_diff(o, a, b);
   if (!outputs.check() || !outputs.open()) return wrong_usage;
   DifferencePlot plot(common_frame(*session_a, *session_b));
-  const Comparison made = compare_sessions(std::move(session_a), std::move(session_b), rules_of(o, plot));
+  const Comparison made = compare_sessions(std::move(session_a), std::move(session_b), rules_of(o, *b.job->def, plot));
   if (interrupted()) return interrupted_status();
   print_all(o, a, b, made);
   if (!o.plot.empty() && !draw({plot, *outputs.file("--plot"), lang, o.all}, a, b, made)) return wrong_usage;

@@ -91,7 +91,7 @@ struct DiffOptions {
   std::string control_a, control_b, setup_a, setup_b;
   double tolerance = 0.001;                                                 // mm
   bool all = false;                                                         // differences; else the first ones
-  bool no_messages = false, tools_by_hand = false, feeds_at_speed = false;  // as kadr convert proves: CompareRules
+  bool no_messages = false, tools_by_hand = false, feeds_at_speed = false, feeds_rounded = false;  // as kadr convert proves: CompareRules
   std::string plot;                                                         // .svg or .png
 };
 int diff(const DiffOptions& options);

@@ -32,11 +32,17 @@ double per_minute(const CourseState& s) {
   return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
 }
 
+/// By no more than an F word of that increment can help; never by much of the feed, however coarse the word.
+bool is_rounded(double a, double b, double step) {
+  constexpr double most_share = 0.01;
+  return std::abs(a - b) <= std::min(step / 2 + same_value, most_share * std::abs(a));
+}
+
 /// The first of what is in force that differs, but for the unit of the feed; nothing: nothing does.
-std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, bool feeds_at_speed) {
+std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, const CompareRules& rules) {
   if (a.move != b.move) return Kind::move;
-  const bool at_speed = feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
-  if (!at_speed && (a.unit != b.unit || !is_same(a.feed, b.feed))) return Kind::feed;
+  const bool at_speed = rules.feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
+  if (!at_speed && (a.unit != b.unit || !(is_same(a.feed, b.feed) || is_rounded(a.feed, b.feed, rules.feed_step)))) return Kind::feed;
   if (!is_same(a.lead, b.lead)) return Kind::feed;
   if (a.tool != b.tool) return Kind::tool;
   if (a.spindle != b.spindle || a.surface != b.surface || !is_same(a.speed, b.speed)) return Kind::spindle;
@@ -141,12 +147,13 @@ class Comparer {
     state.move = CourseMove::rapid, state.feed = state.lead = 0, state.unit = FeedUnit::mm_per_min;
     return state;
   }
-  std::optional<Kind> difference(const CourseState& a, const CourseState& b) const { return first_difference(a, b, rules_.feeds_at_speed); }
+  std::optional<Kind> difference(const CourseState& a, const CourseState& b) const { return first_difference(a, b, rules_); }
 
   void move() {
     const CourseState a = a_.item(0).state, b = b_.item(0).state;
     const auto differs = difference(a, b);
     out_.feeds_at_speed = out_.feeds_at_speed || (!differs && a.unit != b.unit);
+    out_.feeds_rounded = out_.feeds_rounded || (!differs && a.unit == b.unit && !is_same(a.feed, b.feed));
     if (differs) {
       if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(next.state, b); })) return;
       if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(a, next.state); })) return;

@@ -33,6 +33,7 @@ struct CompareRules {
   bool messages = true;          // what is shown to the operator counts
   bool tools_by_hand = false;    // a change of the tool is the same as a stop
   bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
+  double feed_step = 0;          // the least increment of b's F word, mm/min or mm/rev: feeds that it cannot tell apart are the same
   std::map<std::string, double> zero_of_b{};  // mm by axis: b's control has no work zeros, the operator sets it to count from there
   bool first_only = false;       // it is over with the first difference
   bool times = true;             // CourseSpot::at is told
@@ -73,6 +74,7 @@ struct Comparison {
   std::size_t passed_messages = 0;                            // of a, that do not count by the rules
   std::size_t passed_exact_stops = 0;                         // of a, where b's control has none
   bool feeds_at_speed = false;                                // they were equal so somewhere
+  bool feeds_rounded = false;                                 // they were equal but for the increment of the F word somewhere
   bool lost = false;                                          // from the last difference on they have no place in common that was found
 
   bool equal() const { return !cancelled && differences.empty(); }

@@ -259,6 +259,7 @@ struct Behaviour {
   bool uvw_are_increments = true;            // U, V, W that name no axis are increments along X, Y, Z (nct 5.1; not in milling of the Fanuc)
   std::uint32_t alarm_base = 4000;           // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
+  std::uint32_t program_digits = 1;    // of O, as a program for the control is written
   std::uint32_t m_codes_of_block = 8;  // most M codes of a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;

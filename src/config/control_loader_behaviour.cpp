@@ -93,6 +93,7 @@ Done ControlLoader::behaviour() {
   count("alarm_base", b.alarm_base, 9000);
   count("call_depth", b.call_depth, 255);
   count("m_codes_of_block", b.m_codes_of_block, 8);
+  count("program_digits", b.program_digits, 8);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);
   count("further_systems", b.further_systems, most_further_systems);

@@ -16,8 +16,14 @@ Alarm too_long() {
 }
 
 void BlockMaker::begin() {
-  if (def_.grammar.program_start_required || def_.grammar.percent_number) (void)put_("%\n");
+  if (def_.grammar.program_start_required || def_.grammar.percent_number || def_.grammar.percent_frames) (void)put_("%\n");
 }
+
+void BlockMaker::close() {
+  if (def_.grammar.percent_frames) (void)put_("%\n");
+}
+
+std::string BlockMaker::program_label(std::uint32_t number) const { return fmt::format("O{:0{}}", number, def_.behaviour.program_digits); }
 
 Status BlockMaker::code(std::initializer_list<Wanted> wanted) {
   if (!code_if_there(wanted)) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(wanted.begin()->first).name));
@@ -37,7 +43,8 @@ Status BlockMaker::word(char letter, double value, int more) {
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  const Words form(def_, letter, more);
+  constexpr int more_of_feed = 3;  // where a word may have any number of digits: 0.000001 mm/min
+  const Words form(def_, letter, letter == 'F' ? more + more_of_feed : more);
   if (letter == 'F' && value > 0 && form.rounded(value) == 0)
     return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));
   return word(form, value);

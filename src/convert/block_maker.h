@@ -26,6 +26,10 @@ class BlockMaker {
   const ControlDef& def() const { return def_; }
   /// The signs before the first block.
   void begin();
+  /// … and behind the last one.
+  void close();
+  /// "O0012", with as many digits as the control's programs have.
+  std::string program_label(std::uint32_t number) const;
 
   /// One more code in the block.
   ///   alarms  function_has_no_code

@@ -141,7 +141,7 @@ Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   if (is_to_o_lines() && o_lines_.begins(label)) return o_lines_.begin(label, out);
   if (flow_.has_sections()) return flow_.begin_section(std::to_string(label), out);
   if (to_.grammar.label_address == 0 && !to_.grammar.programs_by_label && !to_.grammar.o_words) return cannot("O");
-  out.text(fmt::format("O{}", label));
+  out.text(out.program_label(label));
   return {};
 }
 

@@ -214,6 +214,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   rules.stop = spec.stop;
   rules.tolerance = all.tolerance = spec.tolerance;
   rules.feeds_at_speed = true;
+  if (const Words form(*spec.to, 'F'); form.known()) rules.feed_step = form.increment();
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);
   rules.first_only = true;
   rules.times = false;

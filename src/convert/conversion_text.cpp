@@ -98,6 +98,8 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   if (one.proof.feeds_at_speed)
     notes.push_back(told("feed per revolution is written per minute, at the speed of the program",
                          "подача на оборот записана минутной, при частоте вращения из программы"));
+  if (one.proof.feeds_rounded)
+    notes.push_back(told("feeds are rounded to what the F word of that control can say", "подачи округлены до значений, которые допускает слово F этой системы"));
   if (one.told_states == std::size_t{0})
     notes.push_back(told("taken for granted: zeros, lengths, radii and reference points that no set-up states are 0, for with others the program stops",
                          "принято: не заданные нули, вылеты, радиусы и опорные точки равны 0, с другими программа останавливается"));

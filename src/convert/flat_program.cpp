@@ -39,6 +39,10 @@ Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement)
   said_origin_ = placement.origin;
   at_ = stand.machine;
   blocks_.begin();
+  if (blocks_.def().grammar.percent_frames) {  // the number that its memory knows the program by
+    blocks_.text(blocks_.program_label(1));
+    KADR_TRY(blocks_.end());
+  }
   blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
   KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
   KADR_TRY(blocks_.end());
@@ -110,7 +114,9 @@ Status FlatProgram::end_block() {
 Status FlatProgram::finish() {
   KADR_TRY(end_block());
   KADR_TRY(blocks_.code({{Function::program_end, any_argument}, {Function::tape_end, any_argument}}));
-  return blocks_.end();
+  KADR_TRY(blocks_.end());
+  blocks_.close();
+  return {};
 }
 
 void FlatProgram::pass(const Action& action) {

@@ -69,11 +69,11 @@ Status FlowRewriter::write(const Block& block, BlockMaker& out) {
   switch (s.o_word) {
     case OWord::label:
       if (has_sections()) return no_way("O");
-      return line(fmt::format("O{}", number_of(label)), out);
+      return line(out.program_label(number_of(label)), out);
     case OWord::sub:
       scope_ = label;
       if (has_sections()) return begin_section(label_of(label), out);
-      return line(fmt::format("O{}", number_of(label)), out);
+      return line(out.program_label(number_of(label)), out);
     case OWord::endsub:
     case OWord::return_: {
       if (s.o_word == OWord::endsub) scope_.clear(), open_.clear();

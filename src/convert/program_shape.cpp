@@ -41,7 +41,6 @@ bool is_straight(Function function) {
 constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
-constexpr unsigned char first_cyrillic_byte = 0xd0, last_cyrillic_byte = 0xd1;  // of UTF-8
 
 }  // namespace
 
@@ -126,10 +125,6 @@ void ProgramShape::note_flow(Function function, std::uint32_t line) {
 
 void ProgramShape::take(const Block& block, const ControlDef& def) {
   const std::uint32_t line = block.position.line;
-  for (const Span comment : block.comments)
-    for (const char c : block.text_of(comment))
-      is_russian_ =
-          is_russian_ || (static_cast<unsigned char>(c) >= first_cyrillic_byte && static_cast<unsigned char>(c) <= last_cyrillic_byte);
   if (block.marker == Marker::label && (main_over_ || last_block_ != 0)) {
     close_subprogram();
     label_ = block.label, labelled_ = line;

@@ -62,8 +62,6 @@ class ProgramShape {
   const std::set<std::uint32_t>& variables() const { return variables_; }
   /// Whatever stands behind that line is carried out once, and then it is over: nothing leads back to it or to lines before.
   bool goes_straight_on_after(std::uint32_t line) const { return !has_flow_ && edges_.empty() && callers_.empty() && line >= last_turn_; }
-  /// Comments or messages are Russian.
-  bool is_russian() const { return is_russian_; }
   std::uint32_t lines() const { return lines_; }
 
  private:
@@ -100,7 +98,7 @@ class ProgramShape {
   std::uint32_t contour_ = 0;                                      // line where it begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
   bool has_jumps_ = false;  // the control has GOTO
-  bool main_over_ = false, in_section_ = false, is_russian_ = false;
+  bool main_over_ = false, in_section_ = false;
   bool has_flow_ = false;        // something calls, repeats or jumps
   std::uint32_t last_turn_ = 0;  // the last line with more than motions and modes
   std::uint32_t lines_ = 0;

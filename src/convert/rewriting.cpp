@@ -65,7 +65,11 @@ class Rewriter {
         unsaid(got.error());
         continue;
       }
-      if (!has_begun && block_.marker == Marker::none) has_begun = true, begin_modes();
+      if (!has_begun && block_.marker == Marker::none) {
+        if (spec_.to->grammar.percent_frames && !is_labelled_) number_program();
+        has_begun = true, begin_modes();
+      }
+      is_labelled_ = is_labelled_ || block_.marker == Marker::label;
       if (got)
         words_.set_in_section(in_section_ = block_.marker == Marker::section || (in_section_ && block_.marker != Marker::program_start));
       is_over_ = is_over_ || (!in_section_ && is_end());
@@ -79,11 +83,17 @@ class Rewriter {
     if (!is_over_) end_program();
     if (spec_.to->grammar.section_address != 0) write_head();
     else write_tail();
+    blocks_.close();
     if (is_full_) return fail(too_long());
     return std::move(made_);
   }
 
  private:
+  /// The number that the control's memory knows the program by.
+  void number_program() {
+    blocks_.text(blocks_.program_label(1));
+    if (const Status status = blocks_.end(); !status) unsaid(status.error());
+  }
   /// False: it is full.
   bool say(std::string_view text) {
     if (is_full_) return false;
@@ -269,7 +279,7 @@ class Rewriter {
   std::uint32_t last_in_section_ = 0;  // number of the last block of the other control's section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
-  bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false;
+  bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false, is_labelled_ = false;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "config/told.h"
 #include "convert/proving.h"
 #include "convert/rewriting.h"
 #include "lang/text/text_spool.h"
@@ -83,7 +84,7 @@ class WordByWord {
                                 spec_.to,          &places,
                                 &left_out_,        shape_.variables(),
                                 shape_.macros(),   spec_.stop,
-                                ends_early,        shape_.is_russian() && has_russian(spec_.letters.value_or(spec_.to->letters))};
+                                ends_early,        told_lang() == Lang::ru && has_russian(spec_.letters.value_or(spec_.to->letters))};
     TextSpool text;
     const auto written = rewrite(rewriting, [&text](std::string_view line) {
       text.append(line);

@@ -11,7 +11,8 @@ EXAMPLES = Path(__file__).resolve().parent.parent.parent / 'examples'
 SECONDS = 120
 # What `kadr convert` says of the proof, and how `kadr diff` is told the same.
 NOTES = {'messages': ('what the program shows to the operator is a comment there', '--no-messages'), 'tools': ('tools are changed by hand', '--tools-by-hand'),
-         'feeds': ('feed per revolution is written per minute', '--feeds-at-speed')}
+         'feeds': ('feed per revolution is written per minute', '--feeds-at-speed'),
+         'rounded': ('feeds are rounded to what the F word', '--feeds-rounded')}
 
 
 @dataclasses.dataclass

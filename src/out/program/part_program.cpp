@@ -215,13 +215,16 @@ class ProgramWriter {
       if (step == 0 && static_cast<double>(blocks_.size()) * s <= most) step = s;
     if (step == 0 && def_.grammar.block_number_required) return fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(blocks_.size())));
     const std::string end = technology_.mark.empty() ? "\n" : " " + technology_.mark + "\n";
-    if (def_.grammar.program_start_required || def_.grammar.percent_number) text_ += technology_.mark.empty() ? "%\n" : "%" + end;
+    const bool framed = def_.grammar.percent_frames;
+    if (def_.grammar.program_start_required || def_.grammar.percent_number || framed) text_ += technology_.mark.empty() ? "%\n" : "%" + end;
+    if (framed) text_ += fmt::format("O{:0{}}", 1, def_.behaviour.program_digits) + end;
     if (!technology_.comment.empty()) blocks_.front() += " (" + technology_.comment + ")";
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       const int digits = n.drop_zeros ? 1 : n.whole_digits;
       if (step > 0) text_ += fmt::format("N{:0{}} ", (i + 1) * static_cast<std::size_t>(step), digits);
       text_ += blocks_[i] + end;
     }
+    if (framed) text_ += "%\n";
     return {};
   }
 
