@@ -80,7 +80,7 @@ int printed(int status) { return status == wrong_usage || came_out() ? status : 
 
 int main(int argc, char** argv) {
   using namespace kadr::cli;
-  survive_closed_pipes();
+  survive_refused_writing();
   catch_interrupts();
   take_usual_words(argc, argv);
   Commands commands;
