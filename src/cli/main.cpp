@@ -9,6 +9,7 @@
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "cli/usage_error.h"
 #include "config/told.h"
 
@@ -54,10 +55,10 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("man")) {
-    fmt::print("{}", manual_page(app));
+    type_out("{}", manual_page(app));
     return ok;
   }
-  fmt::print("{}", completion(app, commands.shell));
+  type_out("{}", completion(app, commands.shell));
   return ok;
 }
 

@@ -251,8 +251,8 @@ class RunCommand {
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
-      if (channels_.size() > 1) fmt::print(text_goes_to(), "{}", channel_heading(channels_[i].number, lang_));
-      fmt::print(text_goes_to(), "{}", views_[i]->planned->why(*channels_[i].control, lang_));
+      if (channels_.size() > 1) type_into(text_goes_to(), channel_heading(channels_[i].number, lang_));
+      type_into(text_goes_to(), views_[i]->planned->why(*channels_[i].control, lang_));
     }
   }
 
@@ -264,14 +264,14 @@ class RunCommand {
 
   void print_summary() const {
     std::FILE* const to = text_goes_to();
-    if (channels_.size() == 1) return fmt::print(to, "{}", summary_of(0));
+    if (channels_.size() == 1) return type_into(to, summary_of(0));
     std::vector<ChannelTime> times;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const View& view = *views_[i];
       times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
-      fmt::print(to, "{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
+      type_into(to, fmt::format("{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i)));
     }
-    fmt::print(to, "{}", channels_text(times, lang_));
+    type_into(to, channels_text(times, lang_));
   }
 
   const Options& options_;

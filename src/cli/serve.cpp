@@ -9,6 +9,9 @@
 #include "cli/command_parts.h"
 #include "cli/help_text.h"
 #include "cli/option_values.h"
+#include "cli/outputs.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
 #include "config/told.h"
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
@@ -30,8 +33,9 @@ void open_browser(const std::string& address) {
   posix_spawn_file_actions_t silent;
   posix_spawn_file_actions_init(&silent);
   for (const int stream : {1, 2}) posix_spawn_file_actions_addopen(&silent, stream, "/dev/null", 1, 0);
+  const SignalsOfChild usual;
   pid_t child = 0;
-  (void)posix_spawnp(&child, program.c_str(), &silent, nullptr, words, environ);
+  (void)posix_spawnp(&child, program.c_str(), &silent, &usual.attributes, words, environ);
   posix_spawn_file_actions_destroy(&silent);
 }
 
@@ -86,8 +90,8 @@ int serve(const ServeOptions& options) {
     return wrong_usage;
   }
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
-  fmt::print("kadr serve: {}\n", address);
-  if (std::fflush(stdout) != 0) return wrong_usage;
+  type_out("kadr serve: {}\n", address);
+  if (!came_out()) return wrong_usage;
   if (page_files().empty())
     complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)",
                   "собран без страницы: есть только протокол (docs/panel-protocol.md)"));

@@ -21,13 +21,6 @@ OPEN = {
     'E2': Open('limits small: variable*', r'memory', 'linuxcnc: parameters from 1e9 on are as many as their numbers'),
     'E4': Open('limits small: samples of a long cycle*', r'SIGXCPU|memory|left over', '--max-time does not bound the work that comes before the samples'),
     'E7-device': Open('limits device: *', r'read whole', 'a program from a device or pipe is read into memory to its end, up to 2 GiB'),
-    'E7-baseline': Open('limits pipe: check --baseline*', r'waits', 'check --baseline opens a FIFO and waits for somebody to write into it'),
-    'E8-names': Open('limits names: *', r'control character', 'names of files and words of the command line are printed as they are'),
-    'E8-full': Open('limits full disk: setup*', r'left over', 'setup --out: the file that could not be written stays, empty'),
-    'E8-debug': Open(['*/*.tape: debug', 'limits texts: debug'], r'control character', 'kadr debug prints the lines of a program as their bytes'),
-    'E8-diff': Open('limits texts: diff *', r'control character', 'kadr diff prints the messages of a program as their bytes'),
-    'C3-head': Open([f'limits no reader: {command}*' for command in ('check * --format', 'setup', 'debug', 'explain', 'man', 'completion')], r'complains',
-                    'a reader that goes away (| head) is told of on standard error, in part as a disk that fails'),
 }
 
 
