@@ -18,7 +18,6 @@ class Open:
 
 
 OPEN = {
-    'E2': Open('limits small: variable*', r'memory', 'linuxcnc: parameters from 1e9 on are as many as their numbers'),
     'E4': Open('limits small: samples of a long cycle*', r'SIGXCPU|memory|left over', '--max-time does not bound the work that comes before the samples'),
 }
 
