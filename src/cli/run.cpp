@@ -42,6 +42,12 @@ bool needs_planner(const Options& options, const MachineProfile& profile) {
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
+/// Nobody but the samples looks at the plan: what it says of the time in the summary is then a thing beside it.
+bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
+  const bool counts = profile.planner == PlannerMode::optimal && !options.quiet;
+  return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
+}
+
 /// A control with threads moves axes in step with the spindle.
 bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
@@ -82,6 +88,7 @@ class RunCommand {
       }
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
+      if (samples != nullptr && is_for_samples_alone(options, job.profile)) view.planned->end_with_samples();
       if (std::FILE* const tips = outputs.stream("--samples-tip"); tips != nullptr) view.planned->write_tips(tips);
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
