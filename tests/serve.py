@@ -140,7 +140,7 @@ def shown(page, instant):
 
 
 def the_part(kadr, server, folder):
-    (folder / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (folder / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflute_length = 20\nlength = 30\n')
     (folder.parent / 'outside.toml').write_text((folder / 'tools.toml').read_text())
     (folder / 'part.nc').write_text(PROGRAM)
     page = Page(server)

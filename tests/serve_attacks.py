@@ -243,7 +243,7 @@ def bodies_beyond(page, above, inside):
     shutil.copy(example / 'step.stl', above / 'outside.stl')
     shutil.copy(example / 'step.stl', inside / 'good.stl')
     (inside / 'link.stl').symlink_to(above / 'outside.stl')
-    (inside / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (inside / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflute_length = 20\nlength = 30\n')
     (inside / 'cut.nc').write_text('G21 G90\nT1 M6\nM3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F300\nX5\nG0 Z50\nM30\n')
     machine = (example / 'trunnion.toml').read_text().replace('cylinder = [0, 0, -420, -400, 300]', 'file = "%s"')
     for mesh, reads in {'good.stl': True, '../../outside.stl': False, str(above / 'outside.stl'): False, 'link.stl': False}.items():

@@ -16,7 +16,7 @@ from golden import check as golden
 EXAMPLES = harness.ROOT / 'examples'
 PROGRAMS = ('.nc', '.nct', '.tap', '.ngc', '.tape')
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
-TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflutes = 30\nlength = 60\n' for number in range(1, 31))
+TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflute_length = 30\nlength = 60\n' for number in range(1, 31))
 CUT = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')   # a small blank, coarse
 RUN_OUTPUTS = {'--trace': 't.jsonl', '--plot': 'p.svg', '--plot-speed': 'v.svg', '--samples': 's.csv'}
 FEW = ('--max-passes', '10')   # of a program that has no end
