@@ -30,6 +30,7 @@ struct Options {
   std::string colour;      // of the plot: speed, limit; empty: by the kind of motion
   std::string plot_speed;  // .svg or .png
   bool why = false;        // the lines that lose most time
+  bool json = false;       // the summary is JSON, alone on standard output
   std::string files;       // folder for what the program writes; empty: it writes nothing
   std::string state;       // file that keeps what survives power-off; empty: nothing is kept
   std::string lang;        // "ru", "en"; empty: by LANG
