@@ -120,6 +120,8 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8437;  // 0: a free one
   bool no_browser = false;
+  bool open = false;          // who does not know the token may look
+  double max_memory = 2000;   // MB, of all sessions together
   std::string lang;
 };
 int serve(const ServeOptions& options);

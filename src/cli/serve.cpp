@@ -17,6 +17,7 @@
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
+#include "view/memory_bound.h"
 #include "view/served_folder.h"
 
 extern char** environ;
@@ -59,6 +60,12 @@ void add_serve(CLI::App& app, Commands& c) {
   writes_file(serve->add_option("--state", o.state,
                                 told("what happens at the panels of machines is kept there, at every block",
                                      "хранить здесь, что происходит у пультов станков, после каждого кадра")));
+  serve->add_flag("--open", o.open,
+                  told("pages of this machine may look without the token of the printed address",
+                       "страницам этой машины смотреть можно и без ключа из напечатанного адреса"));
+  number(serve->add_option("--max-memory", o.max_memory, told("of all pages together, MB", "память всех страниц вместе, МБ")), "MB", "МБ", 100,
+         1e6)
+      ->capture_default_str();
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
   serve->footer(serve_examples());
@@ -82,8 +89,10 @@ int serve(const ServeOptions& options) {
     journal = std::move(*kept);
   }
   PanelHub hub;
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
-                        &last,   &hub,        journal.get()};
+  constexpr double bytes_of_mb = 1e6;
+  const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
+  const PageServer page{*folder, new_token(), wanted.is_open() || !options.open, options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
+                        &last,   &hub,        journal.get(), &memory};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) {
     complain(server.error());
