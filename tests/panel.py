@@ -259,7 +259,7 @@ def main():
             (folder / name).write_text(text)
         (folder / 'endless.nc').write_text('G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n')
         (Path(above) / 'outside.nc').write_text(PROGRAM)
-        server = Server(kadr, folder)
+        server = Server(kadr, folder, '--open')
         many(server, operator(server))
         endless(server)
         channels(server)

@@ -124,7 +124,7 @@ def main():
         folder.mkdir()
         (folder / 'part.nct').write_text(PROGRAM)
         (folder / 'fast.toml').write_text(FAST)
-        server = Server(kadr, folder)
+        server = Server(kadr, folder, '--open')
         operator(server, folder)
         by_hand(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands')

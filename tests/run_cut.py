@@ -209,7 +209,7 @@ def mill(kadr, folder, scheme, control, drawing):
         yield f'not milled: {made.stderr.strip()[:200]}'
         return
     case = {'program': program.read_text(), 'control': control, 'stock': stock, 'resolution': 1,
-            'tools': '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 12\nflutes = 20\nlength = 50\nholder = [[40, 0], [40, 30]]\n'}
+            'tools': '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 12\nflute_length = 20\nlength = 50\nholder = [[40, 0], [40, 30]]\n'}
     yield from faults_of(case, cut(kadr, folder, case, '', 2), folder)
 
 

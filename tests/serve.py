@@ -87,12 +87,21 @@ def session(server, folder):
     saved = page.ask('save', file='part.nc', text=text, digest=opened['digest'])
     expect((folder / 'part.nc').read_text() == text and 'digest' in saved, 'save')
     expect(page.ask('save', file='part.nc', text='x', digest=opened['digest'])['error'].get('changed'), 'what has changed since is not saved over')
-    for name in ('../x.nc', '.x.nc', 'link', 'sublink/x.nc', '/tmp/x.nc', 'picture.png'):
+    for name in ('../x.nc', '.x.nc', 'link', 'sublink/x.nc', '/tmp/x.nc', 'picture.png', 'new.sh', 'X', 'Makefile', 'a\nb.nc', 'a\x1b[31m.nc', 'key.pem', 'id_rsa', ''):
         expect('error' in page.ask('save', file=name, text='x', digest=None), f'save {name!r} is refused')
     expect('error' in page.ask('save', file='other.nc', text='x', digest='1'), 'what was not opened is not saved over')
     expect('error' in page.ask('save', file='other.nc', text='x', digest=None), 'a new file is none where there is one')
     expect('digest' in page.ask('save', file='new.nc', text='M30\n', digest=None), 'a new file is saved')
+    for name in ('O1234', '1.001', 'new.json', 'new.toml'):
+        expect('digest' in page.ask('save', file=name, text='M30\n', digest=None), f'a new file {name} is saved')
+        (folder / name).unlink()
     expect(not [n for n in os.listdir(folder) if n.endswith('.kadr')], 'nothing unfinished is left')
+    for name, content in KEYS.items():
+        (folder / name).write_text(content)
+        refused = [page.ask('read', file=name), page.ask('open', file=name), page.ask('open', file='part.nc', setup=name), page.ask('compare', file=name)]
+        expect(all('error' in answer and 'BEGIN' not in str(answer) for answer in refused), f'{name} is not served')
+        (folder / name).unlink()
+    page.ask('open', file='part.nc')
     expect(all('error' in page.ask(do, wrong=True) for do in ('cut', 'part') * 60), 'a question that is refused is no mistake')
     page.ask('language', lang='ru')
     russian = page.ask('check', text='G1 X10 F100 G0\nM30\n')['problems']
@@ -105,6 +114,8 @@ def session(server, folder):
     expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
 
 
+KEY = '-----BEGIN PRIVATE KEY-----\nMIIEvQIBADANBgkqhkiG9w0BAQEFAASCBKcwggSjAgEAAoIBAQC7\n-----END PRIVATE KEY-----\n'
+KEYS = {'key.pem': KEY, 'id_rsa': KEY, 'key.nc': KEY, 'key.txt': KEY, 'key.json': KEY, '1': KEY, 'passwords': 'bank: 1234 house\nmail: another word\n', 'run.sh': '#!/bin/sh\necho secret words\n'}
 TOOLS = [{'number': 1, 'kind': 'flat', 'diameter': 8, 'flutes': 20, 'length': 30, 'from': 'here', 'known': True}]
 BLOCK = 'box:-10,-10,-10,60,30,0'
 
@@ -140,7 +151,7 @@ def shown(page, instant):
 
 
 def the_part(kadr, server, folder):
-    (folder / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (folder / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflute_length = 20\nlength = 30\n')
     (folder.parent / 'outside.toml').write_text((folder / 'tools.toml').read_text())
     (folder / 'part.nc').write_text(PROGRAM)
     page = Page(server)
@@ -362,7 +373,7 @@ def main():
         (folder / 'sublink').symlink_to(above)
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
-        server = Server(kadr, folder)
+        server = Server(kadr, folder, '--open')
         for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: the_part(kadr, server, folder), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
@@ -371,7 +382,11 @@ def main():
         five_axes(kadr)
         wrong = subprocess.run([kadr, 'serve', str(folder / 'nothing'), '--no-browser'], capture_output=True, text=True, timeout=harness.TIME_LIMIT_S)
         expect(wrong.returncode == 2 and wrong.stderr, 'a folder that is not there')
-        remote = Server(kadr, folder, '--host', '0.0.0.0')
+        alone = Server(kadr, folder)
+        page = Page(alone)
+        expect('error' in page.ask('hello') and 'error' in page.ask('files'), 'nor on this machine, unless it is open')
+        alone.end()
+        remote = Server(kadr, folder, '--host', '0.0.0.0', '--open')
         page = Page(remote)
         expect('error' in page.ask('hello', token='x') and 'error' in page.ask('files'), 'beyond this machine nothing without the token')
         expect('error' not in Page(remote).ask('hello', token=remote.token), 'with it all')

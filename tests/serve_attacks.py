@@ -46,6 +46,42 @@ def greeted(server, **more):
     return page
 
 
+def no_memory_for(page):
+    """A program is not opened, or what grows with it is closed, and either is said."""
+    page.begin('open', file='long.nc', control='mach3')
+    try:
+        while True:
+            message = page.take()
+            if message is not None and 'memory' in message.get('error', message).get('text', ''):
+                return True
+            if message is not None and message.get('event') == 'done':
+                return False
+    except (ConnectionError, OSError):
+        return False   # without a word
+
+
+def crowded(kadr, folder):
+    """Pages that open a long program and take nothing off: all together hold what they may, and then none gets more."""
+    (folder / 'long.nc').write_text('F1000\n' + ''.join(f'G1 X{i % 1000} Y{i % 777}\n' for i in range(300_000)))
+    server = Server(kadr, folder, '--max-memory', '200')
+    pages = []
+    for _ in range(24):
+        page = greeted(server)
+        page.begin('open', file='long.nc', control='mach3')
+        pages.append(page)
+    harness.expect(harness.stands(server.process), 'it comes to rest')
+    megabytes = int(Path(f'/proc/{server.process.pid}/statm').read_text().split()[1]) * os.sysconf('SC_PAGE_SIZE') / 1e6
+    expect(megabytes < 300, f'24 pages hold {megabytes:.0f} MB')
+    expect(no_memory_for(greeted(server)), 'and the next one gets none')
+    last = greeted(server)
+    expect('entries' in last.ask('files', folder=''), 'it may look at the folder')
+    for page in pages:
+        page.socket.close()
+    expect(harness.until(lambda: not no_memory_for(greeted(server))), 'when they have gone there is room again')
+    server.end()
+    (folder / 'long.nc').unlink()
+
+
 def messages(server):
     """Bad messages are answered, a flood ends the session, and nobody else knows of it."""
     good = greeted(server)
@@ -243,7 +279,7 @@ def bodies_beyond(page, above, inside):
     shutil.copy(example / 'step.stl', above / 'outside.stl')
     shutil.copy(example / 'step.stl', inside / 'good.stl')
     (inside / 'link.stl').symlink_to(above / 'outside.stl')
-    (inside / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (inside / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflute_length = 20\nlength = 30\n')
     (inside / 'cut.nc').write_text('G21 G90\nT1 M6\nM3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F300\nX5\nG0 Z50\nM30\n')
     machine = (example / 'trunnion.toml').read_text().replace('cylinder = [0, 0, -420, -400, 300]', 'file = "%s"')
     for mesh, reads in {'good.stl': True, '../../outside.stl': False, str(above / 'outside.stl'): False, 'link.stl': False}.items():
@@ -293,6 +329,7 @@ def main():
         folder.mkdir()
         (folder / 'part.nc').write_text(PROGRAM)
         (folder / 'endless.nc').write_text('G90 G21 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n')
+        crowded(kadr, folder)
         server = Server(kadr, folder)
         messages(server)
         frames(server)

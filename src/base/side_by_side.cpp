@@ -5,7 +5,6 @@
 
 #include <sched.h>
 
-#include <system_error>
 #include <utility>
 
 namespace kadr {
@@ -16,12 +15,12 @@ bool has_several_processors() {
 }
 
 SideBySide::~SideBySide() {
-  if (!thread_.joinable()) return;
+  if (!thread_.is_begun()) return;
   finish();
   over_.store(true, std::memory_order_release);
   given_.fetch_add(1, std::memory_order_release);
   given_.notify_one();
-  thread_.join();
+  thread_.wait();
 }
 
 void SideBySide::carry_out() {
@@ -35,13 +34,8 @@ void SideBySide::carry_out() {
 void SideBySide::begin(std::function<void()> work) {
   work_ = std::move(work);
   begun_ = true;
-  if (!thread_.joinable() && !alone_) {
-    alone_ = !has_several_processors();
-    try {
-      if (!alone_) thread_ = std::thread([this] { this->work(); });
-    } catch (const std::system_error&) {
-      alone_ = true;
-    }
+  if (!thread_.is_begun() && !alone_) {
+    alone_ = !has_several_processors() || !thread_.begin([this] { this->work(); });
   }
   if (alone_) return carry_out();
   given_.fetch_add(1, std::memory_order_release);

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
-#include <thread>
+
+#include "base/thread.h"
 
 namespace kadr {
 
@@ -55,7 +56,7 @@ class SideBySide {
   std::exception_ptr failure_;
   bool begun_ = false;  // and not waited for
   bool alone_ = false;  // no thread is to be had
-  std::thread thread_;  // begun with the first work
+  Thread thread_;       // begun with the first work
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // by number, from 1
   std::atomic<bool> over_ = false;
 };

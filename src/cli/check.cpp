@@ -144,20 +144,20 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   const auto [faults, warnings] = count;
   const auto many = [](std::size_t n) { return n == 1 ? "" : "s"; };
   if (language(options) == Lang::ru) {
-    fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.", files, faults, warnings);
-    if (known != 0) fmt::print(" Уже известных пропущено: {}.", known);
+    type_out("Проверено программ: {}. Ошибок: {}, предупреждений: {}.", files, faults, warnings);
+    if (known != 0) type_out(" Уже известных пропущено: {}.", known);
   } else {
-    fmt::print("{} program{} checked: {} error{}, {} warning{}.", files, many(files), faults, many(faults), warnings, many(warnings));
-    if (known != 0) fmt::print(" {} known finding{} left out.", known, many(known));
+    type_out("{} program{} checked: {} error{}, {} warning{}.", files, many(files), faults, many(faults), warnings, many(warnings));
+    if (known != 0) type_out(" {} known finding{} left out.", known, many(known));
   }
-  fmt::print("\n");
+  type_out("\n");
 }
 
 /// The baseline that is asked for; complains.
 bool read_baseline(const Options& options, Report& report) {
   constexpr std::size_t longest = std::size_t{256} << 20;  // bytes
   if (options.baseline.empty()) return true;
-  const auto text = read_all(options.baseline, longest);
+  const auto text = read_small(options.baseline, longest);
   if (!text) return false;
   auto baseline = Baseline::read(*text);
   if (!baseline) {
@@ -181,7 +181,7 @@ void write_findings(std::FILE* to, const Options& options, const Report& report,
   Invocation invocation{KADR_VERSION, status, {}};
   for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
   const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
-  std::fwrite(text.data(), 1, text.size(), to);  // Outputs::keep() tells whether all was written
+  write_data(to, text);  // Outputs::keep() tells whether all was written
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/command_parts.h"
 #include "cli/help_text.h"
 #include "cli/option_values.h"
+#include "cli/terminal.h"
 #include "config/nearest.h"
 #include "config/told.h"
 
@@ -122,7 +123,7 @@ void add_pages(CLI::App& app, Commands& c) {
   one_of(complete->add_option(told("SHELL", "ОБОЛОЧКА"), c.shell, told("bash, zsh or fish", "bash, zsh или fish")), {"bash", "zsh", "fish"})
       ->required();
   const auto print_codes = [](const std::string& control) {
-    fmt::print("{}", codes_of(control));
+    type_out("{}", codes_of(control));
     throw CLI::Success();
   };
   complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // asked by the scripts alone

@@ -118,7 +118,7 @@ class ConvertCommand {
     }
     if (!o_.setup_out.empty()) {
       const std::string setup = setup_text(made.setup_of(one.as));
-      std::fwrite(setup.data(), 1, setup.size(), outputs_.stream("--setup-out"));
+      write_data(outputs_.stream("--setup-out"), setup);
     }
     if (!outputs_.keep()) return wrong_usage;
     if (unproven) return alarms;
@@ -136,7 +136,7 @@ class ConvertCommand {
     const auto put = [&](std::string_view text) -> Status {
       auto bytes = is_written_so(text, letters_) ? Result<std::string>(text) : bytes_of(text, letters_);
       if (!bytes) return fail(bytes.error());
-      std::fwrite(bytes->data(), 1, bytes->size(), file);
+      write_data(file, *bytes);
       return {};
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };

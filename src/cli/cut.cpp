@@ -86,13 +86,13 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Cut& cut, CutResult& result) {
   if (!write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
-    fmt::print(file, "{}\n", cut_json(result, cut.run.alarms(), cut.run.warnings()).dump());
+    write_data(file, cut_json(result, cut.run.alarms(), cut.run.warnings()).dump() + "\n");
   if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) {
     complain(drawn.error());
     return false;
   }
   const bool says = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
-  if (!options.run.quiet && says) fmt::print("{}", cut_summary(result, language(options.run)));
+  if (!options.run.quiet && says) type_out("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 
@@ -146,8 +146,8 @@ void tell_on_terminal(Found& found, std::FILE* blocks, CutRun& run) {
   run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
   run.on_note = [](const std::string& note) { say(note + "\n"); };
   if (blocks == nullptr) return;
-  fmt::print(blocks, "{}", blocks_heading());
-  run.on_block([blocks](const BlockLoad& load) { fmt::print(blocks, "{}", blocks_row(load)); });
+  write_data(blocks, blocks_heading());
+  run.on_block([blocks](const BlockLoad& load) { write_data(blocks, blocks_row(load)); });
 }
 
 }  // namespace

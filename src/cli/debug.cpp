@@ -86,9 +86,8 @@ class Debugger : public PartOfProgram {
     show();
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
-      if (asks) fmt::print("(kadr) ");
-      std::fflush(stdout);
-      if (!std::getline(std::cin, line)) break;
+      if (asks) type_out("(kadr) ");
+      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // nobody reads, or nobody asks
       obey(split(line));
     }
     if (state_ == Session::State::held) (void)session_->stop_here();
@@ -115,18 +114,18 @@ class Debugger : public PartOfProgram {
     if (word == "unwatch") return unwatch(rest);
     if (word == "where" || word == "bt") return where();
     if (word == "list" || word == "l") return list(rest);
-    if (word == "state") return fmt::print("{}", in_force_text(session_->control().in_force(), job_->lang));
+    if (word == "state") return type_out("{}", in_force_text(session_->control().in_force(), job_->lang));
     if (word == "mdi" || word == "m") return mdi(rest);
     if (word == "restart") return restart(rest);
     if (word == "search") return search(rest);
     if (word == "quit" || word == "q") return void(quit_ = true);
-    if (word == "help" || word == "h" || word == "?") return fmt::print("{}", commands_text());
-    fmt::print("{}: {}\n", word, told("no such command (help lists them)", "такой команды нет (перечень: help)"));
+    if (word == "help" || word == "h" || word == "?") return type_out("{}", commands_text());
+    type_out("{}: {}\n", word, told("no such command (help lists them)", "такой команды нет (перечень: help)"));
   }
 
   bool is_held() const {
     if (state_ == Session::State::held) return true;
-    fmt::print("{}\n", state_ == Session::State::ended
+    type_out("{}\n", state_ == Session::State::ended
                            ? told("the program is over", "УП закончена")
                            : told("stopped by an alarm: back, mdi or quit", "остановлено ошибкой: back, mdi или quit"));
     return false;
@@ -183,7 +182,7 @@ class Debugger : public PartOfProgram {
     const auto target = target_of(rest);
     if (!target || !is_held()) return;
     if (!session_->control().search_rules())
-      return fmt::print("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
+      return type_out("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
     keep();
     if (first_)  // it searches from the beginning
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
@@ -202,7 +201,7 @@ class Debugger : public PartOfProgram {
   void back(const std::string& times) {
     const auto count = count_of(times, 1);
     if (!count || *count == 0) return wrong(times);
-    if (kept_.empty()) return fmt::print("{}\n", told("nothing to go back to", "возвращаться некуда"));
+    if (kept_.empty()) return type_out("{}\n", told("nothing to go back to", "возвращаться некуда"));
     for (std::uint32_t i = 1; i < *count && kept_.size() > 1; ++i) kept_.pop_back();
     const Status restored = stepping().restore(kept_.back());
     kept_.pop_back();
@@ -231,7 +230,7 @@ class Debugger : public PartOfProgram {
     }
     if (!point.condition.empty())
       if (const auto holds = stepping().holds(point.condition); !holds) return tell(holds.error(), point.condition);
-    fmt::print("{} {}\n", told("breakpoint", "точка останова"), stepping().add(point));
+    type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().add(point));
   }
 
   void list_breaks() const {
@@ -240,7 +239,7 @@ class Debugger : public PartOfProgram {
       if (!point.call.empty()) text = "call " + point.call;
       else if (point.line != 0) text = point.file.empty() ? std::to_string(point.line) : fmt::format("{}:{}", point.file, point.line);
       if (!point.condition.empty()) text += (text.empty() ? "if " : " if ") + point.condition;
-      fmt::print("{}  {}\n", number, text);
+      type_out("{}  {}\n", number, text);
     }
   }
 
@@ -252,7 +251,7 @@ class Debugger : public PartOfProgram {
   void print(const std::string& expression) {
     const auto value = stepping().value(expression);
     if (!value) return tell(value.error(), expression);
-    fmt::print("{} = {}\n", expression, is_vacant(*value) ? told("vacant", "пусто") : fmt::format("{:.12g}", *value));
+    type_out("{} = {}\n", expression, is_vacant(*value) ? told("vacant", "пусто") : fmt::format("{:.12g}", *value));
   }
 
   void watch(const std::string& expression) {
@@ -267,10 +266,10 @@ class Debugger : public PartOfProgram {
   }
 
   void where() {
-    if (stepping().next()) fmt::print("{}\n", place_text(stepping().line()));
+    if (stepping().next()) type_out("{}\n", place_text(stepping().line()));
     const auto calls = session_->control().calls();
     for (auto call = calls.rbegin(); call != calls.rend(); ++call)
-      fmt::print("  {} {} {}\n", call->what, told("called in line", "вызов в строке"), call->line);
+      type_out("  {} {} {}\n", call->what, told("called in line", "вызов в строке"), call->line);
   }
 
   void list(const std::string& text) {
@@ -282,7 +281,7 @@ class Debugger : public PartOfProgram {
     std::set<std::uint32_t> wanted;
     for (std::uint32_t i = 0; i < std::min(*count, 1000U); ++i) wanted.insert(first + i);
     for (const auto& [line, shown] : session_->control().texts_of(wanted, next->file))
-      fmt::print("{} {:>5}  {}\n", line == next->line ? "▸" : " ", line, shown.substr(0, shown.find_last_not_of(" \t\r\n") + 1));
+      type_out("{} {:>5}  {}\n", line == next->line ? "▸" : " ", line, shown.substr(0, shown.find_last_not_of(" \t\r\n") + 1));
   }
 
   void mdi(const std::string& line) {
@@ -297,13 +296,13 @@ class Debugger : public PartOfProgram {
   /// Where it stands, and what is watched.
   void show() {
     if (interrupted()) return;
-    if (stepping().hit() != 0) fmt::print("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
-    if (stepping().next()) fmt::print("{}\n", place_text(stepping().line()));
-    else if (state_ == Session::State::ended) fmt::print("{}\n", told("the program is over", "УП закончена"));
+    if (stepping().hit() != 0) type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
+    if (stepping().next()) type_out("{}\n", place_text(stepping().line()));
+    else if (state_ == Session::State::ended) type_out("{}\n", told("the program is over", "УП закончена"));
     for (const auto& [number, expression] : watches_) print(expression);
   }
 
-  void wrong(const std::string& text) const { fmt::print("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
+  void wrong(const std::string& text) const { type_out("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
 
   /// An alarm of what was typed.
   void tell(const Alarm& alarm, const std::string& typed) const {

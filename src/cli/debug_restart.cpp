@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/terminal.h"
 #include "config/told.h"
 #include "out/text/in_force_text.h"
 #include "session/block_search.h"
@@ -12,14 +13,14 @@ namespace kadr::cli {
 namespace {
 
 void list(const std::string& title, const std::vector<InForce>& things, Lang lang) {
-  if (!things.empty()) fmt::print("{}:\n{}", title, in_force_text(things, lang));
+  if (!things.empty()) type_out("{}:\n{}", title, in_force_text(things, lang));
 }
 
 void list(const std::string& title, const std::vector<BlockSearch::Code>& codes) {
   if (codes.empty()) return;
   std::string text;
   for (const auto& code : codes) text += fmt::format(" {} ({} {})", code.text, told("line", "строка"), code.origin.line);
-  fmt::print("{}:{}\n", title, text);
+  type_out("{}:{}\n", title, text);
 }
 
 }  // namespace
@@ -35,8 +36,8 @@ void tell_restart(Session& session, const Stepping& stepping, const Restart& beg
   const auto way = way_there(begins.stand, *restart, {clearance, above, feed}, session.control().axes().size());
   const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(way, *restart, def));
   if (!blocks)
-    return fmt::print("{}\n", told("a value has no room in a word of this control", "значение не помещается в слово этой системы"));
-  for (const std::string& block : blocks->blocks) fmt::print("{}\n", block);
+    return type_out("{}\n", told("a value has no room in a word of this control", "значение не помещается в слово этой системы"));
+  for (const std::string& block : blocks->blocks) type_out("{}\n", block);
   list(told("by hand", "вручную"), blocks->by_hand, lang);
 }
 

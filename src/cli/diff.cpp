@@ -71,7 +71,7 @@ void show_line(Side& side, const CourseSpot& spot, char mark) {
   if (!spot.file.empty() || side.name == "-") return;
   if (!side.text) side.text = std::make_unique<SourceText>(open_text(side.name, side.job->encoding));
   const auto lines = side.text->from(spot.origin.line, 1);
-  if (!lines.empty()) fmt::print("  {} {}\n", mark, shortened_line(lines.front(), most_of_line));
+  if (!lines.empty()) type_out("  {} {}\n", mark, shortened_line(lines.front(), most_of_line));
 }
 
 std::string places(const Names& names, const CourseDifference& d) {
@@ -88,13 +88,13 @@ void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
   std::size_t count = 0;
   for (const CourseDifference& d : c.differences) {
     if (count++ == how.most) break;
-    if (how.numbered) fmt::print("{}. ", count);
-    fmt::print("{}: {}\n", places({a.name, b.name}, d), sentence_of(d, how.lang));
+    if (how.numbered) type_out("{}. ", count);
+    type_out("{}: {}\n", places({a.name, b.name}, d), sentence_of(d, how.lang));
     show_line(a, d.a, '<');
     show_line(b, d.b, '>');
   }
   if (const std::size_t all = c.differences.size() + c.more; all > count - (count > how.most ? 1 : 0) && all > how.most)
-    fmt::print(fmt::runtime(told("… and {} more: --all\n", "… и ещё {}: --all\n")), all - how.most);
+    type_out("{}", told(fmt::format("… and {} more: --all\n", all - how.most), fmt::format("… и ещё {}: --all\n", all - how.most)));
 }
 
 void tell_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
@@ -107,8 +107,8 @@ void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
   tell_alarm(a, made.stopped_a, lang);
   tell_alarm(b, made.stopped_b, lang);
   if ((made.stopped_a || made.stopped_b) && made.differences.empty())
-    fmt::print("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
-  else fmt::print("{}\n", summary_of(made, lang));
+    type_out("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
+  else type_out("{}\n", summary_of(made, lang));
 }
 
 CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePlot& plot) {

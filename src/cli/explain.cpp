@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "config/control_file.h"
 #include "out/text/asked_code.h"
 #include "out/text/code_page.h"
@@ -63,7 +64,7 @@ int explain_everywhere(const std::string& what, const std::string& refusal, Lang
     if (!text) text = explain_words(*def, *texts, what, lang);
     if (!text) continue;
     const bool is_named = text->starts_with(id + " ") || text->starts_with(id + ":");
-    fmt::print("{}{}", is_named ? std::string() : id + ": ", *text);
+    type_out("{}{}", is_named ? std::string() : id + ": ", *text);
     any = true;
   }
   if (any) return ok;
@@ -88,15 +89,15 @@ int explain(const ExplainOptions& options) {
   }
   const Lang lang = language_named(options.lang);
   if (options.code == "setup") {
-    fmt::print("{}", options.markdown ? setup_page_of_all(lang) : explain_setup(*def, lang));
+    type_out("{}", options.markdown ? setup_page_of_all(lang) : explain_setup(*def, lang));
     return ok;
   }
   if (options.markdown) {
-    fmt::print("{}", control_page(*def, *texts));
+    type_out("{}", control_page(*def, *texts));
     return ok;
   }
   if (options.code.empty()) {
-    fmt::print("{}", explain_control(*def, lang));
+    type_out("{}", explain_control(*def, lang));
     return ok;
   }
   auto text = explain_code(*def, *texts, options.code, lang);
@@ -105,7 +106,7 @@ int explain(const ExplainOptions& options) {
     complain(unknown_code(*def, options.code, lang));
     return wrong_usage;
   }
-  fmt::print("{}", *text);
+  type_out("{}", *text);
   return ok;
 }
 
@@ -118,9 +119,9 @@ int list_controls(const std::string& of, const std::string& lang_name) {
       complain(def.error());
       return wrong_usage;
     }
-    fmt::print("{:<12}{}", id, lang == Lang::ru ? def->name.ru : def->name.en);
-    if (!def->aliases.empty()) fmt::print(" ({} {})", lang == Lang::ru ? "также" : "also", fmt::join(def->aliases, ", "));
-    fmt::print("\n");
+    type_out("{:<12}{}", id, lang == Lang::ru ? def->name.ru : def->name.en);
+    if (!def->aliases.empty()) type_out(" ({} {})", lang == Lang::ru ? "также" : "also", fmt::join(def->aliases, ", "));
+    type_out("\n");
   }
   return ok;
 }

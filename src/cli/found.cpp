@@ -8,6 +8,7 @@
 
 #include "cli/terminal.h"
 #include "config/told.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {
@@ -17,8 +18,8 @@ constexpr std::size_t most_lines = 8;  // that are named
 }  // namespace
 
 void Found::print(const std::string& text) const {
-  if (to_ == stderr) say(text);
-  else fmt::print(to_, "{}", text);
+  if (to_ == stderr) say_coloured(text);
+  else type_into(to_, text);
 }
 
 void Found::tell(const AlarmReport& report) {
@@ -45,7 +46,7 @@ void Found::finish() {
       lines = fmt::format("{}{}{}", told(", in lines ", ", в строках "),
                           fmt::join(seen.lines.begin(), seen.lines.begin() + std::ptrdiff_t(named), ", "),
                           seen.lines.size() > named ? ", …" : "");
-    print(fmt::format("{}: {}: {}{}\n", file, name_of(id),
+    print(fmt::format("{}: {}: {}{}\n", visible_name(file), name_of(id),
                       told(fmt::format("{} more like the one above", seen.more), fmt::format("ещё таких же: {}", seen.more)), lines));
   }
   repeated_.clear();

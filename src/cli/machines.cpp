@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "config/machine_profile.h"
 #include "config/told.h"
 #include "kinematics/machine_tree.h"
@@ -37,11 +38,11 @@ std::string rapids_of(const MachineProfile& machine) {
 
 void print_list() {
   constexpr std::size_t id_width = 15, name_width = 42;
-  fmt::print("{}{}{}\n", padded(told("id", "обозначение"), id_width), padded(told("machine", "станок"), name_width),
+  type_out("{}{}{}\n", padded(told("id", "обозначение"), id_width), padded(told("machine", "станок"), name_width),
              told("rapid rates, mm/min, degrees/min", "быстрые ходы, мм/мин, град/мин"));
   for (const std::string& id : built_in_machines()) {
     const auto machine = load_machine(id);
-    if (machine) fmt::print("{}{}{}\n", padded(id, id_width), padded(name_of(*machine), name_width), rapids_of(*machine));
+    if (machine) type_out("{}{}{}\n", padded(id, id_width), padded(name_of(*machine), name_width), rapids_of(*machine));
   }
 }
 
@@ -72,7 +73,7 @@ void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
     std::string text = told("bed", "станина");
     for (const std::string& name : names) text += " → " + joint_text(name, machine.axes.at(name).joint);
-    fmt::print("{}{} → {}\n", padded(what, 20), text, what);
+    type_out("{}{} → {}\n", padded(what, 20), text, what);
   };
   chain(told("tool", "инструмент"), machine.chains.tool);
   chain(told("part", "деталь"), machine.chains.part);
@@ -80,25 +81,25 @@ void print_chains(const MachineProfile& machine) {
   for (const auto& [name, axis] : machine.axes) names.push_back(name);
   const auto five = MachineTree(machine, names).five_axis();
   if (!five)
-    fmt::print("{}{}\n", padded(told("N3200 to N3224", "N3200–N3224"), 20), told("do not say it: ", "этого не выражают: ") + five.error());
+    type_out("{}{}\n", padded(told("N3200 to N3224", "N3200–N3224"), 20), told("do not say it: ", "этого не выражают: ") + five.error());
 }
 
 void print_one(const MachineProfile& machine) {
   constexpr std::size_t first = 20, column = 18;
-  fmt::print("{}: {}\n", machine.id, name_of(machine));
-  const auto line = [](const std::string& what, const std::string& value) { fmt::print("{}{}\n", padded(what, first), value); };
+  type_out("{}: {}\n", machine.id, name_of(machine));
+  const auto line = [](const std::string& what, const std::string& value) { type_out("{}{}\n", padded(what, first), value); };
   line(told("speed", "скорость"), planner_of(machine));
   line(told("tool change", "смена инструмента"), number_of(machine.tool_change_s) + told(" s", " с"));
   line(told("spindle start", "разгон шпинделя"), number_of(machine.spindle_start_s) + told(" s", " с"));
   line(told("corners within", "допуск на углах"), number_of(machine.tolerance) + told(" mm", " мм"));
-  fmt::print("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
+  type_out("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
              padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),
              told("jerk /s³", "рывок /с³"));
   for (const auto& [name, axis] : machine.axes)
-    fmt::print("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
+    type_out("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
                padded(number_of(axis.acceleration), column), number_of(axis.jerk));
   if (machine.chains.given()) print_chains(machine);
-  fmt::print("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
+  type_out("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
                           "мм, у поворотных осей градусы; перемещение в координатах станка"));
 }
 

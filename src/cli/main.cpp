@@ -9,6 +9,7 @@
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "cli/usage_error.h"
 #include "config/told.h"
 
@@ -54,10 +55,10 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("man")) {
-    fmt::print("{}", manual_page(app));
+    type_out("{}", manual_page(app));
     return ok;
   }
-  fmt::print("{}", completion(app, commands.shell));
+  type_out("{}", completion(app, commands.shell));
   return ok;
 }
 
@@ -80,7 +81,7 @@ int printed(int status) { return status == wrong_usage || came_out() ? status : 
 
 int main(int argc, char** argv) {
   using namespace kadr::cli;
-  survive_closed_pipes();
+  survive_refused_writing();
   catch_interrupts();
   take_usual_words(argc, argv);
   Commands commands;

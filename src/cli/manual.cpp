@@ -74,8 +74,9 @@ std::string exit_statuses() {
                           "Остановлено ошибкой УП, найдены ошибки или записать нечего из-за ошибки.")},
                {"2", told("Wrong usage, an unreadable file, or an output that could not be written whole.",
                           "Неверная команда, файл не читается или вывод не записан целиком.")},
-               {"130, 143", told("Ended by Ctrl-C, by SIGTERM: within 0.2 s; what is not complete is removed.",
-                                 "Прервано Ctrl-C, сигналом SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
+               {"129, 130, 131, 143",
+                told("Ended by SIGHUP, Ctrl-C, SIGQUIT, SIGTERM: within 0.2 s; what is not complete is removed.",
+                     "Прервано сигналом SIGHUP, клавишами Ctrl-C, сигналом SIGQUIT, SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
 }
 
 std::string files() {

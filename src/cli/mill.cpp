@@ -42,7 +42,7 @@ class MillCommand {
     progress_.reset();
     if (!outputs_.open()) return wrong_usage;
     const std::string& program = made->program.text;
-    std::fwrite(program.data(), 1, program.size(), outputs_.stream("--output"));  // keep() tells whether all was written
+    write_data(outputs_.stream("--output"), program);  // keep() tells whether all was written
     if (!options_.plot.empty() && !draw(*made)) return wrong_usage;
     if (!outputs_.keep()) return wrong_usage;
     if (const std::string warning = warning_of_holes(*made, lang_); !warning.empty()) complain(warning);
@@ -85,7 +85,7 @@ class MillCommand {
 
   void print(const Milled& made) const {
     std::FILE* const to = options_.output.empty() || options_.output == "-" ? stderr : stdout;
-    for (const MillLine& line : mill_summary(made, lang_)) fmt::print(to, "{:<17}{}\n", line.name, line.value);
+    for (const MillLine& line : mill_summary(made, lang_)) type_into(to, fmt::format("{:<17}{}\n", line.name, line.value));
   }
 
   const MillOptions& options_;

@@ -30,6 +30,7 @@ struct Options {
   std::string colour;      // of the plot: speed, limit; empty: by the kind of motion
   std::string plot_speed;  // .svg or .png
   bool why = false;        // the lines that lose most time
+  bool json = false;       // the summary is JSON, alone on standard output
   std::string files;       // folder for what the program writes; empty: it writes nothing
   std::string state;       // file that keeps what survives power-off; empty: nothing is kept
   std::string lang;        // "ru", "en"; empty: by LANG
@@ -119,6 +120,8 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8437;  // 0: a free one
   bool no_browser = false;
+  bool open = false;          // who does not know the token may look
+  double max_memory = 2000;   // MB, of all sessions together
   std::string lang;
 };
 int serve(const ServeOptions& options);

@@ -34,10 +34,9 @@ FileSet set_of(const std::string& name, int stream) {
 }  // namespace
 
 bool came_out() {
-  errno = 0;
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  complain_of_writing(told("standard output", "стандартный вывод"), errno != 0 ? errno : EIO);
-  return false;
+  const int error = error_of(stdout);
+  if (error != 0) complain_of_writing(told("standard output", "стандартный вывод"), error);
+  return error == 0;
 }
 
 void Outputs::reads(const std::string& path) {
@@ -135,7 +134,7 @@ bool Outputs::keep(const std::vector<std::string>& read) {
   for (Output& output : outputs_) {
     if (!output.file) continue;
     if (const auto kept = output.file->keep(); !kept) {
-      complain(kept.error());
+      if (!kept.error().empty()) complain(kept.error());
       return false;
     }
   }

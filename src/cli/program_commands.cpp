@@ -157,6 +157,8 @@ void result_options(CLI::App& run, Options& o) {
         "DIR", "ПАПКА");
   sample_options(run, o);
   picture_options(run, o);
+  run.add_flag("--json", o.json,
+               told("the summary as JSON, alone on standard output", "сводка в виде JSON, одна на стандартном выводе"));
   run.add_flag("--why", o.why,
                told("the ten lines that lose most time against their feed, and the limit that costs it",
                     "десять строк, теряющих больше всего времени против своей подачи, и предел, из-за которого оно теряется"));

@@ -10,6 +10,7 @@
 
 #include "base/ascii.h"
 #include "config/guess.h"
+#include "config/program_names.h"
 #include "config/read_file.h"
 #include "lang/text/utf16.h"
 
@@ -17,13 +18,6 @@ namespace kadr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* program_endings[] = {".nc",   ".ngc", ".tap", ".txt", ".iso", ".prg", ".nct", ".gcode",
-                                           ".gc",   ".g",   ".cnc", ".mpf", ".spf", ".up",  ".eia", ".ptp",
-                                           ".tape", ".min", ".pim", ".fnc", ".sub", ".mac", ".fan", ".hnc"};
-
-/// O1001 has no ending, and 1.001, O0010.2 have numbers for one.
-bool has_no_ending(const std::string& ending) { return ending.empty() || std::all_of(ending.begin() + 1, ending.end(), is_digit); }
 
 bool looks_like_program(const std::string& path) {
   auto source = open_text(path).source;
@@ -33,10 +27,8 @@ bool looks_like_program(const std::string& path) {
 }
 
 bool is_program(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);
-  if (has_no_ending(ending)) return looks_like_program(path.string());
-  return std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
+  const NameTells tells = told_by_name(path.string());
+  return tells == NameTells::nothing ? looks_like_program(path.string()) : tells == NameTells::program;
 }
 
 /// One folder after the other; their number is not bounded by the stack, nor their depth.

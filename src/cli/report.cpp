@@ -23,8 +23,6 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t most_input = std::size_t{1} << 30;  // bytes of standard input
-
 Outputs outputs_of(const ReportOptions& options, const Job& job) {
   Outputs outputs(job.lang);
   outputs.reads(job.file);
@@ -40,20 +38,10 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
 
 /// Standard input is read once: the program is looked at several times. Complains.
 std::optional<std::string> text_of_input(const Job& job) {
-  std::string bytes;
-  char piece[1 << 16];
-  for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, stdin)) > 0;) {
-    bytes.append(piece, count);
-    if (bytes.size() > most_input) {
-      complain("-: " + told_errno(EFBIG));
-      return std::nullopt;
-    }
-  }
-  if (std::ferror(stdin) != 0) {
-    complain("-: " + told_errno(errno));
-    return std::nullopt;
-  }
-  return SourceText(as_text(text_source(bytes), job.encoding)).whole();
+  OpenedText text = open_text(job.file, job.encoding);
+  if (text.source) return SourceText(std::move(text)).whole();
+  complain(fmt::format("{}: {}", job.file, told_errno(errno)));
+  return std::nullopt;
 }
 
 /// The program as the view opens one; complains.
@@ -169,7 +157,7 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
   const ProgramRun& run = report.run();
   if (!options.cut.run.quiet && options.out != "-") {
     const Lang lang = language(options.cut.run);
-    fmt::print("{}{}", run.statistics().text(run.blocks(), lang), report.cut() ? cut_summary(*report.cut(), lang) : std::string());
+    type_out("{}{}", run.statistics().text(run.blocks(), lang), report.cut() ? cut_summary(*report.cut(), lang) : std::string());
   }
   if (interrupted()) return interrupted_status();
   if (!outputs.keep(run.control().files_read())) return wrong_usage;
@@ -218,7 +206,7 @@ int report(const ReportOptions& options) {
 }
 
 int print_licences() {
-  fmt::print("{}", report_file("licences.txt"));
+  type_out("{}", report_file("licences.txt"));
   return came_out() ? ok : wrong_usage;
 }
 

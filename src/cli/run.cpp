@@ -25,6 +25,7 @@
 #include "out/picture/plot_page.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
+#include "out/text/summary_json.h"
 
 namespace kadr::cli {
 namespace {
@@ -38,8 +39,14 @@ bool can_draw(const char* option, const std::string& name) {
 
 /// Whether somebody looks at the axes in time.
 bool needs_planner(const Options& options, const MachineProfile& profile) {
-  const bool counts = profile.planner == PlannerMode::optimal && !options.quiet;
+  const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
+}
+
+/// Nobody but the samples looks at the plan: what it says of the time in the summary is then a thing beside it.
+bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
+  const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
+  return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
 }
 
 /// A control with threads moves axes in step with the spindle.
@@ -82,6 +89,7 @@ class RunCommand {
       }
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
+      if (samples != nullptr && is_for_samples_alone(options, job.profile)) view.planned->end_with_samples();
       if (std::FILE* const tips = outputs.stream("--samples-tip"); tips != nullptr) view.planned->write_tips(tips);
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
@@ -106,9 +114,10 @@ class RunCommand {
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
     erase_bar();  // the summary may go to the same terminal
-    if (!options_.quiet && drive_.wants_summary()) print_summary();
+    if (!options_.quiet && !options_.json && drive_.wants_summary()) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
+    if (std::FILE* const json = outputs_.stream("--json"); json != nullptr) write_data(json, json_of(stopped));
     const bool stood = std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); });
     return stood || plan_failed_ ? alarms : ok;
   }
@@ -139,7 +148,7 @@ class RunCommand {
     Outlets& outlets = session_.outlets();
     outlets = outlets_of(view);
     outlets.works_long = view.trace || view.plot || view.planned;
-    if (!options_.quiet || outlets.works_long) {
+    if (!options_.quiet || options_.json || outlets.works_long) {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
@@ -251,27 +260,38 @@ class RunCommand {
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
-      if (channels_.size() > 1) fmt::print(text_goes_to(), "{}", channel_heading(channels_[i].number, lang_));
-      fmt::print(text_goes_to(), "{}", views_[i]->planned->why(*channels_[i].control, lang_));
+      if (channels_.size() > 1) type_into(text_goes_to(), channel_heading(channels_[i].number, lang_));
+      type_into(text_goes_to(), views_[i]->planned->why(*channels_[i].control, lang_));
     }
   }
 
   /// What a program reads is alone on standard output: then the summary goes to standard error.
   std::FILE* text_goes_to() const {
     const auto is_data = [](const std::string& name) { return name == "-"; };
-    return is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
+    return options_.json || is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
+  }
+
+  std::string json_of(const std::vector<Stopped>& stopped) const {
+    RunSummary run{job_.file, job_.def->id, true, job_.profile.planner, {}};
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const View& view = *views_[i];
+      const PlannedTime* const planned = view.planned ? view.planned->time() : nullptr;
+      run.channels.push_back({channels_[i].number, &view.statistics, channels_[i].control->blocks(), view.waited, planned});
+      run.complete = run.complete && !stopped[i].report.has_value();
+    }
+    return summary_json(run);
   }
 
   void print_summary() const {
     std::FILE* const to = text_goes_to();
-    if (channels_.size() == 1) return fmt::print(to, "{}", summary_of(0));
+    if (channels_.size() == 1) return type_into(to, summary_of(0));
     std::vector<ChannelTime> times;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const View& view = *views_[i];
       times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
-      fmt::print(to, "{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
+      type_into(to, fmt::format("{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i)));
     }
-    fmt::print(to, "{}", channels_text(times, lang_));
+    type_into(to, channels_text(times, lang_));
   }
 
   const Options& options_;
@@ -306,6 +326,7 @@ Outputs outputs_of(const Options& options, const Job& job) {
   outputs.writes("--trace", options.trace);
   outputs.writes("--samples", options.samples);
   outputs.writes("--samples-tip", options.samples_tip);
+  if (options.json) outputs.writes("--json", "-");
   outputs.writes("--plot", options.plot);
   outputs.writes("--plot-speed", options.plot_speed);
   return outputs;

@@ -9,11 +9,15 @@
 #include "cli/command_parts.h"
 #include "cli/help_text.h"
 #include "cli/option_values.h"
+#include "cli/outputs.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
 #include "config/told.h"
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
+#include "view/memory_bound.h"
 #include "view/served_folder.h"
 
 extern char** environ;
@@ -30,8 +34,9 @@ void open_browser(const std::string& address) {
   posix_spawn_file_actions_t silent;
   posix_spawn_file_actions_init(&silent);
   for (const int stream : {1, 2}) posix_spawn_file_actions_addopen(&silent, stream, "/dev/null", 1, 0);
+  const SignalsOfChild usual;
   pid_t child = 0;
-  (void)posix_spawnp(&child, program.c_str(), &silent, nullptr, words, environ);
+  (void)posix_spawnp(&child, program.c_str(), &silent, &usual.attributes, words, environ);
   posix_spawn_file_actions_destroy(&silent);
 }
 
@@ -55,6 +60,12 @@ void add_serve(CLI::App& app, Commands& c) {
   writes_file(serve->add_option("--state", o.state,
                                 told("what happens at the panels of machines is kept there, at every block",
                                      "хранить здесь, что происходит у пультов станков, после каждого кадра")));
+  serve->add_flag("--open", o.open,
+                  told("pages of this machine may look without the token of the printed address",
+                       "страницам этой машины смотреть можно и без ключа из напечатанного адреса"));
+  number(serve->add_option("--max-memory", o.max_memory, told("of all pages together, MB", "память всех страниц вместе, МБ")), "MB", "МБ", 100,
+         1e6)
+      ->capture_default_str();
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
   serve->footer(serve_examples());
@@ -78,16 +89,18 @@ int serve(const ServeOptions& options) {
     journal = std::move(*kept);
   }
   PanelHub hub;
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
-                        &last,   &hub,        journal.get()};
+  constexpr double bytes_of_mb = 1e6;
+  const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
+  const PageServer page{*folder, new_token(), wanted.is_open() || !options.open, options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
+                        &last,   &hub,        journal.get(), &memory};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) {
     complain(server.error());
     return wrong_usage;
   }
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
-  fmt::print("kadr serve: {}\n", address);
-  if (std::fflush(stdout) != 0) return wrong_usage;
+  type_out("kadr serve: {}\n", address);
+  if (!came_out()) return wrong_usage;
   if (page_files().empty())
     complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)",
                   "собран без страницы: есть только протокол (docs/panel-protocol.md)"));

@@ -2,6 +2,7 @@
 // as by `kadr check`, past its faults; the comments only propose figures.
 
 #include <fmt/core.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +11,9 @@
 #include <filesystem>
 
 #include "cli/job.h"
+#include "cli/outputs.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
@@ -231,16 +234,12 @@ CarriedOut carry_out_past_faults(Session& session) {
   return done;
 }
 
-bool write_to(const std::string& name, const std::string& text) {
-  std::FILE* const file = name.empty() || name == "-" ? stdout : std::fopen(name.c_str(), "wbx");  // never over a file that is there
-  if (file == nullptr) {
-    complain(fmt::format("{}: {}", name, told_errno(errno)));
-    return false;
-  }
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
-  if (!written || !closed) complain(fmt::format("{}: {}", name.empty() ? "-" : name, told_errno(errno)));
-  return written && closed;
+/// Never over a file that is there. Complains.
+bool may_write(const Outputs& outputs, const std::string& name) {
+  struct stat there {};
+  if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();
+  complain(fmt::format("{}: {}", name, told_errno(EEXIST)));
+  return false;
 }
 
 }  // namespace
@@ -250,6 +249,10 @@ int write_setup(const SetupOptions& options) {
   if (!job) return wrong_usage;
   auto program = open_program(*job);
   if (!program) return wrong_usage;
+  Outputs outputs(job->lang);
+  outputs.reads(job->file);
+  outputs.reads(job->setup_file);
+  outputs.writes("--out", options.output.empty() ? "-" : options.output);
   RunLimits limits = options.program.limits;
   limits.restarts = 0;
   limits.stop = stop_token();
@@ -261,7 +264,9 @@ int write_setup(const SetupOptions& options) {
   if (interrupted()) return interrupted_status();
   const std::string text = options.tools ? tools_text(*job, session->control(), done.moved)
                                          : template_text(TemplateMaker(*job, session->control(), done).make());
-  return write_to(options.output, text) ? ok : wrong_usage;
+  if (!may_write(outputs, options.output) || !outputs.open()) return wrong_usage;
+  write_data(outputs.stream("--out"), text);
+  return outputs.keep(session->control().files_read()) ? ok : wrong_usage;
 }
 
 }  // namespace kadr::cli

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "config/state_check.h"
 #include "config/told.h"
 
@@ -15,12 +16,11 @@ std::string rows_told(std::size_t rows) {
   return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), told_count(rows, "запись", "записи", "записей"));
 }
 
-/// What was found, on standard output; status 2 if that is full.
+/// What was found, on standard output.
 int print(const StateOptions& options, const StateReport& report, const std::string& heading) {
   std::string text = fmt::format("{}: {}\n", options.file, heading);
   for (const std::string& fault : report.faults) text += "  " + fault + "\n";
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) return wrong_usage;
+  type_out("{}", text);
   return report.faults.empty() ? ok : alarms;
 }
 

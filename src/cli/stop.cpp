@@ -8,12 +8,15 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <thread>
 
+#include "base/thread.h"
 #include "cli/terminal.h"
 #include "out/trace/result_file.h"
 
@@ -25,21 +28,29 @@ constexpr auto grace = std::chrono::milliseconds(150);  // in all 0.2 s are prom
 
 std::atomic<bool> asked = false;
 
-/// SIGINT and SIGTERM, which every thread holds back: one that was sent stays pending to the end.
+constexpr std::array ending = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+/// Of the signals that ask for the end those that are not ignored from the beginning (nohup, a command behind & of a script). Every thread
+/// holds them back: one that was sent stays pending to the end.
 sigset_t held_back() {
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
+  for (const int signal : ending) {
+    struct sigaction now {};
+    if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) sigaddset(&signals, signal);  // NOLINT: a union
+  }
   return signals;
 }
 
+volatile std::sig_atomic_t handled = 0;  // the signal that came where there is no thread to wait for it
+
 /// The signal that was sent; 0: none.
 int pending() {
+  if (handled != 0) return handled;
   sigset_t signals;
   if (sigpending(&signals) != 0) return 0;
-  if (sigismember(&signals, SIGINT) == 1) return SIGINT;
-  return sigismember(&signals, SIGTERM) == 1 ? SIGTERM : 0;
+  const auto* const sent = std::find_if(ending.begin(), ending.end(), [&](int signal) { return sigismember(&signals, signal) == 1; });
+  return sent == ending.end() ? 0 : *sent;
 }
 
 /// Waits for the signals: here everything may be called, which a handler may not. They are not taken, so that whoever asks
@@ -56,21 +67,49 @@ void watch(int signals) {
   ::_exit(first_of_signals + signal);
 }
 
+/// Where no thread is to be had: whoever asks the token ends, and a second signal is the end at once.
+void handle_instead(const sigset_t& signals) {
+  struct sigaction how {};
+  how.sa_handler = [](int signal) {  // NOLINT: a union
+    handled = signal;
+    asked = true;
+  };
+  how.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : ending)
+    if (sigismember(&signals, signal) == 1) (void)::sigaction(signal, &how, nullptr);
+}
+
 }  // namespace
 
 void catch_interrupts() {
   const sigset_t signals = held_back();
   const int wakes = ::signalfd(-1, &signals, SFD_CLOEXEC);
-  if (wakes < 0 || pthread_sigmask(SIG_BLOCK, &signals, nullptr) != 0) return;
-  std::thread(watch, wakes).detach();
+  if (wakes >= 0 && pthread_sigmask(SIG_BLOCK, &signals, nullptr) == 0) {
+    if (begin_alone([wakes] { watch(wakes); })) return;
+    (void)pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  }
+  if (wakes >= 0) ::close(wakes);
+  handle_instead(signals);
 }
 
 StopToken stop_token() { return StopToken(asked); }
 bool interrupted() { return pending() != 0; }
 int interrupted_status() { return first_of_signals + pending(); }
 
-void survive_closed_pipes() {
+SignalsOfChild::SignalsOfChild() : attributes() {
+  posix_spawnattr_init(&attributes);
+  sigset_t none, usual;
+  sigemptyset(&none);
+  sigemptyset(&usual);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, signal);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setsigdefault(&attributes, &usual);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+}
+
+void survive_refused_writing() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   // A standard stream that is closed must not become the first file that is opened.
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);

@@ -6,6 +6,7 @@
 #include "cli/job.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
+#include "cli/terminal.h"
 #include "lang/text/encoding.h"
 #include "lang/text/tape_reading.h"
 #include "lang/text/utf16.h"
@@ -72,7 +73,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang == Lang::ru) : encode(options, *bytes, output, lang == Lang::ru);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  std::fwrite(output.data(), 1, output.size(), outputs.stream("OUTPUT"));  // keep() tells whether all was written
+  write_data(outputs.stream("OUTPUT"), output);  // keep() tells whether all was written
   return outputs.keep() ? status : wrong_usage;
 }
 

@@ -1,4 +1,4 @@
-// The terminal on standard error: messages and the progress bar share it. For the rest of cli.
+// What people read. For the rest of cli; tested by tests/every_command.py (names, texts, no reader).
 
 #include "cli/terminal.h"
 
@@ -63,11 +63,17 @@ int terminal_width() {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
-void say(const std::string& text) {
+void say_coloured(const std::string& text) {
   const std::lock_guard lock(writing);
   erase_shown();
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
+
+void say(const std::string& text) { say_coloured(visible(text)); }
+
+void write_data(std::FILE* to, std::string_view data) { std::fwrite(data.data(), 1, data.size(), to); }
+
+void type_into(std::FILE* to, std::string_view text) { write_data(to, visible(text)); }
 
 void complain(const std::string& text) { say("kadr: " + text + "\n"); }
 

@@ -12,6 +12,7 @@
 #include "cli/option_values.h"
 #include "config/nearest.h"
 #include "config/told.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {
@@ -111,7 +112,7 @@ std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI:
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = called(app);
   const std::string help = whole_name(command) + " --help";
-  return fmt::format("kadr: {}\n{}\n", sentence_of(app, command, error), told("Help: " + help, "Справка: " + help));
+  return fmt::format("kadr: {}\n{}\n", visible(sentence_of(app, command, error)), told("Help: " + help, "Справка: " + help));
 }
 
 }  // namespace kadr::cli

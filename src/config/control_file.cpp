@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/file_id.h"
 #include "config/control_loader.h"
 #include "config/embedded.h"
 #include "config/loader_texts.h"
@@ -118,7 +119,7 @@ bool is_built_in(const std::string& file) { return toml_tools::embedded_text(fil
 /// Sections of the manual of another control are none of the one that extends it.
 void forget_sections(toml::table& table) {
   for (auto&& [key, value] : table) {
-    if (key == "manual") value.ref<std::string>() = "";
+    if (key == "manual" && value.is_string()) *value.as_string() = "";
     else if (toml::table* const inner = value.as_table()) forget_sections(*inner);
     else if (toml::array* const rows = value.as_array())
       for (toml::node& row : *rows)
@@ -126,15 +127,25 @@ void forget_sections(toml::table& table) {
   }
 }
 
-/// The table of a file with what it extends laid under it; `lineage` collects the ids below.
-Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage, const FileDoor* door) {
-  constexpr std::size_t deepest = 8;  // a file that extends itself would never end
+/// What is met on the way down.
+struct Below {
+  std::vector<std::string>& lineage;  // the ids
+  std::set<FileId> files;             // their own files: one that comes again extends itself
+};
+
+/// The table of a file with what it extends laid under it.
+Table merged(Table table, const std::string& file, From from, Below& below, const FileDoor* door) {
+  constexpr std::size_t deepest = 16;  // controls below each other
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
   if (!table->contains("id")) return Failed(say("{}: id is missing: a file that extends another is a control of its own", file));
-  if (lineage.size() == deepest) return Failed(say("{}: extends itself", file));
-  lineage.push_back(*base);
+  if (below.lineage.size() == deepest) {
+    const std::string most = std::to_string(deepest);
+    return Failed(file + ": " + told("extends the " + most + "th control below each other: no more are read",
+                                     "extends: это уже " + most + "-я система друг под другом, больше не читается"));
+  }
+  below.lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
   auto base_table = built_in(name, from);
   if (!base_table) {
@@ -144,9 +155,10 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
     if (!text)
       return Failed(file + ": " + told("extends '" + *base + "': no such control, and ", "extends '" + *base + "': такой системы нет, и ") +
                     text.error());
+    if (!below.files.insert(file_id_of(name).value_or(FileId{})).second) return Failed(say("{}: extends itself", file));
     base_table = toml_tools::parsed(*text, name);
   }
-  auto under = merged(std::move(*base_table), name, from, lineage, door);
+  auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>()) forget_sections(*under);
@@ -187,7 +199,9 @@ namespace {
 
 tl::expected<ControlDef, std::string> load(Table own, const std::string& file, From from, const FileDoor* door) {
   std::vector<std::string> lineage;
-  auto table = merged(std::move(own), file, from, lineage, door);
+  Below below{lineage, {}};
+  if (const auto id = file_id_of(file)) below.files.insert(*id);
+  auto table = merged(std::move(own), file, from, below, door);
   if (!table) return Failed(table.error());
   lay_operations(*table, *table);
   auto def = ControlLoader(*table, file).load();

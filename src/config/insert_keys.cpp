@@ -75,16 +75,16 @@ std::string told_nose(const ToolGeometry& t) {
   const double nose = t.corner, width = t.insert.width;
   if (width > 0) {
     if (width < 2 * nose) return told("corner is more than half of the width", "corner больше половины width");
-    return t.flutes > nose ? std::string() : told("flutes is missing: how deep it can groove", "нет flutes: глубина канавки");
+    return t.flutes > nose ? std::string() : told("flute_length is missing: how deep it can groove", "нет flute_length: глубина канавки");
   }
   if (t.angle == 0)
     return nose > 0 ? std::string()
                     : told("angle is missing: of the nose; or width of a grooving insert; or corner of a round one",
                            "нет angle: угол при вершине; или width канавочной пластины; или corner круглой");
   if (!(t.angle > 0 && t.angle < 180)) return told("angle must be above 0 and below 180 degrees", "angle: больше 0 и меньше 180 градусов");
-  if (!(t.flutes > 0)) return told("flutes is missing: the length of the cutting edges", "нет flutes: длина режущих кромок");
+  if (!(t.flutes > 0)) return told("flute_length is missing: the length of the cutting edges", "нет flute_length: длина режущих кромок");
   if (t.flutes * std::sin(t.angle * rad_per_deg) < 2 * nose)
-    return told("flutes is too short for that corner", "flutes слишком мало для такого corner");
+    return told("flute_length is too short for that corner", "flute_length слишком мало для такого corner");
   return {};
 }
 
@@ -126,7 +126,7 @@ std::string told_insert_fault(const ToolGeometry& t) {
     if (i.width > 0 && i.lead != 0 && i.lead != 90)
       return told("lead of a grooving insert: 90, it plunges along x, or 0, along z",
                   "lead канавочной пластины: 90 — врезается по x, или 0 — по z");
-    if (t.length < t.flutes) return told("length (of the insert's side) is less than flutes", "length (сторона пластины) меньше flutes");
+    if (t.length < t.flutes) return told("length (of the insert's side) is less than flute_length", "length (сторона пластины) меньше flute_length");
   }
   if (std::string fault = told_polygon("profile", i.profile); !fault.empty()) return fault;
   return told_polygon("holder", i.holder);

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "config/told.h"
+#include "lang/text/text_spool.h"
 
 namespace kadr {
 namespace {
@@ -64,6 +65,11 @@ std::string told_errno(int error) {
     case EROFS: return told("the file system is read-only", "файловая система только для чтения");
     case EPIPE: return told("its reader has gone", "читающая программа завершилась");
     case EEXIST: return told("it is there already", "такой файл уже есть");
+    case EMSGSIZE: {
+      const std::string pipe = std::to_string(limits::piped_bytes >> 20), device = std::to_string(limits::device_bytes >> 20);
+      return told("it gives too much: a pipe may give " + pipe + " MiB, a device " + device + " MiB; put it into a file",
+                  "слишком много: канал может дать " + pipe + " МиБ, устройство " + device + " МиБ; сохраните в файл");
+    }
     case EBADF: return told("it is not open", "не открыт");
     case EMFILE:
     case ENFILE: return told("too many files are open", "открыто слишком много файлов");

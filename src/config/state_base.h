@@ -52,6 +52,11 @@ class Base {
   /// Opens the file, which is there, and locks it. As long as merges(false) holds, nothing of it is changed, nor at closing.
   Done connect();
   void merges(bool may);  // whether closing may merge the log into the file
+  /// What its names mean now is another's: closing leaves it alone.
+  void let_go() {
+    merges(false);
+    had_log_ = true;
+  }
 
   SqlStatement prepared(const char* statement) const;
   /// The first column of the first row as text; nothing if there is none, or it cannot be read.

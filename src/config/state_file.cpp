@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "base/file_id.h"
 #include "config/state_content.h"
 #include "config/state_new.h"
 #include "config/told.h"
@@ -25,6 +26,11 @@ constexpr const char* after_opening = "PRAGMA synchronous = NORMAL; PRAGMA wal_a
 class StateFile::Database {
  public:
   explicit Database(const std::string& path) : path_(path), base_(path) {}
+  ~Database() {
+    if (!stands()) base_.let_go();
+  }
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
 
   Done open(const std::string& control_id);
   tl::expected<StoredState, std::string> load();
@@ -42,6 +48,7 @@ class StateFile::Database {
   int put_whole();
   void sum_is(const std::string& row, std::optional<std::uint64_t> sum);
   tl::unexpected<std::string> damaged(const std::vector<std::string>& faults) const;
+  bool stands() const;
 
   std::string path_;
   Base base_;
@@ -51,7 +58,19 @@ class StateFile::Database {
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // of the rows of a save, until it is through
   std::vector<StateRow> unchecked_;                                           // all rows, of a file without checksums
   bool old_ = false;                                                          // it has none yet
+  std::optional<FileId> file_, log_;                                          // as they were opened; nothing: not yet
 };
+
+/// The file and its log are still what their names mean: what is written into others, or into none, is lost.
+bool StateFile::Database::stands() const {
+  return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_);
+}
+
+/// Of a file that was deleted under a process that was killed then: SQLite would take it for that of the next file of that name.
+void set_aside(const std::string& log) {
+  std::error_code none;
+  if (std::filesystem::exists(log, none)) std::filesystem::rename(log, log + ".old", none);
+}
 
 /// What is wrong, and what can be done: the file is left as it is.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
@@ -100,13 +119,16 @@ int StateFile::Database::prepare_rows() {
 
 Done StateFile::Database::open(const std::string& control_id) {
   std::error_code none;
-  if (!path_.empty() && !std::filesystem::exists(path_, none))
+  if (!path_.empty() && !std::filesystem::exists(path_, none)) {
+    set_aside(path_ + "-wal");
     if (auto made = make_state(path_, control_id, {}); !made && !std::filesystem::exists(path_, none)) return made;
+  }
   if (auto done = vetted(path_); !done) return done;
   if (auto done = base_.connect(); !done) return done;
   if (auto done = check(control_id); !done) return done;
   if (const int code = base_.run("COMMIT"); code != SQLITE_OK) return base_.failed(code);
   base_.merges(true);
+  file_ = file_id_of(path_);
   return prepare();
 }
 
@@ -180,6 +202,11 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
     if (const auto* const number = std::get_if<double>(&row.value); number != nullptr && !std::isfinite(*number))
       return base_.error("cannot keep " + row.key + ": it is not a number", "не может хранить " + row.key + ": это не число");
   if (rows.empty()) return {};
+  if (!stands()) {
+    base_.let_go();
+    return base_.error("was deleted or replaced while it was in use: nothing is kept from then on. Start again to have a new one",
+                       "удалён или подменён во время работы: с этого времени ничего не сохраняется. Запустите снова, будет новый");
+  }
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
@@ -190,6 +217,7 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   if (code == SQLITE_OK) {
     old_ = false;
     unchecked_.clear();
+    if (!log_) log_ = file_id_of(path_ + "-wal");
     return {};
   }
   auto sentence = base_.failed(code);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "config/insert_keys.h"
 #include "config/nearest.h"
@@ -29,8 +30,30 @@ constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
                                    {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view tool_keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flutes", "length",
-                                          "profile", "shank", "holder", "plunges",  "teeth",  "points", "lead", "width"};
+constexpr std::string_view tool_keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flute_length", "length",
+                                          "profile", "shank", "holder", "plunges",  "flute_count",  "points", "lead", "width"};
+
+/// Keys of older files, which say something else to the field (`flutes` is a length there). They are read still.
+struct OldKey {
+  std::string_view old, now;
+};
+constexpr OldKey old_keys[] = {{"flutes", "flute_length"}, {"teeth", "flute_count"}};
+
+bool is_old_key(std::string_view key) {
+  return std::any_of(std::begin(old_keys), std::end(old_keys), [&](const OldKey& k) { return k.old == key; });
+}
+
+std::string told_old(const OldKey& key) {
+  const std::string old(key.old), now(key.now);
+  return told(old + " is called " + now + " now; it is read as before", old + " теперь называется " + now + "; читается по-прежнему");
+}
+
+/// The key under which the row has it.
+std::string_view key_in(const toml::table& row, std::string_view now) {
+  for (const OldKey& k : old_keys)
+    if (k.now == now && row.contains(k.old)) return k.old;
+  return now;
+}
 
 constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
 constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
@@ -38,12 +61,18 @@ constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
 Done known_tool_keys(const std::string& file, const toml::table& row) {
   for (const auto& [key, node] : row) {
     if (std::find(std::begin(tool_keys), std::end(tool_keys), key.str()) != std::end(tool_keys)) continue;
+    if (is_old_key(key.str())) continue;
     const std::string_view near = toml_tools::nearest(key.str(), {std::begin(tool_keys), std::end(tool_keys)});
     const std::string hint_en = near.empty() ? "" : "; '" + std::string(near) + "'?",
                       hint_ru = near.empty() ? "" : "; «" + std::string(near) + "»?";
     return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "' of a tool" + hint_en,
                                            "неизвестный ключ инструмента «" + std::string(key.str()) + "»" + hint_ru));
   }
+  for (const auto& [old, now] : old_keys)
+    if (row.contains(old) && row.contains(now)) {
+      const std::string both = std::string(old) + ", " + std::string(now) + ": ";
+      return Failed(place(file, *row.get(old)) + both + told("they are the same, say one", "это одно и то же, оставьте один ключ"));
+    }
   return {};
 }
 
@@ -57,11 +86,12 @@ Done number_of(const std::string& file, const toml::table& row, ToolGeometry& to
 }
 
 Done teeth_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
-  const toml::node* const node = row.get("teeth");
+  const std::string key(key_in(row, "flute_count"));
+  const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
   const auto teeth = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
   if (!teeth || *teeth < 1 || *teeth > limits::teeth)
-    return Failed(place(file, *node) + told("teeth: how many cut, a whole number from 1 to ", "teeth: число зубьев, целое от 1 до ") +
+    return Failed(place(file, *node) + key + told(": how many flutes, a whole number from 1 to ", ": число зубьев, целое от 1 до ") +
                   std::to_string(limits::teeth));
   tool.teeth = int(*teeth);
   return {};
@@ -165,8 +195,8 @@ std::string told_fault(const ToolGeometry& t) {
   for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})
     if (!is_within(size, size_range)) return told("a size must be ", "размер должен быть ") + told(size_range);
   if (!(t.diameter > 0)) return told("diameter is missing", "нет diameter");
-  if (!(t.flutes > 0)) return told("flutes is missing: how high above its tip it cuts", "нет flutes: на какую высоту от вершины он режет");
-  if (t.length < t.flutes) return told("length (stick-out) is less than flutes", "length (вылет) меньше flutes");
+  if (!(t.flutes > 0)) return told("flute_length is missing: how high above its tip it cuts", "нет flute_length: на какую высоту от вершины он режет");
+  if (t.length < t.flutes) return told("length (stick-out) is less than flute_length", "length (вылет) меньше flute_length");
   if (const std::string end = told_end(t); !end.empty()) return end;
   for (const auto& [key, outline] : {std::pair("profile", &t.profile), std::pair("shank", &t.shank), std::pair("holder", &t.holder)})
     if (std::string fault = told_outline(key, *outline); !fault.empty()) return fault;
@@ -186,7 +216,7 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   number("corner", size_range, tool.corner);
   number("angle", angle_range, tool.angle);
   number("tip", size_range, tool.tip);
-  number("flutes", size_range, tool.flutes);
+  number(key_in(row, "flute_length"), size_range, tool.flutes);
   number("length", size_range, tool.length);
   const bool turns = tool.kind == ToolKind::turning;
   if (done && turns) done = insert_of(file, row, tool.insert);
@@ -223,12 +253,17 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
     return Failed(file + ": " +
                   told("a tools file has [[tool]] tables, 1 to 10000", "в файле инструментов таблицы [[tool]], от 1 до 10000"));
   ToolLibrary library;
+  std::set<std::string_view> old;
   for (const toml::node& row : *rows) {
     if (!row.is_table()) return Failed(place(file, row) + told("tool: write [[tool]]", "tool: пишите [[tool]]"));
     auto tool = tool_of(file, *row.as_table());
     if (!tool) return Failed(tool.error());
     if (const Done added = add_tool(file, *row.as_table(), std::move(*tool), library); !added) return Failed(added.error());
+    for (const OldKey& k : old_keys)
+      if (row.as_table()->contains(k.old)) old.insert(k.old);
   }
+  for (const OldKey& k : old_keys)
+    if (old.contains(k.old)) library.notes.push_back(file + ": " + told_old(k));
   return library;
 }
 

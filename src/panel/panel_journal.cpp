@@ -32,7 +32,11 @@ tl::expected<std::unique_ptr<PanelJournal>, std::string> PanelJournal::open(cons
 
 PanelJournal::Done PanelJournal::save(const std::vector<StateRow>& rows) {
   if (!file_) return {};
-  return file_->save({rows});
+  unsaved_.insert(unsaved_.end(), rows.begin(), rows.end());
+  Done done = file_->save({unsaved_});
+  if (done) unsaved_.clear();
+  else if (unsaved_.size() > most_logged) unsaved_.erase(unsaved_.begin(), unsaved_.end() - std::ptrdiff_t(most_logged));
+  return done;
 }
 
 std::optional<std::string> PanelJournal::value(const std::string& what, const std::string& machine) const {
@@ -44,7 +48,7 @@ std::optional<std::string> PanelJournal::value(const std::string& what, const st
 PanelJournal::Done PanelJournal::keep(const std::string& what, const std::string& machine, std::string value) {
   const std::lock_guard hold(lock_);
   const std::string key = what + ":" + machine;
-  if (const auto there = all_.find(key); there != all_.end() && there->second == value) return {};
+  if (const auto there = all_.find(key); there != all_.end() && there->second == value && unsaved_.empty()) return {};
   all_[key] = value;
   return save({{StateTable::panel, key, std::move(value)}});
 }

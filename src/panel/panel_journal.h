@@ -43,10 +43,12 @@ class PanelJournal {
   std::vector<std::string> log_of(const std::string& machine) const;
 
  private:
+  /// With what could not be saved before.
   Done save(const std::vector<StateRow>& rows);
 
   mutable std::mutex lock_;
   std::unique_ptr<StateFile> file_;  // nullptr: none is asked for
+  std::vector<StateRow> unsaved_;
   std::map<std::string, std::string> all_;
   std::map<std::string, std::map<std::uint64_t, std::string>> logs_;  // by machine, in their order
 };

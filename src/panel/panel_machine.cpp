@@ -29,23 +29,13 @@ void wait_until_seen(Is is) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
-                                                                            const std::optional<Axes>& start, std::vector<Axes> stands) {
-  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
-  if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
-  machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
-  machine->begin_search();
-  machine->thread_ = std::thread([m = machine.get()] { m->live(); });
-  return machine;
-}
-
 PanelMachine::~PanelMachine() { switch_off(); }
 
 void PanelMachine::switch_off() {
   ends_ = true;  // before: it is no emergency stop
   stop_at_once();
   const std::lock_guard one_at_a_time(off_lock_);
-  if (thread_.joinable()) thread_.join();
+  thread_.wait();
 }
 
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
@@ -74,23 +64,40 @@ void PanelMachine::carry_out_asked() {
       next = std::move(asked_.front());
       asked_.pop_front();
     }
-    const Answer answer = next.what();
-    show();
+    Answer answer;
+    try {
+      answer = next.what();
+      show();
+    } catch (const std::bad_alloc&) {
+      stop_at_once();
+      answer = Failed(told("out of memory", "не хватает памяти"));
+    }
     next.answer.set_value(answer);
   }
 }
 
+/// What is to be done now; then it waits.
+///   returns  false: the machine is switched off
+bool PanelMachine::look_round() {
+  if (!ends_ && must_stop()) stand_still();
+  carry_out_asked();
+  if (stretch_ && !must_stop()) look_after_stretch();
+  if (retables_) look_after_tables();
+  std::unique_lock hold(lock_);
+  if (ends_) return false;
+  const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
+  if (stretch_ || retables_) wakes_.wait_for(hold, look_every, is_asked);
+  else wakes_.wait(hold, is_asked);
+  return true;
+}
+
 void PanelMachine::live() {
-  while (true) {
-    if (!ends_ && must_stop()) stand_still();
-    carry_out_asked();
-    if (stretch_ && !must_stop()) look_after_stretch();
-    if (retables_) look_after_tables();
-    std::unique_lock hold(lock_);
-    if (ends_) break;
-    const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
-    if (stretch_ || retables_) wakes_.wait_for(hold, look_every, is_asked);
-    else wakes_.wait(hold, is_asked);
+  for (bool goes_on = true; goes_on;) {
+    try {
+      goes_on = look_round();
+    } catch (const std::bad_alloc&) {  // it can make no more of the program: the axes stand
+      stop_at_once();
+    }
   }
   drop_stretch();
   while (!asked_.empty()) asked_.front().answer.set_value({}), asked_.pop_front();

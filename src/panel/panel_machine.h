@@ -18,9 +18,9 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "base/thread.h"
 #include "panel/panel_lane.h"
 #include "panel/panel_opens.h"
 #include "panel/panel_search.h"
@@ -247,6 +247,7 @@ class PanelMachine {
   // panel_machine.cpp: its thread, and what is asked of it
   Answer ask(std::function<Answer()> what);
   void live();
+  bool look_round();
   void carry_out_asked();
   void look_after_stretch();
   /// An emergency stop that has not been seen to yet.
@@ -345,7 +346,7 @@ class PanelMachine {
   std::atomic<bool> ends_{false};
   std::mutex off_lock_;
   PanelState shown_;
-  std::thread thread_;
+  Thread thread_;
 };
 
 }  // namespace kadr

@@ -12,6 +12,20 @@ using Failed = tl::unexpected<std::string>;
 }  // namespace
 
 /// Once; a program has as many channels as it had.
+tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
+                                                                            const std::optional<Axes>& start, std::vector<Axes> stands) {
+  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
+  try {
+    if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
+    machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
+    machine->begin_search();
+    machine->thread_.begin_or_throw([m = machine.get()] { m->live(); });
+  } catch (const NoThread&) {
+    return Failed(told("no more threads are to be had: the machine stays off", "система не даёт потоков: станок не включён"));
+  }
+  return machine;
+}
+
 PanelMachine::Answer PanelMachine::make_lanes() {
   const std::vector<Channel>& channels = session_->channels();
   for (std::size_t i = lanes_.size(); lane_ == nullptr && i < channels.size(); ++i) {

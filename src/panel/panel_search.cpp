@@ -9,7 +9,7 @@
 namespace kadr {
 
 PanelSearch::PanelSearch(PanelOpens opens) : opens_(std::move(opens)) {
-  thread_ = std::thread([this] { live(); });
+  thread_.begin_or_throw([this] { live(); });
 }
 
 PanelSearch::~PanelSearch() {
@@ -19,7 +19,7 @@ PanelSearch::~PanelSearch() {
     stops_ = true;
   }
   wakes_.notify_all();
-  thread_.join();
+  thread_.wait();
 }
 
 void PanelSearch::begin(const PanelStart& start) {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 
+#include "base/thread.h"
 #include "config/alarm_texts.h"
 #include "panel/panel_opens.h"
 #include "session/block_search.h"
@@ -108,7 +108,7 @@ class PanelSearch {
   Lang lang_{};
   bool searching_ = false;
   std::optional<Answer> answer_;  // to wish_
-  std::thread thread_;
+  Thread thread_;
 };
 
 }  // namespace kadr

@@ -16,7 +16,7 @@ constexpr double seconds_a_minute = 60;
 ServoClock::ServoClock(double rate, const Axes& stand, const AxisRoles& roles) : rate_(rate), roles_(roles) {
   now_.machine = stand;
   show();
-  thread_ = std::thread([this] { run(); });
+  thread_.begin_or_throw([this] { run(); });
 }
 
 ServoClock::~ServoClock() {
@@ -26,7 +26,7 @@ ServoClock::~ServoClock() {
     ends_ = true;
   }
   wakes_.notify_all();
-  thread_.join();
+  thread_.wait();
 }
 
 void ServoClock::play(Playback* playback) {

@@ -8,9 +8,9 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
-#include <thread>
 
 #include "action/axis_roles.h"
+#include "base/thread.h"
 #include "motion/play/playback.h"
 
 namespace kadr {
@@ -65,7 +65,7 @@ class ServoClock {
 
   mutable std::mutex shown_lock_;  // the clock never waits for it while it plays
   ServoSample shown_;
-  std::thread thread_;
+  Thread thread_;
 };
 
 }  // namespace kadr

@@ -4,7 +4,7 @@
 
 #include <malloc.h>
 
-#include <thread>
+#include "base/thread.h"
 
 namespace kadr {
 namespace {
@@ -33,7 +33,7 @@ void Connection::accept(const PageRequest& request) {
   socket_.auto_fragment(false);  // else a long frame goes out 4 KiB at a time
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
-    std::thread([self] { self->answer_all(); }).detach();
+    if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
     self->read();
   });
 }

@@ -4,6 +4,7 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
+#include <new>
 #include <optional>
 
 #include "config/told.h"
@@ -189,7 +190,13 @@ const ServedAddress& HttpServer::address() const { return inside_->address; }
 
 void HttpServer::run() {
   inside_->accept();
-  inside_->network.run();
+  for (bool over = false; !over;) {
+    try {
+      inside_->network.run();
+      over = true;
+    } catch (const std::bad_alloc&) {  // of one connection, which is over with it
+    }
+  }
 }
 
 void HttpServer::stop() { inside_->network.stop(); }

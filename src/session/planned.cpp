@@ -54,6 +54,7 @@ void Planned::see(const TimedCells& cells) {
   if (lost_time_) lost_time_->take(cells);
   if (record_) record_->take(cells);
   if (coloured_ != nullptr) coloured_->take(cells, limits_);
+  if (ends_with_samples_ && writer_->ended() == SampleEnd::max_time) motion_.end_here();
 }
 
 bool Planned::finish() {

@@ -26,6 +26,9 @@ class Planned {
   /// The tool's tip at the same instants; after write_samples(). The file stays the caller's.
   void write_tips(std::FILE* file);
 
+  /// The plan ends with the samples: nobody looks at more of it. After write_samples().
+  void end_with_samples() { ends_with_samples_ = true; }
+
   /// Finds the lines that lose most time.
   void ask_why() { lost_time_.emplace(limits_); }
 
@@ -74,8 +77,10 @@ class Planned {
   /// After finish(): what is wrong with the plan or its samples. `control`: that carried the program out.
   std::vector<AlarmReport> reports(const Control& control) const;
 
-  /// None, where the planner found no plan by an error of its own.
-  const PlannedTime* time() const { return motion_.ended() == PlanEnd::too_slow ? nullptr : &time_; }
+  /// None, where the planner found no plan by an error of its own, or planned only so far as samples are wanted.
+  const PlannedTime* time() const {
+    return motion_.ended() == PlanEnd::too_slow || motion_.ended() == PlanEnd::enough ? nullptr : &time_;
+  }
   /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
   std::string why(const Control& control, Lang lang) const;
   /// Where record_speed() was called, after finish(). Returns an error sentence.
@@ -94,6 +99,7 @@ class Planned {
   PlannedTime time_;
   std::optional<SampleWriter> writer_;
   double max_time_ = 0;  // s, of the samples
+  bool ends_with_samples_ = false;
   std::optional<LostTime> lost_time_;
   std::optional<SpeedRecord> record_;
   Plot* coloured_ = nullptr;

@@ -3,7 +3,6 @@
 
 #include "session/run_ahead.h"
 
-#include <system_error>
 #include <utility>
 
 namespace kadr {
@@ -13,7 +12,7 @@ RunAhead::RunAhead(Control& control) : control_(control), beside_(has_several_pr
 RunAhead::~RunAhead() {
   over_.store(true, std::memory_order_release);
   give_way();
-  if (thread_.joinable()) thread_.join();
+  thread_.wait();
 }
 
 /// What the thread may wait for has changed.
@@ -35,16 +34,8 @@ void RunAhead::start() {
   going_ = true;
   allowed_.store(taken_ + depth, std::memory_order_release);
   stands_.store(false, std::memory_order_release);
-  if (beside_ && !thread_.joinable()) begin_thread();
+  if (beside_ && !thread_.is_begun()) beside_ = thread_.begin([this] { work(); });
   give_way();
-}
-
-void RunAhead::begin_thread() {
-  try {
-    thread_ = std::thread([this] { work(); });
-  } catch (const std::system_error&) {  // no more threads are to be had
-    beside_ = false;
-  }
 }
 
 void RunAhead::work() {

@@ -10,7 +10,6 @@
 #include <array>
 #include <atomic>
 #include <exception>
-#include <thread>
 #include <vector>
 
 #include "base/side_by_side.h"
@@ -54,7 +53,6 @@ class RunAhead {
   static constexpr std::uint64_t depth = 16;
   static constexpr std::uint64_t worth_waking = depth / 2;  // batches to be made: for fewer the thread is left asleep
 
-  void begin_thread();
   void work();
   void make();
   template <class Wanted>
@@ -67,7 +65,7 @@ class RunAhead {
   Batch* in_work_ = nullptr;  // of the thread that runs the control
   bool going_ = false;        // this side's own
   std::uint64_t taken_ = 0;   //
-  std::thread thread_;        // begun with the first batch
+  Thread thread_;             // begun with the first batch
   bool beside_;               // there is a processor for the thread
 
   std::atomic<std::uint64_t> allowed_ = 0;  // batches that may be made in all

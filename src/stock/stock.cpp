@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <thread>
 #include <tuple>
+
+#include "base/thread.h"
 
 namespace kadr {
 namespace {
@@ -67,13 +68,6 @@ AroundTip around_tip(const ToolShape& tool) {
 }
 
 }  // namespace
-
-void side_by_side(int threads, const std::function<void(int)>& work) {
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work, i);
-  work(0);
-  for (std::thread& t : others) t.join();
-}
 
 Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
     : blank_(std::move(blank)), lattice_(blank_->box(), cell), scale_(cell), bend_cell_(cell), threads_(std::max(threads, 1)) {

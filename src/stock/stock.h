@@ -194,7 +194,4 @@ class Stock {
   std::vector<Removed> removed_;  // of the last cut()
 };
 
-/// Runs `work(thread)` on so many threads, this one among them.
-void side_by_side(int threads, const std::function<void(int)>& work);
-
 }  // namespace kadr

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/thread.h"
 #include "stock/stock.h"
 
 namespace kadr {

@@ -133,6 +133,10 @@ struct PageSession::Inside {
     if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);
     return json;
   }
+  bool is_memory_full() const;
+  static std::string told_memory();
+  /// What grows while the sessions hold too much is over, and said so.
+  void end_if_memory_is_full();
   /// Paths of calls as the folder's people know them.
   void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;

@@ -140,6 +140,7 @@ void PageSession::Inside::carry_out_cut() {
   PageJson marks = PageJson::array();
   part_run->on_progress = [this](double part) {
     say({{"event", "cutting"}, {"part", part}});
+    end_if_memory_is_full();
     if (gone) stops = true;
   };
   part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {

@@ -111,6 +111,7 @@ void PageSession::Inside::carry_out() {
   };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
     say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
+    end_if_memory_is_full();
     if (gone) stops = true;
   };
   run->carry_out();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "view/memory_bound.h"
 #include "view/page_inside.h"
 
 namespace kadr {
@@ -62,13 +63,14 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   struct Known {
     std::string_view name;
     Answer (Inside::*answer)(const PageJson&);
-    bool of_program;  // one must be open
+    bool of_program;     // one must be open
+    bool heavy = false;  // it may take much memory
   };
   static constexpr Known all[] = {
       {"hello", &Inside::hello, false},
       {"language", &Inside::language, false},
       {"files", &Inside::files, false},
-      {"open", &Inside::open, false},
+      {"open", &Inside::open, false, true},
       {"stop", &Inside::nothing, false},
       {"save", &Inside::save, false},
       {"read", &Inside::read, false},
@@ -77,13 +79,13 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"passes", &Inside::passes, true},
       {"check", &Inside::check, true},
       {"explain", &Inside::explain, true},
-      {"cut", &Inside::cut, true},
+      {"cut", &Inside::cut, true, true},
       {"part", &Inside::part, true},
       {"proposals", &Inside::proposals, true},
       {"sheet", &Inside::sheet, true},
-      {"compare", &Inside::compare, true},
+      {"compare", &Inside::compare, true, true},
       {"machines", &Inside::machines, false},
-      {"machine", &Inside::machine, false},
+      {"machine", &Inside::machine, false, true},
       {"panel", &Inside::panel, false},
       {"press", &Inside::press, false},
       {"switches", &Inside::switches, false},
@@ -100,14 +102,28 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"shift", &Inside::shift, false},
       {"answer", &Inside::answer_to_machine, false},
       {"watch", &Inside::watch, false},
-      {"mill", &Inside::mill, false},
-      {"tape", &Inside::tape, false},
-      {"convert", &Inside::convert, false},
+      {"mill", &Inside::mill, false, true},
+      {"tape", &Inside::tape, false, true},
+      {"convert", &Inside::convert, false, true},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});
   if (known->of_program && !run) return tl::unexpected(Refusal{told("no program is open", "программа не открыта")});
+  if (known->heavy && is_memory_full()) return tl::unexpected(Refusal{told_memory()});
   return (this->*known->answer)(question);
+}
+
+bool PageSession::Inside::is_memory_full() const { return server.memory != nullptr && server.memory->is_full(); }
+
+std::string PageSession::Inside::told_memory() {
+  return told("the pages of this server hold all the memory that it may have: close one of them, or kadr serve --max-memory",
+              "страницы этого сервера заняли всю отведённую ему память: закройте одну из них или задайте kadr serve --max-memory");
+}
+
+void PageSession::Inside::end_if_memory_is_full() {
+  if (gone || !is_memory_full()) return;
+  say({{"event", "closed"}, {"text", told_memory()}});
+  gone = stops = true;
 }
 
 void PageSession::Inside::show_files(PageJson& calls) const {

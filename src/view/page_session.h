@@ -12,6 +12,7 @@
 namespace kadr {
 
 class PanelHub;
+class MemoryBound;
 class PanelJournal;
 class ServedFolder;
 
@@ -45,12 +46,13 @@ class LastOpened {
 struct PageServer {
   const ServedFolder& folder;
   std::string token;    // that who may change something knows
-  bool all_need_token;  // who does not know it may not even look: the server listens beyond this machine
+  bool all_need_token;  // who does not know it may not even look
   Lang lang = Lang::en;
   std::string version;              // of Kadr
   LastOpened* last = nullptr;       // nullptr: nobody asks
   PanelHub* hub = nullptr;          // nullptr: there are no machines
   PanelJournal* journal = nullptr;  // of theirs; there where the hub is
+  const MemoryBound* memory = nullptr;  // of all sessions together; nullptr: there is none
 };
 
 class PageSession {

@@ -23,8 +23,11 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "config/guess.h"
+#include "config/program_names.h"
 #include "config/read_file.h"
 #include "config/told.h"
+#include "out/text/source_line.h"
 
 namespace kadr {
 namespace {
@@ -65,6 +68,14 @@ bool is_hidden(std::string_view name) {
   return false;
 }
 
+/// In small letters.
+std::string ending_of(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1));
+  std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);
+  return ending;
+}
+
 std::string refusal(const std::string& file) {
   return fmt::format("{}: {}", file, told("not a file of this folder", "такого файла в этой папке нет"));
 }
@@ -87,12 +98,33 @@ struct Opened {
   OpenFile file;
   struct stat stat;
 };
+/// What is written into a program's name by its control or its people: no control characters.
+bool is_plain_name(std::string_view name) { return visible_name(name) == name; }
+
+std::string beginning_of(int fd) {
+  std::string sample(std::size_t{4} << 10, '\0');
+  const ssize_t got = ::pread(fd, sample.data(), sample.size(), 0);
+  sample.resize(std::size_t(std::max<ssize_t>(got, 0)));
+  return sample;
+}
+
+/// Programs, set-ups, tools, and what goes with them: by its name; where that says nothing, by what stands in it. A key is none.
+bool is_served(std::string_view name, int fd) {
+  constexpr std::array with_programs = {"stl", "3mf", "ply", "dxf", "svg", "ini", "var", "csv"};
+  const std::string sample = beginning_of(fd);
+  if (sample.starts_with("-----BEGIN ")) return false;
+  if (kind_of_file(name) != FolderEntry::Kind::other) return true;
+  const std::string ending = ending_of(name);
+  if (std::find(with_programs.begin(), with_programs.end(), ending) != with_programs.end()) return true;
+  return told_by_name(name) == NameTells::nothing && is_program_text(sample);
+}
+
 tl::expected<Opened, std::string> open_regular(int folder, const std::string& name) {
   if (is_hidden(name)) return tl::unexpected(refusal(name));
   Opened opened{open_beneath(folder, name, O_RDONLY), {}};
   if (!opened.file.is_open()) return tl::unexpected(of_errno(name, errno));
   if (::fstat(opened.file.fd(), &opened.stat) != 0) return tl::unexpected(of_errno(name, errno));
-  if (!S_ISREG(opened.stat.st_mode)) return tl::unexpected(refusal(name));
+  if (!S_ISREG(opened.stat.st_mode) || !is_served(name, opened.file.fd())) return tl::unexpected(refusal(name));
   return opened;
 }
 
@@ -131,15 +163,10 @@ constexpr std::size_t most_hashed = std::size_t{64} << 20;
 
 FolderEntry::Kind kind_of_file(std::string_view name) {
   using Kind = FolderEntry::Kind;
-  const std::size_t dot = name.rfind('.');
-  std::string ending;
-  if (dot != std::string_view::npos)
-    for (const char c : name.substr(dot + 1)) ending += (c >= 'A' && c <= 'Z') ? char(c - 'A' + 'a') : c;
-  constexpr std::array no_programs = {"png", "svg",  "jpg", "jpeg", "gif", "pdf", "stl", "3mf", "zip", "gz", "html",   "htm", "md",  "csv",
-                                      "xml", "docx", "doc", "xls",  "exe", "dll", "so",  "o",   "py",  "db", "sqlite", "dxf", "ply", "log"};
+  const std::string ending = ending_of(name);
   if (ending == "json") return Kind::setup;
   if (ending == "toml" || ending == "tbl" || ending == "fctb") return Kind::tools;
-  return std::find(no_programs.begin(), no_programs.end(), ending) == no_programs.end() ? Kind::program : Kind::other;
+  return told_by_name(name) == NameTells::program || is_number_name(name) ? Kind::program : Kind::other;
 }
 
 tl::expected<ServedFolder, std::string> ServedFolder::open(const std::string& path) {
@@ -164,6 +191,8 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
   if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
   if (!rows) return tl::unexpected(of_errno(folder, errno));
+  constexpr int most_looked_into = 500;  // files whose names say nothing
+  int looked_into = 0;
   FolderList list;
   while (const dirent* const row = ::readdir(rows.get())) {
     const std::string name = row->d_name;
@@ -175,8 +204,13 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
       list.more = true;
       break;
     }
-    list.entries.push_back(
-        {name, is_folder ? FolderEntry::Kind::folder : kind_of_file(name), std::uint64_t(stat.st_size), stat.st_mtim.tv_sec});
+    FolderEntry::Kind kind = is_folder ? FolderEntry::Kind::folder : kind_of_file(name);
+    if (kind == FolderEntry::Kind::other && told_by_name(name) == NameTells::nothing && looked_into < most_looked_into) {
+      ++looked_into;
+      const OpenFile file = open_beneath(opened.fd(), name, O_RDONLY);
+      if (file.is_open() && is_served(name, file.fd())) kind = FolderEntry::Kind::program;
+    }
+    list.entries.push_back({name, kind, std::uint64_t(stat.st_size), stat.st_mtim.tv_sec});
   }
   std::sort(list.entries.begin(), list.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     const bool af = a.kind == FolderEntry::Kind::folder, bf = b.kind == FolderEntry::Kind::folder;
@@ -207,7 +241,7 @@ int ServedFolder::open_for_reading(const std::string& path) const {
   OpenFile file = open_beneath(fd_, *name, O_RDONLY | O_NOCTTY);
   struct stat stat;
   if (!file.is_open() || ::fstat(file.fd(), &stat) != 0) return -1;
-  if (!S_ISREG(stat.st_mode)) {
+  if (!S_ISREG(stat.st_mode) || !is_served(*name, file.fd())) {
     errno = EACCES;
     return -1;
   }
@@ -284,7 +318,11 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
 
 tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
                                                                    const std::optional<FileDigest>& replaces) const {
-  if (is_hidden(file) || kind_of_file(file) == FolderEntry::Kind::other) return tl::unexpected(Refused{refusal(file)});
+  if (is_hidden(file) || !is_plain_name(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
+  if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)  // what is replaced has been read: is_served()
+    return tl::unexpected(Refused{fmt::format("{}: {}", file,
+                                              told("not the name of a program or a set-up (part.nc, O1001, part.json)",
+                                                   "не имя программы или исходного состояния (part.nc, O1001, part.json)"))});
   if (text.size() > most_saved)
     return tl::unexpected(
         Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});

@@ -16,7 +16,7 @@ namespace kadr {
 struct FolderEntry {
   enum class Kind : std::uint8_t { folder, program, setup, tools, other };
   std::string name;
-  Kind kind = Kind::other;  // by its name: nobody has looked into it
+  Kind kind = Kind::other;  // by its name; where that says nothing, by what stands in the file
   std::uint64_t size = 0;
   std::int64_t modified = 0;  // s since 1970
 };
@@ -54,6 +54,7 @@ class ServedFolder : public FileDoor {
   /// The place of a regular file beneath it in the file system, for whoever reads programs and what they call.
   ///   returns  an error sentence: it is none, leads out of the folder, or begins with a dot
   tl::expected<std::string, std::string> path_of(const std::string& file) const;
+  /// Only programs, set-ups, tools and what goes with them, here as in path_of() and read(): never a key, whatever it is called.
   /// Of a path in the file system, as path_of() gives them and as programs make of them: beneath it, or EACCES.
   int open_for_reading(const std::string& path) const override;
   bool reaches(const std::string& path) const override { return beneath(path).has_value(); }

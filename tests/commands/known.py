@@ -17,23 +17,7 @@ class Open:
         return any(fnmatch.fnmatch(what, pattern) for pattern in ([self.check] if isinstance(self.check, str) else self.check))
 
 
-OPEN = {
-    'E2': Open('limits small: variable*', r'memory', 'linuxcnc: parameters from 1e9 on are as many as their numbers'),
-    'E3-threads': Open('limits no threads: *', r'SIGABRT|left over', 'no thread can be made: std::thread throws, and nobody takes it'),
-    'E3-memory': Open('limits memory: *', r'SIGABRT|left over',
-                      'cli/stop.cpp cannot make its thread; stock/cut: what a thread throws, or a thread that is not joined, ends the program'),
-    'E4': Open('limits small: samples of a long cycle*', r'SIGXCPU|memory|left over', '--max-time does not bound the work that comes before the samples'),
-    'E7-device': Open('limits device: *', r'read whole', 'a program from a device or pipe is read into memory to its end, up to 2 GiB'),
-    'E7-baseline': Open('limits pipe: check --baseline*', r'waits', 'check --baseline opens a FIFO and waits for somebody to write into it'),
-    'E8-signals': Open('limits SIG[HQ]*', r'left over', 'SIGHUP and SIGQUIT are not held back as SIGINT and SIGTERM are'),
-    'E8-names': Open('limits names: *', r'control character', 'names of files and words of the command line are printed as they are'),
-    'E8-full': Open('limits full disk: setup*', r'left over', 'setup --out: the file that could not be written stays, empty'),
-    'E8-debug': Open(['*/*.tape: debug', 'limits texts: debug'], r'control character', 'kadr debug prints the lines of a program as their bytes'),
-    'E8-diff': Open('limits texts: diff *', r'control character', 'kadr diff prints the messages of a program as their bytes'),
-    'C3-head': Open([f'limits no reader: {command}*' for command in ('check * --format', 'setup', 'debug', 'explain', 'man', 'completion')], r'complains',
-                    'a reader that goes away (| head) is told of on standard error, in part as a disk that fails'),
-    'file-size': Open('limits file size: *', r'SIGXFSZ|left over', 'SIGXFSZ (ulimit -f) ends the program, and .kadr-PID-N stays; ignored, it would be a write error'),
-}
+OPEN = {}   # name → Open
 
 
 class Tally(harness.Tally):

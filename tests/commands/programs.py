@@ -16,7 +16,7 @@ from golden import check as golden
 EXAMPLES = harness.ROOT / 'examples'
 PROGRAMS = ('.nc', '.nct', '.tap', '.ngc', '.tape')
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
-TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflutes = 30\nlength = 60\n' for number in range(1, 31))
+TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflute_length = 30\nlength = 60\n' for number in range(1, 31))
 CUT = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')   # a small blank, coarse
 RUN_OUTPUTS = {'--trace': 't.jsonl', '--plot': 'p.svg', '--plot-speed': 'v.svg', '--samples': 's.csv'}
 FEW = ('--max-passes', '10')   # of a program that has no end
@@ -134,18 +134,32 @@ def known_examples():
     return known
 
 
-def examples(kadr, every):
-    """A job for each example: those that dev/examples does not call are called as a user would who knows nothing of them."""
+def examples_called():
+    """(program, control, more words) of each example: those that dev/examples does not call are called as a user would who knows nothing of
+    them."""
     known = known_examples()
     files = [path for path in sorted(EXAMPLES.rglob('*')) if path.suffix in PROGRAMS]
     missing = known.keys() - {path.relative_to(EXAMPLES).as_posix() for path in files}
     harness.expect(files and not missing, f'dev/examples names {missing}')
-    for path in files[::every]:
-        name = path.relative_to(EXAMPLES).as_posix()
-        control, words = known.get(name, (None, []))
+    for path in files:
+        control, words = known.get(path.relative_to(EXAMPLES).as_posix(), (None, []))
         setup = path.with_suffix('.json')
         if control and setup.exists():
             words = [*words, '--setup', setup]
+        yield path, control, words
+
+
+def example_words():
+    """(program, all its words) of each example."""
+    for path, control, words in examples_called():
+        own = EXAMPLES / control if control and control.endswith('.toml') else control
+        yield path, [*(['--control', own] if own else []), *words]
+
+
+def examples(kadr, every):
+    """A job for each example."""
+    for path, control, words in list(examples_called())[::every]:
+        name = path.relative_to(EXAMPLES).as_posix()
 
         def laid_out(folder, path=path, name=name, control=control, words=words):
             copies = folder / 'copy'   # what is called lies beside the changed copy too

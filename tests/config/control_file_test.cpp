@@ -288,6 +288,24 @@ TEST(errors, of_what_is_missing) {
   EXPECT_FALSE(load_control("/no/such/file.toml"));
 }
 
+/// It does not extend itself; where it is too long, that is said.
+TEST(errors, of_a_long_chain) {
+  const std::filesystem::path folder = own_place("control_file");
+  std::filesystem::create_directories(folder);
+  for (int i = 0; i < 30; ++i)
+    std::ofstream(folder / (std::to_string(i) + ".toml"))
+        << "id = \"own" << i << "\"\nextends = \"" << (i == 0 ? "mach3" : std::to_string(i - 1) + ".toml") << "\"\n";
+  for (const int i : {0, 8, 9, 14}) {
+    const auto def = load_control((folder / (std::to_string(i) + ".toml")).string());
+    EXPECT_TRUE(def) << i << ": " << (def ? "" : def.error());
+  }
+  const auto def = load_control((folder / "29.toml").string());
+  ASSERT_FALSE(def);
+  EXPECT_EQ(def.error().find("itself"), std::string::npos) << def.error();
+  EXPECT_NE(def.error().find("16"), std::string::npos) << def.error();
+  std::filesystem::remove_all(folder);
+}
+
 TEST(errors, of_a_file_that_extends_itself) {
   const std::filesystem::path folder = own_place("control_file");
   std::filesystem::create_directories(folder);

@@ -34,12 +34,12 @@ name = "rougher"
 kind = "bull"
 diameter = 10
 corner = 1.5
-flutes = 22
+flute_length = 22
 length = 60
 shank = [[8, 22], [8, 60]]
 holder = [[40, 0], [50, 30]]
 plunges = false
-teeth = 4
+flute_count = 4
 )",
                                             "tools.toml"));
   EXPECT_EQ(t.number, 3u);
@@ -56,7 +56,7 @@ teeth = 4
 }
 
 TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
-  EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, flutes = 20}]", "t")).length, 20);
+  EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, flute_length = 20}]", "t")).length, 20);
   EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, length = 20}]", "t")).flutes, 20);
   const ToolGeometry form = only(tools_of_toml("tool = [{number = 1, kind = \"form\", profile = [[4, 0], [8, 5], [8, 9]]}]", "t"));
   EXPECT_EQ(form.flutes, 9);
@@ -66,7 +66,7 @@ TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
 TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("tools.toml:2:"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("diameter is missing"));
-  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\n"), HasSubstr("flutes is missing"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\n"), HasSubstr("flute_length is missing"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"mill\"\n"), HasSubstr("flat, ball, bull"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"drill\"\ndiameter = 6\nflutes = 20\n"), HasSubstr("118"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiametr = 6\n"), HasSubstr("'diameter'?"));
@@ -83,6 +83,22 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault(one + one), HasSubstr("twice"));
 }
 
+TEST(ToolLibrary, OldKeysAreReadWithANote) {
+  const auto old = tools_of_toml("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nteeth = 3\n", "old.toml");
+  ASSERT_TRUE(old) << old.error();
+  EXPECT_EQ(only(old).flutes, 9);
+  EXPECT_EQ(only(old).teeth, 3);
+  ASSERT_EQ(old->notes.size(), 2u);
+  EXPECT_THAT(old->notes[0], HasSubstr("old.toml: flutes is called flute_length now"));
+  EXPECT_THAT(old->notes[1], HasSubstr("teeth is called flute_count now"));
+  const auto now = tools_of_toml("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflute_length = 9\nflute_count = 3\n", "new.toml");
+  ASSERT_TRUE(now) << now.error();
+  EXPECT_EQ(only(now).flutes, 9);
+  EXPECT_EQ(only(now).teeth, 3);
+  EXPECT_TRUE(now->notes.empty());
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nflute_length = 9\n"), HasSubstr("they are the same"));
+}
+
 ToolGeometry turning(const std::string& keys) {
   return only(tools_of_toml("tool = [{number = 1, kind = \"turning\", " + keys + "}]", "t"));
 }
@@ -96,7 +112,7 @@ points = "-x+z"
 angle = 55
 lead = 93
 corner = 0.4
-flutes = 9
+flute_length = 9
 length = 11
 holder = [[8, 1], [28, 60]]
 )",
@@ -110,24 +126,24 @@ holder = [[8, 1], [28, 60]]
 }
 
 TEST(ToolLibrary, ATurningToolStandsStraightIfNothingElseIsSaid) {
-  EXPECT_EQ(turning("points = \"-x-z\", angle = 80, flutes = 9").insert.lead, 95);
-  EXPECT_EQ(turning("points = \"-x\", angle = 60, flutes = 9").insert.lead, 60);
-  EXPECT_EQ(turning("points = \"-z\", angle = 60, flutes = 9").insert.lead, 150);
-  EXPECT_EQ(turning("points = \"-x-z\", width = 3, flutes = 9").insert.lead, 90);
-  EXPECT_EQ(turning("points = \"-z\", width = 3, flutes = 9").insert.lead, 0);
+  EXPECT_EQ(turning("points = \"-x-z\", angle = 80, flute_length = 9").insert.lead, 95);
+  EXPECT_EQ(turning("points = \"-x\", angle = 60, flute_length = 9").insert.lead, 60);
+  EXPECT_EQ(turning("points = \"-z\", angle = 60, flute_length = 9").insert.lead, 150);
+  EXPECT_EQ(turning("points = \"-x-z\", width = 3, flute_length = 9").insert.lead, 90);
+  EXPECT_EQ(turning("points = \"-z\", width = 3, flute_length = 9").insert.lead, 0);
   EXPECT_EQ(turning("points = \"centre\", corner = 4").flutes, 8);
   EXPECT_THAT(turning("profile = [[0, 0], [5, 1], [5, 6]]").insert.profile, SizeIs(3));
 }
 
 TEST(ToolLibrary, SaysWhatIsWrongWithATurningTool) {
-  EXPECT_THAT(turning_fault("angle = 80, flutes = 9"), HasSubstr("-x-z"));
-  EXPECT_THAT(turning_fault("points = \"3\", angle = 80, flutes = 9"), HasSubstr("points"));
-  EXPECT_THAT(turning_fault("points = \"-x\", flutes = 9"), HasSubstr("angle is missing"));
-  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60"), HasSubstr("flutes is missing"));
-  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 2, corner = 1"), HasSubstr("too short"));
-  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, corner = 1"), HasSubstr("half of the width"));
-  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, lead = 45"), HasSubstr("90"));
-  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 9, holder = [[1, 2]]"), HasSubstr("2 (a rectangle"));
+  EXPECT_THAT(turning_fault("angle = 80, flute_length = 9"), HasSubstr("-x-z"));
+  EXPECT_THAT(turning_fault("points = \"3\", angle = 80, flute_length = 9"), HasSubstr("points"));
+  EXPECT_THAT(turning_fault("points = \"-x\", flute_length = 9"), HasSubstr("angle is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60"), HasSubstr("flute_length is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flute_length = 2, corner = 1"), HasSubstr("too short"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flute_length = 5, corner = 1"), HasSubstr("half of the width"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flute_length = 5, lead = 45"), HasSubstr("90"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flute_length = 9, holder = [[1, 2]]"), HasSubstr("2 (a rectangle"));
   EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [5, 0], [0, 5]]"), HasSubstr("crosses itself"));
   EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [9, 9]]"), HasSubstr("no area"));
 }

@@ -24,6 +24,66 @@ class PanelJournalTest : public testing::Test {
   fs::path folder_;
 };
 
+/// Under the process: whatever it would write is lost, so it must not be confirmed, not even what it knows already.
+TEST_F(PanelJournalTest, NoticesThatItsFileIsDeleted) {
+  {
+    const auto journal = PanelJournal::open(path());
+    ASSERT_TRUE(journal) << journal.error();
+    EXPECT_TRUE((*journal)->keep("spot", "a.nc", "here"));
+    fs::remove(path());
+    const auto kept = (*journal)->keep("spot", "a.nc", "there");
+    ASSERT_FALSE(kept);
+    EXPECT_NE(kept.error().find("deleted"), std::string::npos) << kept.error();
+    EXPECT_FALSE((*journal)->keep("spot", "a.nc", "there"));
+    EXPECT_FALSE((*journal)->log("a.nc", "entry"));
+    EXPECT_EQ((*journal)->value("spot", "a.nc"), "there");
+  }
+  const auto next = PanelJournal::open(path());
+  ASSERT_TRUE(next) << next.error();
+  EXPECT_EQ((*next)->value("spot", "a.nc"), std::nullopt);
+  EXPECT_TRUE((*next)->keep("spot", "a.nc", "anew"));
+}
+
+/// Another one of that name is not this one's, and stays whole.
+TEST_F(PanelJournalTest, NoticesThatItsFileIsReplaced) {
+  {
+    const auto journal = PanelJournal::open(path());
+    ASSERT_TRUE(journal) << journal.error();
+    EXPECT_TRUE((*journal)->keep("spot", "a.nc", "here"));
+    for (const char* const part : {"", "-wal", "-shm"}) fs::remove(path() + part);
+    const auto other = PanelJournal::open(path());
+    ASSERT_TRUE(other) << other.error();
+    EXPECT_TRUE((*other)->keep("spot", "a.nc", "of the other"));
+    EXPECT_FALSE((*journal)->keep("spot", "a.nc", "there"));
+    EXPECT_TRUE((*other)->keep("tables", "a.nc", "of the other too"));
+  }
+  const auto next = PanelJournal::open(path());
+  ASSERT_TRUE(next) << next.error();
+  EXPECT_EQ((*next)->value("spot", "a.nc"), "of the other");
+  EXPECT_EQ((*next)->value("tables", "a.nc"), "of the other too");
+}
+
+/// The process was killed then: its log is left, and belongs to nothing.
+TEST_F(PanelJournalTest, BeginsAnewBesideALeftLog) {
+  {
+    const auto journal = PanelJournal::open(path());
+    ASSERT_TRUE(journal) << journal.error();
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE((*journal)->keep("spot", "a.nc", std::to_string(i)));
+    fs::copy_file(path() + "-wal", path() + ".kept");
+  }
+  fs::remove(path());
+  fs::rename(path() + ".kept", path() + "-wal");
+  {
+    const auto next = PanelJournal::open(path());
+    ASSERT_TRUE(next) << next.error();
+    EXPECT_EQ((*next)->value("spot", "a.nc"), std::nullopt);
+    EXPECT_TRUE((*next)->keep("spot", "a.nc", "anew"));
+  }
+  const auto again = PanelJournal::open(path());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ((*again)->value("spot", "a.nc"), "anew");
+}
+
 TEST_F(PanelJournalTest, IsThereAgain) {
   {
     const auto journal = PanelJournal::open(path());

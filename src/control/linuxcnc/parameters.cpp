@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "lang/expression/element_symbols.h"
 
 namespace kadr::linuxcnc {
 namespace {
@@ -37,6 +38,8 @@ double of_tool(const Interpreter& m, const LinuxCnc& control, int n) {
 
 std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name);
 
+constexpr const char* out_of_range = "Parameter number out of range";
+
 }  // namespace
 
 Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where) const {
@@ -52,7 +55,7 @@ Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where
   }
   const double nearest = std::round(number);
   if (std::fabs(number - nearest) > whole_within) return fault(AlarmId::rs274_parameter, where, "Non integer value for integer");
-  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, "Parameter number out of range");
+  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   const auto n = static_cast<int>(nearest);
   if (n <= static_cast<int>(most_arguments)) return level().arguments[static_cast<std::size_t>(n)];
   if (n >= 5400 && n <= 5413) return of_tool(m, *this, n - 5400);
@@ -80,7 +83,7 @@ Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Spa
   }
   const double nearest = std::round(number);
   if (std::fabs(number - nearest) > whole_within) return fault(AlarmId::rs274_parameter, where, "Non integer value for integer");
-  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, "Parameter number out of range");
+  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   const auto n = static_cast<std::size_t>(nearest);
   if ((n >= 5400 && n <= 5413) || (n >= 5420 && n <= 5428)) return fault(AlarmId::rs274_parameter, where, "Parameter is readonly");
   if (n <= most_arguments) {
@@ -104,7 +107,9 @@ LinuxCnc::NameKind LinuxCnc::kind_of(const Interpreter& m, double number) const 
 }
 
 /// EXISTS: a name that is defined, a number in range.
-Result<double> LinuxCnc::number_of_element(const Interpreter& m, double, double index, Span) const {
+Result<double> LinuxCnc::number_of_element(const Interpreter& m, double symbol, double index, Span where) const {
+  if (symbol == symbol_own_number && VariableNames::is_named(index)) return fault(AlarmId::rs274_parameter, where, out_of_range);
+  if (symbol == symbol_own_number) return index;
   if (!VariableNames::is_named(index)) return index >= 1 && index <= last_parameter ? 1.0 : 0.0;
   if (level().named.contains(index) || globals_.contains(index)) return 1.0;
   return predefined(m, *this, m.def.grammar.named_variables->name_of(index)) ? 1.0 : 0.0;

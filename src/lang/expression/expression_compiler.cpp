@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/ascii.h"
+#include "lang/expression/element_symbols.h"
 #include "lang/expression/expression.h"
 #include "lang/expression/step_writer.h"
 #include "lang/text/encoding.h"
@@ -65,26 +66,36 @@ class Compiler : public StepWriter {
     return wrong(begin);
   }
 
+  /// The number that the steps from `first` on give is the program's own: names have numbers too, and it is none of them.
+  Status own_number(std::size_t begin, std::size_t first) {
+    if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
+    const bool is_small = block_.code.size() == first + 1 && block_.code[first].op == Op::number && !VariableNames::is_named(block_.code[first].number);
+    return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
+  }
+
   /// After '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
-    const std::size_t begin = cursor_.at;
+    const std::size_t begin = cursor_.at, first = block_.code.size();
     const char c = cursor_.peek();
     constant_number = false;
     if (is_digit(c)) {
       Number read;
       if (!read_number(cursor_, read) || read.has_point) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), '#'));
-      constant_number = true;
+      constant_number = grammar_.given_names == nullptr || !VariableNames::is_named(read.value);
       number = read.value;
-      return {};
+      if (constant_number) return {};
+      KADR_TRY(step(Op::number, number, begin, 1));
+      return own_number(begin, first);
     }
     if (c == '[' && grammar_.given_names != nullptr && given_name_follows(cursor_)) {
       constant_number = true;
       return given_name(number);
     }
-    if (c == '[') return bracket();
     if (c == '_') return symbol(constant_number, number);
-    return wrong(begin);
+    if (c != '[') return wrong(begin);
+    KADR_TRY(bracket());
+    return own_number(begin, first);
   }
 
   Status variable(std::size_t begin) {
@@ -188,14 +199,16 @@ class Compiler : public StepWriter {
     if (named_here()) {
       KADR_TRY(named(begin, Op::number));
     } else {
+      const std::size_t first = block_.code.size();
       KADR_TRY(enter(begin));
       KADR_TRY(factor());
       --depth_;
+      KADR_TRY(own_number(begin, first));
     }
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    return step(Op::element, -1, begin, 0);  // the control says whether there is one
+    return step(Op::element, symbol_exists, begin, 0);  // the control says whether there is one
   }
 
   /// Only the operand that follows (nct 23.2.4), with its signs.
@@ -300,9 +313,11 @@ class Compiler : public StepWriter {
 
   /// RS274/NGC: any value may stand after '#', #-1 and ##1 too.
   Status variable_of_value(std::size_t begin) {
+    const std::size_t first = block_.code.size();
     KADR_TRY(enter(begin));
     KADR_TRY(factor());
     --depth_;
+    KADR_TRY(own_number(begin, first));
     return step(Op::variable, 0, begin, 0);
   }
 
@@ -327,9 +342,11 @@ Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& 
 
 Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block) {
   Compiler compiler(cursor, grammar, block);
-  return compiled(block, [&] {
-    const std::size_t begin = cursor.at;
-    return grammar.named_variables != nullptr && compiler.named_here() ? compiler.named(begin, Op::number) : compiler.factor();
+  return compiled(block, [&]() -> Status {
+    const std::size_t begin = cursor.at, first = block.code.size();
+    if (grammar.named_variables != nullptr && compiler.named_here()) return compiler.named(begin, Op::number);
+    KADR_TRY(compiler.factor());
+    return compiler.own_number(begin, first);
   });
 }
 

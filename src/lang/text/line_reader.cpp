@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "lang/block/grammar.h"
+#include "lang/text/text_spool.h"
 
 namespace kadr {
 namespace {
@@ -23,7 +24,6 @@ constexpr std::size_t window_bytes = 256 * 1024;
 /// A line is looked for in so much; blanks and CRs before its end may stand beyond the length that is allowed.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
 constexpr std::size_t first_read = 16 * 1024;           // after a jump: a subprogram is short; doubled at each further read
-constexpr std::uint64_t most_piped_bytes = 1ull << 30;  // a pipe cannot be read twice, so it is kept in memory
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 
@@ -78,18 +78,20 @@ class TextSource final : public ByteSource {
   SharedText text_;
 };
 
-/// All of a pipe or terminal, in memory.
-SharedText read_whole(const OpenFile& file) {
-  std::string text;
+using Kept = std::shared_ptr<ByteSource>;
+
+/// All of a pipe, a terminal, a device: it cannot be read twice.
+Kept read_whole(const OpenFile& file, std::uint64_t most) {
+  TextSpool text;
   std::string piece(window_bytes, '\0');
   while (true) {
     const ssize_t n = read(file.descriptor(), piece.data(), piece.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return nullptr;
-    if (n == 0) return std::make_shared<const std::string>(std::move(text));
-    text.append(piece, 0, static_cast<std::size_t>(n));
-    if (text.size() > most_piped_bytes) {
-      errno = EFBIG;
+    if (n == 0) return text.source();
+    text.append(std::string_view(piece).substr(0, static_cast<std::size_t>(n)));
+    if (text.size() > most) {
+      errno = EMSGSIZE;
       return nullptr;
     }
   }
@@ -98,12 +100,12 @@ SharedText read_whole(const OpenFile& file) {
 /// A pipe gives its text once, but the guess of its control reads it before the program is read: whoever asks again gets what came.
 class Pipes {
  public:
-  static SharedText known(const std::string& path) {
+  static Kept known(const std::string& path) {
     const std::lock_guard lock(mutex());
     const auto found = texts().find(path);
     return found == texts().end() ? nullptr : found->second;
   }
-  static SharedText keep(const std::string& path, SharedText text) {
+  static Kept keep(const std::string& path, Kept text) {
     const std::lock_guard lock(mutex());
     if (text) texts()[path] = text;
     return text;
@@ -114,8 +116,8 @@ class Pipes {
     static std::mutex one;
     return one;
   }
-  static std::map<std::string, SharedText>& texts() {
-    static std::map<std::string, SharedText> all;
+  static std::map<std::string, Kept>& texts() {
+    static std::map<std::string, Kept> all;
     return all;
   }
 };
@@ -136,7 +138,7 @@ bool has_bare_cr(std::string_view sample) {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door) {
-  if (SharedText text = door == nullptr ? Pipes::known(path) : nullptr) return std::make_unique<TextSource>(std::move(text));
+  if (Kept text = door == nullptr ? Pipes::known(path) : nullptr) return shared_source(std::move(text));
   OpenFile file(door != nullptr ? door->open_for_reading(path)
                 : path == "-"   ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                 : open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -147,8 +149,9 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* d
     return nullptr;
   }
   if (!S_ISREG(status.st_mode)) {
-    SharedText text = Pipes::keep(path, read_whole(file));
-    return text ? std::make_unique<TextSource>(std::move(text)) : nullptr;
+    const bool is_device = S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode);
+    Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
+    return text ? shared_source(std::move(text)) : nullptr;
   }
   posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: a refusal changes nothing
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));

@@ -30,8 +30,8 @@ class ByteSource {
   virtual std::uint64_t size() const = 0;
 };
 
-/// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a terminal; "-" is
-/// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond). Through a door only a regular file.
+/// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a device; "-" is the standard
+/// input) is kept in a TextSpool up to limits::piped_bytes, limits::device_bytes; EMSGSIZE beyond. Through a door only a regular file.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
 /// Text that others hold too.

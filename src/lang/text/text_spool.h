@@ -12,6 +12,11 @@
 
 namespace kadr {
 
+namespace limits {
+inline constexpr std::uint64_t piped_bytes = std::uint64_t{256} << 20;  // that a pipe may give as a program; a file may have any length
+inline constexpr std::uint64_t device_bytes = std::uint64_t{16} << 20;  // that a device may: a tape reader, a terminal
+}  // namespace limits
+
 class SpoolFile;
 
 class TextSpool {

@@ -79,6 +79,8 @@ class AxisMotion {
   void stop_by(StopToken stop);
   /// Why nothing more is handed out; from then on actions are passed over.
   PlanEnd ended() const { return planner_.ended(); }
+  /// Planner::end_here().
+  void end_here() { planner_.end_here(); }
   const PlanFaults& faults() const { return now_.faults; }
   /// What the planner would not hand out, by an error of its own.
   struct Refused {

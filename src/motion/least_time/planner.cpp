@@ -118,7 +118,10 @@ void Planner::fetch() {
   std::vector<TimedCells> done;
   done.swap(timer_.done());
   if (halted()) return;
-  for (TimedCells& cells : done) sink_(cells);
+  for (TimedCells& cells : done) {
+    sink_(cells);
+    if (halted()) return;
+  }
   if (timer_.is_refused()) now_.ended = PlanEnd::too_slow;
 }
 

@@ -25,6 +25,7 @@ namespace kadr {
 enum class PlanEnd : std::uint8_t {
   none,      // it does
   stopped,   // it was asked to
+  enough,    // nobody looks at more
   too_slow,  // what it found is no plan: an error of its own
 };
 
@@ -50,6 +51,10 @@ class Planner {
   void settle();
   /// Asked by all that may take long.
   void stop_by(StopToken stop) { stop_ = stop; }
+  /// Nothing more is planned; the sink may say so too.
+  void end_here() {
+    if (now_.ended == PlanEnd::none) now_.ended = PlanEnd::enough;
+  }
   /// From then on whatever comes in is passed over.
   PlanEnd ended() const { return now_.ended; }
   /// Where it ended by an error of its own.

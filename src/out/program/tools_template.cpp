@@ -35,7 +35,7 @@ class RowText {
     if (kind == "bull") number("corner", said.corner, "", "");
     if (kind == "drill" || kind == "chamfer") number("angle", said.angle, "of the whole point, degrees", "полный при вершине, градусы");
     if (kind == "taper") number("angle", half(said.angle), "half of the cone's, degrees", "половина угла конуса, градусы");
-    wanted("flutes = ", "how high above its tip it cuts, mm", "на какую высоту от вершины режет, мм");
+    wanted("flute_length = ", "how high above its tip it cuts, mm", "на какую высоту от вершины режет, мм");
     wanted("length = ", "stick-out: from the tip to the holder, mm", "вылет: от вершины до оправки, мм");
     wanted("holder = [[32, 0], [40, 45]]", "diameter and height above its face, mm", "диаметр и высота над его торцом, мм");
     return std::move(text_);

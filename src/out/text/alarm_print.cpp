@@ -98,6 +98,13 @@ std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   return text;
 }
 
+/// What a terminal may get of it.
+Finding shown(Finding f) {
+  for (std::string* const text : {&f.number, &f.text, &f.hint, &f.file, &f.other.file}) *text = visible_name(*text);
+  for (std::string& call : f.calls) call = visible_name(call);
+  return f;
+}
+
 }  // namespace
 
 std::string block_text(const Origin& origin) {
@@ -136,7 +143,7 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
 }
 
 std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang, Colours colours) {
-  const Finding f = finding_of(report, texts, lang);
+  const Finding f = shown(finding_of(report, texts, lang));
   const std::string word = coloured(severity_word(f.severity, lang), colour_of(f.severity), colours);
   std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, word, name_of(f.id), f.text);
   if (!f.number.empty()) text += fmt::format(" [{}]", f.number);

@@ -117,22 +117,29 @@ Box RunExtents::box() const {
   return box;
 }
 
-std::string RunExtents::text(const Reach& reach) const {
-  const Box& box = reach.box;
-  std::string text = range_text("X", box.least.x, box.most.x, unit()) + "   " + range_text("Y", box.least.y, box.most.y, unit()) + "   " +
-                     range_text("Z", box.least.z, box.most.z, unit());
-  for (std::size_t a = 0; a < roles_.count; ++a)
-    if ((turned_ >> a & 1U) != 0) text += "   " + range_text(axes_[a], reach.least[a], reach.most[a], LengthUnit::mm) + "°";
-  return text;
+std::vector<RunExtents::Row> RunExtents::rows(Of of, const std::vector<std::string>& names) const {
+  std::vector<Row> rows;
+  for (const SystemExtents& system : systems_) {
+    const Reach reach = of == Of::cutting ? system.cutting : system.all();
+    if (reach.box.empty) continue;
+    const Vec3 &least = reach.box.least, &most = reach.box.most;
+    const bool named = systems_.size() > 1 && system.system < names.size();
+    rows.push_back({named ? names[system.system] : std::string(), {}});
+    Row& row = rows.back();
+    row.axes = {{"X", least.x, most.x, false}, {"Y", least.y, most.y, false}, {"Z", least.z, most.z, false}};
+    for (std::size_t a = 0; a < roles_.count; ++a)
+      if ((turned_ >> a & 1U) != 0) row.axes.push_back({axes_[a], reach.least[a], reach.most[a], true});
+  }
+  return rows;
 }
 
 std::vector<std::string> RunExtents::texts(Of of, const std::vector<std::string>& names) const {
   std::vector<std::string> texts;
-  for (const SystemExtents& system : systems_) {
-    const Reach reach = of == Of::cutting ? system.cutting : system.all();
-    if (reach.box.empty) continue;
-    const bool named = systems_.size() > 1 && system.system < names.size();
-    texts.push_back((named ? names[system.system] + "  " : std::string()) + text(reach));
+  for (const Row& row : rows(of, names)) {
+    std::string& text = texts.emplace_back(row.system.empty() ? "" : row.system + "  ");
+    for (const AxisRange& axis : row.axes)
+      text += (&axis == &row.axes.front() ? "" : "   ") + range_text(axis.name, axis.least, axis.most, axis.rotary ? LengthUnit::mm : unit()) +
+              (axis.rotary ? "°" : "");
   }
   return texts;
 }

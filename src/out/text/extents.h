@@ -94,12 +94,24 @@ class RunExtents {
 
   /// Which extents.
   enum class Of : std::uint8_t { cutting, all };
+  /// Of an axis: X, Y, Z and rotary axes that have moved; mm or degrees.
+  struct AxisRange {
+    std::string name;
+    double least, most;
+    bool rotary;
+  };
+  /// Of a work system.
+  struct Row {
+    std::string system;  // its name, where several are used; else empty
+    std::vector<AxisRange> axes;
+  };
+  /// One for each work system that has some. `names`: of the systems, by number.
+  std::vector<Row> rows(Of of, const std::vector<std::string>& names) const;
   /// "X 0 … 20   Y … Z …   C 0 … 90°", one for each work system that has some; of several "G54  X …". `names`: of the systems, by number.
   std::vector<std::string> texts(Of of, const std::vector<std::string>& names) const;
 
  private:
   void enter(std::uint16_t system);
-  std::string text(const Reach& reach) const;
   static constexpr std::size_t nowhere = ~std::size_t{0};
 
   AxisRoles roles_;

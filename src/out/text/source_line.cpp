@@ -26,22 +26,60 @@ std::vector<std::string_view> characters(std::string_view text) {
   return all;
 }
 
+/// U+202A … U+202E, U+2066 … U+2069: what follows would be written from the other side.
+bool turns_round(std::string_view character) {
+  if (character.size() != 3 || character[0] != '\xE2') return false;
+  const auto last = static_cast<unsigned char>(character[2]);
+  return (character[1] == '\x80' && last >= 0xAA && last <= 0xAE) || (character[1] == '\x81' && last >= 0xA6 && last <= 0xA9);
+}
+
+constexpr const char* unknown = "\xEF\xBF\xBD";  // U+FFFD
+
+/// Bytes that are no UTF-8, of some code page: in one of them such a byte is a control character.
+std::string bytes_shown(std::string_view bytes) {
+  std::string shown;
+  for (const char byte : bytes)
+    if (static_cast<unsigned char>(byte) >= 0x80 && static_cast<unsigned char>(byte) < 0xA0) shown += unknown;
+    else shown += byte;
+  return shown;
+}
+
 /// Control characters must not reach a terminal: their pictures, U+2400 and on.
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
-  if (character == "\t" ||
-      (byte >= 0x20 && byte != 0x7F && !(byte == 0xC2 && character.size() == 2 && static_cast<unsigned char>(character[1]) < 0xA0)))
-    return std::string(character);
+  const std::size_t length = byte < 0x80 ? 1 : byte < 0xC2 ? 0 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+  if (length == 1 && character.size() > 1) return character_shown(character.substr(0, 1)) + bytes_shown(character.substr(1));
+  const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
+  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90) || byte > 0xF4;  // of a smaller character
+  if (character.size() != length || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
-  if (byte < 0x20) return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);
-  return "\xEF\xBF\xBD";
+  if (byte < 0x20 && byte != '\t') return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);
+  const bool second_set = byte == 0xC2 && second < 0xA0;
+  return second_set || turns_round(character) ? unknown : std::string(character);
 }
+
+bool is_plain(char c) { return (static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7F) || c == '\n' || c == '\t'; }
 
 }  // namespace
 
 std::uint32_t characters_before(std::string_view text, std::size_t bytes) {
   const std::string_view before = text.substr(0, std::min(bytes, text.size()));
   return static_cast<std::uint32_t>(std::count_if(before.begin(), before.end(), [](char c) { return !continues(c); }));
+}
+
+std::string visible(std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
+  std::string shown;
+  for (const std::string_view character : characters(text))
+    if (character == "\n") shown += '\n';
+    else shown += character_shown(character);
+  return shown;
+}
+
+std::string visible_name(std::string_view name) {
+  std::string shown;
+  for (const std::string_view character : characters(name)) shown += character == "\t" ? "\xE2\x90\x89" : character_shown(character);
+  return shown;
 }
 
 std::string shortened_line(std::string_view line, std::size_t most) {

@@ -55,6 +55,11 @@ class Statistics {
   std::uint64_t rapids() const { return rapids_; }
   std::uint64_t feeds() const { return feeds_; }
   std::uint64_t arcs() const { return arcs_; }
+  std::uint64_t others() const { return others_; }
+  std::uint64_t alarms() const { return alarms_; }
+  std::uint64_t warnings() const { return warnings_; }
+  TimeBasis basis() const { return basis_; }
+  std::vector<RunExtents::Row> extent_rows(RunExtents::Of of) const { return extents_.rows(of, system_names_); }
   double cutting_mm() const { return cutting_mm_; }
   double rapid_mm() const { return rapid_mm_; }
   Box cutting_box() const { return extents_.cutting_box(); }

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -67,6 +68,14 @@ bool copy(const std::string& from, const std::string& to) {
 
 }  // namespace
 
+int error_of(std::FILE* file) {
+  errno = 0;
+  if (std::fflush(file) == 0 && std::ferror(file) == 0) return 0;
+  const int error = errno != 0 ? errno : EIO;
+  pollfd end = {::fileno(file), 0, 0};
+  return ::poll(&end, 1, 0) == 1 && (end.revents & POLLERR) != 0 ? EPIPE : error;
+}
+
 ResultFile::ResultFile(ResultFile&& other) noexcept { *this = std::move(other); }
 
 ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
@@ -122,15 +131,13 @@ bool ResultFile::take_place() const { return std::rename(beside_.c_str(), place_
 
 tl::expected<void, std::string> ResultFile::keep() {
   if (file_ == nullptr) return {};
-  errno = 0;
-  bool done = std::fflush(file_) == 0 && std::ferror(file_) == 0;
-  if (owned_) done = std::fclose(file_) == 0 && done;
+  int error = error_of(file_);
+  if (owned_ && std::fclose(file_) != 0 && error == 0) error = errno;
   file_ = nullptr;
-  done = done && (beside_.empty() || take_place());
-  const int error = errno != 0 ? errno : EIO;
+  if (error == 0 && !beside_.empty() && !take_place()) error = errno != 0 ? errno : EIO;
   discard();
-  if (done) return {};
-  return tl::unexpected(sentence(name_ == "-" ? "standard output" : name_, error));
+  if (error == 0) return {};
+  return tl::unexpected(error == EPIPE ? std::string() : sentence(name_ == "-" ? "standard output" : name_, error));
 }
 
 void ResultFile::discard() {

@@ -11,6 +11,10 @@
 
 namespace kadr {
 
+/// Whether all that was written has come out; writes what still waits.
+///   returns  an errno, EPIPE where the reader has gone, at whatever writing it was noticed; 0: all is out
+int error_of(std::FILE* file);
+
 class ResultFile {
  public:
   /// `name`: "-" is standard output, as is any name of what that goes to.
@@ -24,7 +28,8 @@ class ResultFile {
   std::FILE* get() const { return file_; }
   const std::string& name() const { return name_; }
 
-  /// It is complete. An error sentence: not all could be written; what was there stays.
+  /// It is complete. An error sentence: not all could be written; what was there stays. An empty one: its reader has gone (`| head`), of
+  /// which nothing is said.
   tl::expected<void, std::string> keep();
   void discard();
 

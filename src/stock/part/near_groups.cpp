@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/thread.h"
 #include "stock/stock.h"
 
 namespace kadr {

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/thread.h"
 #include "stock/cut/lanes.h"
 #include "stock/part/four_triangles.h"
 #include "stock/part/near_groups.h"

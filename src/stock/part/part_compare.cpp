@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/matrix.h"
+#include "base/thread.h"
 #include "stock/blank/mesh_blank.h"
 #include "stock/part/brick_difference.h"
 #include "stock/part/nearest_triangle.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/matrix.h"
+#include "base/thread.h"
 #include "stock/blank/mesh_blank.h"
 #include "stock/brick/brick.h"
 #include "stock/mesh/triangle_across.h"

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/thread.h"
 #include "stock/mesh/triangle_across.h"
 #include "stock/stock.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/thread.h"
 #include "stock/part/nearest_triangle.h"
 #include "stock/stock.h"
 #include "stock/surface/simplified_surface.h"

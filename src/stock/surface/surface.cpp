@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 
+#include "base/thread.h"
 #include "stock/surface/surface_part.h"
 
 namespace kadr {

@@ -15,6 +15,7 @@
 #include "control/nct/variables/modal_values.h"
 #include "control/nct/words/coordinates.h"
 #include "kinematics/part_space.h"
+#include "lang/expression/element_symbols.h"
 
 namespace kadr::nct {
 namespace {
@@ -379,6 +380,8 @@ Status set_start_value(Interpreter& m, double number, double value) {
 }
 
 Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) {
+  if (symbol == symbol_own_number)
+    return VariableNames::is_named(index) ? fail(alarm(AlarmId::variable_unknown, where, index)) : Result<double>(index);
   const VariableName& name = m.def.grammar.symbols[static_cast<std::size_t>(symbol)];
   const double nearest = std::round(index);
   if (!(nearest >= name.first_index && nearest < name.first_index + name.count))

@@ -1,0 +1,45 @@
+// Which files are part programs by their names. For cli/program_files, view/served_folder; tested by tests/run_check.py and
+// tests/view/served_folder_test.cpp.
+
+#include "config/program_names.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "base/ascii.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::string_view program_endings[] = {"nc",   "ngc", "tap", "txt", "iso", "prg", "nct", "gcode", "gc",  "g",   "cnc", "mpf",
+                                                "spf",  "up",  "eia", "ptp", "tape", "min", "pim", "fnc",   "sub", "mac", "fan", "hnc"};
+
+/// Without the dot, in small letters; empty: none.
+std::string ending_of(std::string_view name) {
+  name = name.substr(name.find_last_of('/') + 1);  // npos + 1 is 0
+  const std::size_t dot = name.rfind('.');
+  std::string ending(dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot + 1));
+  std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);
+  return ending;
+}
+
+}  // namespace
+
+NameTells told_by_name(std::string_view name) {
+  const std::string ending = ending_of(name);
+  if (std::all_of(ending.begin(), ending.end(), is_digit)) return NameTells::nothing;
+  return std::find(std::begin(program_endings), std::end(program_endings), ending) == std::end(program_endings) ? NameTells::other
+                                                                                                              : NameTells::program;
+}
+
+bool is_number_name(std::string_view name) {
+  constexpr std::size_t most_letters = 2;
+  name = name.substr(name.find_last_of('/') + 1);
+  const std::size_t first = std::min(name.find_first_of("0123456789"), name.size());
+  if (first > most_letters || first == name.size()) return false;
+  const bool letters = std::all_of(name.begin(), name.begin() + std::ptrdiff_t(first), [](char c) { return is_letter(c) || c == '%'; });
+  return letters && name.find_first_not_of("0123456789.", first) == std::string_view::npos;
+}
+
+}  // namespace kadr

@@ -1,0 +1,30 @@
+#pragma once
+// The summary of a run for programs: all figures of the text (out/text/summary), as JSON (docs/commands/run.md).
+
+#include <string>
+#include <vector>
+
+#include "out/text/summary.h"
+
+namespace kadr {
+
+/// One channel of a run.
+struct ChannelSummary {
+  int channel = 1;
+  const Statistics* statistics = nullptr;
+  std::uint64_t blocks = 0;
+  double waited = 0;                     // s
+  const PlannedTime* planned = nullptr;  // nullptr: the planner of least time did not run
+};
+
+struct RunSummary {
+  std::string program, control;  // the file's name, the control's id
+  bool complete = true;          // it ran to its end
+  PlannerMode counts = PlannerMode::programmed;
+  std::vector<ChannelSummary> channels;
+};
+
+/// Lengths in mm, angles in degrees, times in s, whatever the program's unit. Ends in '\n'.
+std::string summary_json(const RunSummary& run);
+
+}  // namespace kadr

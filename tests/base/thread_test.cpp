@@ -1,0 +1,51 @@
+#include "base/thread.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+namespace kadr::thread_test {
+namespace {
+
+TEST(Thread, HandsOnWhatItsWorkThrows) {
+  Thread thread;
+  ASSERT_TRUE(thread.begin([] { throw std::runtime_error("full"); }));
+  thread.wait();
+  EXPECT_THROW(std::rethrow_exception(thread.thrown()), std::runtime_error);
+}
+
+TEST(Thread, IsWaitedForWhenItGoes) {
+  std::atomic<int> done = 0;
+  {
+    std::vector<Thread> threads(4);
+    for (Thread& thread : threads) ASSERT_TRUE(thread.begin([&] { ++done; }));
+  }
+  EXPECT_EQ(done, 4);
+}
+
+TEST(SideBySideThreads, DoEachShareOnce) {
+  for (const int count : {1, 2, 7, 40}) {
+    std::vector<std::atomic<int>> done(static_cast<std::size_t>(count));
+    side_by_side(count, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
+    for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
+  }
+}
+
+/// In whichever of them: all are over by then.
+TEST(SideBySideThreads, HandOnWhatOneThrows) {
+  for (int bad = 0; bad < 5; ++bad) {
+    std::atomic<int> under_way = 0;
+    const auto work = [&](int i) {
+      ++under_way;
+      if (i == bad) --under_way, throw std::runtime_error("full");
+      --under_way;
+    };
+    EXPECT_THROW(side_by_side(5, work), std::runtime_error);
+    EXPECT_EQ(under_way, 0);
+  }
+}
+
+}  // namespace
+}  // namespace kadr::thread_test
