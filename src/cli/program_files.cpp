@@ -32,11 +32,14 @@ bool looks_like_program(const std::string& path) {
   return is_program_text(reader.sample());
 }
 
-bool is_program(const fs::path& path) {
+std::string ending_of(const fs::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);
-  if (has_no_ending(ending)) return looks_like_program(path.string());
-  return std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
+  return ending;
+}
+
+bool is_program(const fs::path& path) {
+  return has_no_ending(ending_of(path)) ? looks_like_program(path.string()) : has_program_name(path.string());
 }
 
 /// One folder after the other; their number is not bounded by the stack, nor their depth.
@@ -86,6 +89,11 @@ class Search {
 };
 
 }  // namespace
+
+bool has_program_name(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return has_no_ending(ending) || std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
+}
 
 bool is_like(const std::string& path, const std::string& pattern) {
   const std::size_t slash = path.rfind('/');
