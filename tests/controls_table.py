@@ -440,7 +440,7 @@ def check_names():
     """Ids and aliases: each means one control. Rows of [guess]: a weight each."""
     meant = {}
     tables = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in sorted(CONTROLS.glob("*.toml"))
-              if path.name != "alarms.toml" and not is_parameters(path)}
+              if path.name not in ("alarms.toml", "dialects.toml") and not is_parameters(path)}
     for name, table in tables.items():
         for alias in [name, *table.get("aliases", [])]:
             check(alias not in meant, f"{name}.toml: '{alias}' is the name of {meant.get(alias)}, too")
@@ -448,9 +448,27 @@ def check_names():
             meant[alias] = name
         guess = table.get("guess", {})
         check(guess != {}, f"{name}.toml: no [guess]")
-        for pattern, weight in [*guess.items(), *guess.get("text", {}).items()]:
-            if pattern != "text":
-                check(isinstance(weight, (int, float)) and 0 < weight <= 20, f"{name}.toml: [guess] {pattern}: {weight}")
+        check_guess(f"{name}.toml", guess)
+
+
+def check_guess(where, guess):
+    """Rows of [guess] and of its tables: a weight each."""
+    check(set(guess) & {"text", "comment", "name"} == {key for key, row in guess.items() if isinstance(row, dict)}, f"{where}: [guess]: tables")
+    for rows in [guess, *(row for row in guess.values() if isinstance(row, dict))]:
+        for pattern, weight in rows.items():
+            if not isinstance(weight, dict):
+                check(isinstance(weight, (int, float)) and 0 < abs(weight) <= 20, f"{where}: [guess] {pattern}: {weight}")
+
+
+def check_dialects(table, controls):
+    """The languages that Kadr does not read: each has its names, and something that tells it."""
+    for name, row in table.items():
+        where = f"dialects.toml: {name}"
+        check(set(row) <= {"name", "guess", "refused_by"}, f"{where}: {sorted(row)}")
+        check(set(row.get("name", {})) == {"en", "ru"}, f"{where}: name: en, ru")
+        check(set(row.get("refused_by", [])) <= controls, f"{where}: refused_by: {row.get('refused_by')}")
+        check(row.get("guess", {}) != {}, f"{where}: no guess")
+        check_guess(where, row.get("guess", {}))
 
 
 def main():
@@ -459,11 +477,13 @@ def main():
         check(len(found) > 5, f"headers: no {name} found")
     for path in sorted(CONTROLS.glob("*.toml")):
         before = len(failures)
-        table = load(path) if path.name == "alarms.toml" or is_parameters(path) else merged(path)
+        table = load(path) if path.name in ("alarms.toml", "dialects.toml") or is_parameters(path) else merged(path)
         if table is None:
             continue
         if path.name == "alarms.toml":
             check_alarms(table)
+        elif path.name == "dialects.toml":
+            check_dialects(table, {other.stem for other in CONTROLS.glob("*.toml")})
         elif is_parameters(path):
             check_parameters(path.name, table)
         else:

@@ -25,23 +25,23 @@ name = { en = "Shop 7", ru = "Цех 7" }
 # A program and what is said of it.
 CASES = [
     ('N10 G54\nM97 P10\nM30\n', 'looks like haas (line 2: M97P'),
-    ('%\nO00030\nG154 P3\nG0 X0. Y0.\nM30\n%\n', 'looks like haas (line 3: G154P'),
+    ('%\nO00030\nG154 P3\nG0 X0. Y0.\nM30\n%\n', 'looks like haas (line 2: O00030, line 3: G154P'),
     ('G90\nG187 P1 E0.01\nG1 X5. F100.\n', 'looks like haas (line 2: G187'),
-    ('#1=5\nWH[#1GT0]DO1\n#1=#1-1\nEND1\nM30\n', 'looks like fanuc (line 2: WH['),
+    ('#1=5\nWH[#1GT0]DO1\n#1=#1-1\nEND1\nM30\n', 'looks like fanuc (line 1: #1, line 2: WH['),
     ('M29 S500\nG84 Z-8. R2. F500\n', 'looks like fanuc (line 1: M29S'),
     ('G90 G1 XI-40 F100\n', 'looks like nct (line 1: XI-40'),
     ('#101=#100*COS#102\nG1 X#101 F100\nM30\n', 'looks like nct (line 1: COS#'),
-    ('IF[#1EQ0]GOTO5\n#3106=12(WAIT)\nN5 M30\n', 'looks like nct (line 2: #3106='),
+    ('IF[#1EQ0]GOTO5\n#3106=12(WAIT)\nN5 M30\n', 'looks like nct (line 1: GOTO5, line 1: #1, line 2: #3106='),
     ('#103=AXNUM[Z]\nG0 AX[#103]=10\n', 'looks like nct (line 1: AXNUM['),
     ('#1=2\nWHILE[#1GT0]DO1\nG1 X40 Y30 F1000\n#1=#1-1\nEND1\nIF[#1EQ0]GOTO9\nN9 M30\n', 'perhaps nct: a weak guess'),
     ('#1=2\nWHILE[#1GT0]DO1\nG1 X40. Y30. F1000\n#1=#1-1\nEND1\nIF[#1EQ0]GOTO9\nN9 M30\n', 'perhaps fanuc: a weak guess'),
-    ('G0 X10 Y5\nG1 Z-2 F100\nM30\n', 'perhaps mach3: a weak guess'),
+    ('G0 X10 Y5\nG1 Z-2 F100\nM30\n', 'perhaps grbl: a weak guess, nothing decides (no tools, no %); next comes mach3'),
     ('#1=SIN[30]\nWHILE[#1 GT 0]DO1\n#1=#1-1\nEND1\nM30\n', 'perhaps fanuc: a weak guess'),
     ('o100 while [#1 lt 5]\nG1 X#1\no100 endwhile\n', 'looks like linuxcnc (line 1: O100WHILE'),
     ('#<noexist> = 1\no<gotofoo> call [1]\nM2\n', 'looks like linuxcnc (line 1: #<'),
     ('(debug, here)\nG0 X1\n', 'looks like linuxcnc (line 1: (DEBUG,'),
     ('$H\nG21 G90\nG1 X10 F500\n', 'looks like grbl (line 1: $H'),
-    ('G21\n$J=G91 X10 F100\n', 'looks like grbl (line 2: $J='),
+    ('G21\n$J=G91 X10 F100\n', 'looks like grbl (line 1: G21, line 2: $J='),
     ('% ПС\nN1 G0 X8000 ПС\nN2 M2 ПС\n', 'looks like s2c42 (line 1: ПС'),
     ('% LF\nN001 G91 Z-50. L4 04 LF\nN002 M02 LF\n', 'looks like correctors (line 2: L4 0'),
     ('%012 LF\n:1 G90 G00 X10. LF\nN2 M02 LF\n', 'perhaps gost: a weak guess, nothing decides'),
@@ -53,19 +53,49 @@ CASES = [
 # Programs of a folder, some in folders below it; what is said of each.
 FOLDERS = [
     ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2 F100\n', 'sub/c.nc': 'G0 X2.5\n'},
-     {'a.nc': 'looks like haas', 'b.nc': ': haas, as a.nc is (line 1: G154P', 'sub/c.nc': ': haas, as a.nc is'}),
+     {'a.nc': 'looks like haas', 'b.nc': 'perhaps haas, as a.nc is (line 1: G154P', 'sub/c.nc': 'perhaps haas, as a.nc is'}),
     ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': '$H\nG0 X1\n', 'c.nc': 'G0 X1.5\nG1 Z-2 F100\n'},
      {'a.nc': 'looks like haas', 'b.nc': 'looks like grbl', 'c.nc': 'perhaps mach3: a weak guess'}),
     ({'a.nc': '#1=5\nWHILE[#1 GT 0]DO1\n#1=#1-1\nEND1\nIF[#1 EQ 0] GOTO 5\nN5 M30\n', 'b.nc': 'G0 X1.\nG1 X2. F100.\nM30\n'},
      {'a.nc': 'perhaps fanuc: a weak guess', 'b.nc': 'perhaps fanuc, like its folder as a whole: a weak guess'}),
     ({'factory.toml': FACTORY, 'a.nc': '%\nN1 G01 X10. F100 M51\nN2 M02\n', 'b.nc': '%\nN1 G00 X5.\nN2 M02\n'},
-     {'a.nc': 'looks like factory.toml (line 2: M51', 'b.nc': ': factory.toml, as a.nc is (line 2: M51'}),
+     {'a.nc': 'looks like factory.toml (line 2: M51', 'b.nc': 'perhaps factory.toml, as a.nc is (line 2: M51'}),
+]
+
+LATHE = '%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n'
+MILL = 'G21\nG90 G54\nG0 X10. Y5. Z5.\nG1 Z-1. F100.\nX20.\nM30\n'
+
+# Files, what `kadr check` is asked, its exit status, what it says and what it does not.
+COMMANDS = [
+    # found.md A2: a lathe's program is no milling program, whoever says so; a control of one's own is taken at its word
+    ({'a.nc': LATHE}, ['a.nc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y", 'errors'),
+    ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y; of fanuc Kadr reads milling", 'errors'),
+    ({'a.nc': LATHE}, ['a.nc', '--control', 'haas'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
+    ({'a.nc': LATHE}, ['a.nc', '--control', 'nct'], 2, 'of nct Kadr reads milling programs alone', 'errors'),
+    ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc', '--lang', 'ru'], 2, 'программа токарного станка, строка 3: G99', 'Ошибок'),
+    ({'a.nc': LATHE, 'mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n'}, ['a.nc', '--control', 'mine.toml'], 0,
+     '1 program checked', "lathe's"),
+    # a folder with nothing that Kadr reads; a mill's program beside a lathe's
+    ({'a.nc': LATHE, 'b.nc': LATHE}, ['.'], 2, "a lathe's program", 'errors'),
+    ({'a.nc': LATHE, 'b.nc': '%\nO00012\nG53 Z0.\nG0 X1. Y1.\nM30\n%\n'}, ['.'], 0, '1 program checked', None),
+    # .kadr.toml: of the folder, of one above; patterns; --control before it; what is wrong with it
+    ({'.kadr.toml': 'control = "grbl"\n', 'a.nc': MILL}, ['a.nc'], 0, '1 program checked', 'perhaps'),
+    ({'.kadr.toml': 'control = "grbl"\n', 'b/c/a.nc': MILL}, ['b/c/a.nc'], 0, '1 program checked', 'unknown'),
+    ({'.kadr.toml': 'control = "grbl"\n[control_for]\n"*.nct" = "nct"\n', 'a.nct': 'G54.1 P1\nM30\n'}, ['a.nct'], 0, '1 program checked', 'looks'),
+    ({'.kadr.toml': 'control = "grbl"\n', 'a.nc': 'G54.1 P1\nM30\n'}, ['a.nc', '--control', 'fanuc'], 0, '1 program checked', 'perhaps'),
+    ({'.kadr.toml': 'control = "mine.toml"\n', 'mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n', 'a.nc': MILL},
+     ['a.nc'], 0, '1 program checked', 'perhaps'),
+    ({'.kadr.toml': 'controll = "grbl"\n', 'a.nc': MILL}, ['a.nc'], 0, ".kadr.toml:1: 'control', a text, and [control_for]", None),
+    ({'.kadr.toml': 'control = "nosuch"\n', 'a.nc': MILL}, ['a.nc'], 2, "no control 'nosuch'", 'checked'),
+    # a second file of the folder is looked at, though it is not named
+    ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2. F100.\n'}, ['b.nc'], 0, 'perhaps haas, as a.nc is (line 1: G154P', None),
+    ({'a.nc': '%00000\nN0 T1.1\nN1 M6\n', 'b.nc': '%00001\nN0 T2.2\nN1 M6\n', 'c.nc': 'N1 G0 X5 Y5\n'}, ['c.nc'], 2, 'Fagor, line 1: %00000, line 2: T1.1, as in a.nc', None),
 ]
 
 # A file of tests/guess_cases and what is said of it.
 UNKNOWN = {
     'heidenhain.h.txt': 'Heidenhain, line 1: BEGINPGM', 'heidenhain-lines.txt': 'Heidenhain, line 1: LX+20',
-    'sinumerik.mpf.txt': 'Sinumerik, line 6: X=R1', 'sinumerik-jump.txt': 'Sinumerik, line 1: R1=',
+    'sinumerik.mpf.txt': 'Sinumerik, line 3: T="', 'sinumerik-jump.txt': 'Sinumerik, line 1: R1=',
     'okuma.min.txt': 'Okuma, line 2: G15H1', 'okuma-call.txt': 'Okuma, line 2: MODIN', 'sheet.txt': 'few lines are blocks',
 }
 
@@ -76,6 +106,36 @@ def said(kadr, folder, *names):
                           capture_output=True, text=True, timeout=TIME_LIMIT_S)
     lines = [line.removeprefix('kadr: ').replace('./', '') for line in done.stderr.splitlines()]
     return {line.split(': ')[0]: line for line in lines if line.endswith('--control')}
+
+
+def laid_out(folder, files):
+    for file, text in files.items():
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        (folder / file).write_text(text)
+
+
+def checked(kadr, folder, *arguments):
+    """Exit status and all that is said."""
+    done = subprocess.run([kadr, 'check', *(() if '--lang' in arguments else ('--lang', 'en')), *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=TIME_LIMIT_S)
+    return done.returncode, done.stdout + done.stderr.replace('./', '')
+
+
+def remembering(kadr, folder):
+    """What --remember writes, and that nothing is written without it: (what, got, expected)."""
+    laid_out(folder, {'a.nc': MILL, 'sub/b.nc': MILL, 'sub/mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n'})
+    memory = folder / '.kadr.toml'
+    checked(kadr, folder, 'a.nc', '--control', 'haas')
+    yield 'nothing is written unasked', str(memory.exists()), 'False'
+    checked(kadr, folder, 'a.nc', '--control', 'haas', '--remember')
+    yield '--remember', memory.read_text(), 'control = "haas"\n'
+    memory.write_text('# ours\ncontrol = "haas"  # since May\n[control_for]\n"*.ngc" = "linuxcnc"\n')
+    checked(kadr, folder, 'a.nc', '--control', 'grbl', '--remember')
+    yield 'other lines stay', memory.read_text(), '# ours\ncontrol = "grbl"\n[control_for]\n"*.ngc" = "linuxcnc"\n'
+    checked(kadr, folder, 'sub/b.nc', '--control', 'sub/mine.toml', '--remember')
+    yield 'a control of one\'s own', (folder / 'sub/.kadr.toml').read_text(), 'control = "mine.toml"\n'
+    yield 'and it is found again', checked(kadr, folder, 'sub/b.nc')[1], '1 program checked: 0 errors'
+    yield 'without --control', checked(kadr, folder, 'a.nc', '--remember')[1], '--remember: --control says what'
 
 
 def main():
@@ -100,12 +160,20 @@ def main():
             judge(f'case {n} {program!r}', said(kadr, folder, 'a.nc').get('a.nc'), expected)
         for n, (files, expected) in enumerate(FOLDERS):
             folder = Path(name, f'folder{n}')
-            for file, text in files.items():
-                (folder / file).parent.mkdir(parents=True, exist_ok=True)
-                (folder / file).write_text(text)
+            laid_out(folder, files)
             found = said(kadr, folder, '.')
             for file, what in expected.items():
                 judge(f'folder {n} {file}', found.get(file), what)
+        for n, (files, arguments, status, expected, unexpected) in enumerate(COMMANDS):
+            folder = Path(name, f'command{n}')
+            laid_out(folder, files)
+            code, text = checked(kadr, folder, *arguments)
+            judge(f'command {n} {arguments}', text, expected)
+            judge(f'command {n} {arguments}: its status', str(code), str(status))
+            if unexpected:
+                judge(f'command {n} {arguments}: {unexpected}', 'is not there' if unexpected not in text else text, 'is not there')
+        for what, text, expected in remembering(kadr, Path(name, 'remember')):
+            judge(what, text, expected)
     for file, expected in UNKNOWN.items():
         judge(file, said(kadr, HERE / 'guess_cases', file).get(file), f'no program of a control that Kadr knows ({expected}')
     listed = set(UNKNOWN)

@@ -7,26 +7,32 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "cli/program_files.h"
+#include "cli/remembered_control.h"
 #include "config/read_file.h"
 #include "config/toml_tools.h"
 #include "lang/text/utf16.h"
+#include "session/guess_trial.h"
 
 namespace kadr::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t whole_sample = 256 << 10;
+constexpr std::size_t short_sample = 16 << 10;  // of a neighbour
+
 /// The beginning of a program as text.
-std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
+std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name, std::size_t most = whole_sample) {
   SaidEncoding said;
   (void)read_encoding(encoding_name, said);  // a name that nobody knows is refused later
   OpenedText opened = open_text(file, said);
   if (!opened.source) return std::nullopt;
   LineReader reader(std::move(opened.source));
-  const std::string_view sample = reader.sample();
+  const std::string_view sample = reader.sample().substr(0, most);
   const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
   std::string text;
   if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
@@ -60,6 +66,32 @@ std::vector<GuessRows> own_rows(const fs::path& folder) {
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
 
+/// "/folder/part.nc": what it and the folder it lies in are called.
+std::string called(const std::string& file) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(file, error).lexically_normal();
+  return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
+}
+
+/// Programs of the folder beside those of `but`, those named next to them.
+std::vector<std::string> others_beside(const std::string& folder, const std::vector<std::string>& but) {
+  constexpr std::size_t most_looked_at = 2000, most = 12;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : fs::path(folder), error);
+       !error && entry != fs::directory_iterator() && names.size() < most_looked_at; entry.increment(error)) {
+    const std::string file = (fs::path(folder) / entry->path().filename()).string();
+    if (std::error_code none; entry->is_regular_file(none) && has_program_name(file)) names.push_back(file);
+  }
+  std::sort(names.begin(), names.end());
+  const auto here = std::lower_bound(names.begin(), names.end(), but.front());
+  const auto before = std::min<std::ptrdiff_t>(here - names.begin(), most / 2);
+  std::vector<std::string> near;
+  for (auto at = here - before; at != names.end() && near.size() < most; ++at)
+    if (std::find(but.begin(), but.end(), *at) == but.end()) near.push_back(*at);
+  return near;
+}
+
 void say_guess(const Options& options, const std::string& file, const Guess& guess) {
   const bool ru = language(options) == Lang::ru;
   if (guess.control.empty())
@@ -68,58 +100,81 @@ void say_guess(const Options& options, const std::string& file, const Guess& gue
            : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
   if (options.guesses_silently) return;
   if (guess.decisive)
-    complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-                : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
-  else
-    complain(
-        ru ? fmt::format("{}: может быть, {}: догадка слабая, решающего признака нет ({}); иначе: --control", file, guess.control,
-                         guess.reason_ru)
-           : fmt::format("{}: perhaps {}: a weak guess, nothing decides ({}); otherwise: --control", file, guess.control, guess.reason_en));
+    return complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
+                       : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
+  const std::string next = guess.runner_up();
+  const std::string then = next.empty() ? "" : fmt::format(fmt::runtime(ru ? "; затем {}" : "; next comes {}"), next);
+  complain(ru ? fmt::format("{}: может быть, {}: догадка слабая, решающего признака нет ({}){}; иначе: --control", file, guess.control,
+                            guess.reason_ru, then)
+              : fmt::format("{}: perhaps {}: a weak guess, nothing decides ({}){}; otherwise: --control", file, guess.control,
+                            guess.reason_en, then));
 }
 
 }  // namespace
 
-std::string control_by_pattern(const Options& options, const std::string& file) {
+std::string named_control(const Options& options, const std::string& file) {
   for (const std::string& rule : options.control_for) {
     const std::size_t equals = rule.rfind('=');
     if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
   }
-  return options.control;
+  return options.control.empty() ? remembered_control(file) : options.control;
 }
 
 std::optional<std::string> control_of(const Options& options, const std::string& file) { return GuessedControls(options, {file}).of(file); }
 
 GuessedControls::GuessedControls(const Options& options, const std::vector<std::string>& files) : options_(options) {
-  std::map<std::string, std::vector<GuessRows>> rows;
-  std::map<std::string, std::vector<std::string>> below;  // files of a folder, and of those below it
+  std::map<std::string, std::vector<std::string>> of_folder;
+  std::set<std::string> remembering;
   for (const std::string& file : files) {
-    if (!control_by_pattern(options, file).empty()) continue;
-    const auto text = sample_of(file, options.encoding);
-    if (!text) continue;
-    const std::string own = folder_of(file);
-    if (!rows.contains(own)) rows[own] = own_rows(own);
-    guesses_[file] = guess_control(*text, rows[own]);
-    for (fs::path folder = own;; folder = folder.parent_path()) {
+    if (options.remembers && remembering.insert(folder_of(file)).second && !remember_control(options, file)) forgotten_.insert(file);
+    if (!named_control(options, file).empty()) continue;
+    take(file, whole_sample);
+    if (guesses_.contains(file)) of_folder[folder_of(file)].push_back(file);
+  }
+  for (const auto& [folder, its_files] : of_folder) take_neighbours(folder, its_files);
+  std::map<std::string, std::vector<std::string>> below;  // files of a folder, and of those below it
+  for (const auto& [file, guess] : guesses_)
+    for (fs::path folder = folder_of(file);; folder = folder.parent_path()) {
       below[folder.string()].push_back(file);
       if (!folder.has_relative_path() || folder == folder.parent_path()) break;
     }
-  }
-  for (const auto& [folder, its_files] : below) {
-    std::vector<Guess> guesses;
-    for (const std::string& file : its_files) guesses.push_back(guesses_[file]);
-    Neighbour neighbour{common_control(guesses), {}, {}, {}};
-    const auto shows = std::find_if(its_files.begin(), its_files.end(), [&](const std::string& file) {
-      return guesses_[file].decisive && guesses_[file].control == neighbour.control;
-    });
-    if (neighbour.control.empty()) continue;
-    if (shows != its_files.end())
-      neighbour.file = *shows, neighbour.reason_en = guesses_[*shows].reason_en, neighbour.reason_ru = guesses_[*shows].reason_ru;
-    folders_[folder] = neighbour;
-  }
+  for (const auto& [folder, its_files] : below) take_folder(folder, its_files);
+}
+
+void GuessedControls::take(const std::string& file, std::size_t most_bytes) {
+  const auto text = sample_of(file, options_.encoding, most_bytes);
+  if (!text) return;
+  const std::string folder = folder_of(file);
+  if (!rows_.contains(folder)) rows_[folder] = own_rows(folder);
+  Guess& guess = guesses_[file] = guess_control(*text, called(file), rows_[folder]);
+  if (most_bytes == whole_sample) try_guess(guess, *text);
+}
+
+/// Of a folder of which few programs are named, and one is not sure: others that lie there.
+void GuessedControls::take_neighbours(const std::string& folder, const std::vector<std::string>& of) {
+  constexpr std::size_t many = 12;
+  const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });
+  if (sure || of.size() >= many || of.front() == "-") return;
+  for (const std::string& file : others_beside(folder, of))
+    if (named_control(options_, file).empty()) take(file, short_sample);
+}
+
+void GuessedControls::take_folder(const std::string& folder, const std::vector<std::string>& files) {
+  std::vector<Guess> guesses;
+  for (const std::string& file : files) guesses.push_back(guesses_[file]);
+  Neighbours found{common_guess(guesses), {}, {}, {}};
+  const auto& [control, dialect] = found.common;
+  if (control.empty() && dialect.empty()) return;
+  const auto shows = std::find_if(files.begin(), files.end(), [&](const std::string& file) {
+    const Guess& guess = guesses_[file];
+    return guess.decisive && guess.control == control && guess.dialect == dialect;
+  });
+  if (shows != files.end()) found.file = *shows, found.reason_en = guesses_[*shows].reason_en, found.reason_ru = guesses_[*shows].reason_ru;
+  folders_[folder] = found;
 }
 
 /// Decided by a file of the same folder or of one above; else what the folder as a whole is like.
-std::optional<GuessedControls::Neighbour> GuessedControls::neighbour_of(const std::string& file) const {
+std::optional<GuessedControls::Neighbours> GuessedControls::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {
     const auto found = folders_.find(folder.string());
@@ -130,30 +185,58 @@ std::optional<GuessedControls::Neighbour> GuessedControls::neighbour_of(const st
   return folders_.at(own);
 }
 
+void GuessedControls::say(const std::string& file, const Neighbours& neighbours) const {
+  const bool ru = language(options_) == Lang::ru;
+  const auto& [common, shown_by, reason_en, reason_ru] = neighbours;
+  if (!common.dialect.empty())
+    return complain(
+        ru ? fmt::format("{}: УЧПУ неизвестно ({}, как и {}); если это УП: --control", file, reason_ru, shown_by)
+           : fmt::format("{}: unknown, no program of a control that Kadr knows ({}, as in {}); if it is one: --control", file, reason_en,
+                         shown_by));
+  if (options_.guesses_silently) return;
+  if (shown_by.empty())
+    return complain(
+        ru ? fmt::format("{}: как и вся папка, может быть, {}: догадка слабая; иначе: --control", file, common.control)
+           : fmt::format("{}: perhaps {}, like its folder as a whole: a weak guess; otherwise: --control", file, common.control));
+  complain(ru ? fmt::format("{}: может быть, {}, как и {} ({}); своего решающего признака нет; иначе: --control", file, common.control,
+                            shown_by, reason_ru)
+              : fmt::format("{}: perhaps {}, as {} is ({}); nothing of its own decides; otherwise: --control", file, common.control,
+                            shown_by, reason_en));
+}
+
+/// The text is surely in a language that the named control is not read as: a lathe's, where Kadr reads the mill. Told.
+bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
+  const auto may_refuse = [&](const GuessRows& rows) {
+    return std::find(rows.refused_by.begin(), rows.refused_by.end(), control) != rows.refused_by.end();
+  };
+  if (file == "-" || std::none_of(dialect_rows().begin(), dialect_rows().end(), may_refuse)) return false;
+  const auto text = sample_of(file, options_.encoding);
+  if (!text) return false;
+  const Guess guess = guess_control(*text);
+  if (std::find(guess.refused_by.begin(), guess.refused_by.end(), control) == guess.refused_by.end()) return false;
+  complain(language(options_) == Lang::ru
+               ? fmt::format("{}: {}; для {} Kadr читает только программы фрезерных станков", file, guess.reason_ru, control)
+               : fmt::format("{}: {}; of {} Kadr reads milling programs alone", file, guess.reason_en, control));
+  return true;
+}
+
 std::optional<std::string> GuessedControls::of(const std::string& file) const {
-  if (std::string named = control_by_pattern(options_, file); !named.empty()) return named;
+  if (forgotten_.contains(file)) return std::nullopt;
+  if (std::string named = named_control(options_, file); !named.empty()) return refuses(file, named) ? std::string() : named;
   const auto found = guesses_.find(file);
   if (found == guesses_.end()) {
     if (!sample_of(file, options_.encoding)) complain(fmt::format("{}: {}", file, told_errno(errno)));
     return std::nullopt;
   }
   const Guess& guess = found->second;
-  const auto neighbour = guess.decisive ? std::nullopt : neighbour_of(file);
-  if (!neighbour || neighbour->control == guess.control) {
+  const auto neighbours = guess.decisive ? std::nullopt : neighbours_of(file);
+  const bool alike = neighbours && fs::path(file).extension() == fs::path(neighbours->file).extension();
+  if (!neighbours || neighbours->common.control == guess.control || !may_be(guess, neighbours->common, alike)) {
     say_guess(options_, file, guess);
     return guess.control;
   }
-  const bool ru = language(options_) == Lang::ru;
-  const auto& [control, shown_by, reason_en, reason_ru] = *neighbour;
-  if (options_.guesses_silently) return control;
-  if (shown_by.empty())
-    complain(ru ? fmt::format("{}: как и вся папка, может быть, {}: догадка слабая; иначе: --control", file, control)
-                : fmt::format("{}: perhaps {}, like its folder as a whole: a weak guess; otherwise: --control", file, control));
-  else
-    complain(
-        ru ? fmt::format("{}: {}, как и {} ({}); своего решающего признака нет; иначе: --control", file, control, shown_by, reason_ru)
-           : fmt::format("{}: {}, as {} is ({}); nothing of its own decides; otherwise: --control", file, control, shown_by, reason_en));
-  return control;
+  say(file, *neighbours);
+  return neighbours->common.control;
 }
 
 }  // namespace kadr::cli

@@ -17,7 +17,8 @@ enum Exit : int { ok = 0, alarms = 1, wrong_usage = 2 };
 struct Options {
   std::vector<std::string> programs;
   std::string control;  // empty: guessed
-  std::string machine;  // empty: generic
+  bool remembers = false;  // the control, in the folder's .kadr.toml
+  std::string machine;     // empty: generic
   std::string setup;
   std::string encoding;
   std::string trace;                           // file, "-": stdout

@@ -47,6 +47,9 @@ void program_options(CLI::App& app, Options& o) {
   control_id(app.add_option("--control", o.control,
                             told("control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)",
                                  "УЧПУ: обозначение из `kadr controls` или файл ИМЯ.toml (по умолчанию определяется по тексту)")));
+  app.add_flag("--remember", o.remembers,
+               told("write --control to .kadr.toml in the program's folder: what lies there needs no --control any more",
+                    "записать --control в .kadr.toml в папке УП: лежащему там --control больше не нужен"));
   machine_id(app.add_option("--machine", o.machine,
                             told("machine profile: an id of `kadr machines`, or a file NAME.toml (default: generic)",
                                  "станок: обозначение из `kadr machines` или файл ИМЯ.toml (по умолчанию generic)")));

@@ -79,6 +79,8 @@ class Search {
 
 }  // namespace
 
+bool has_program_name(const std::string& path) { return told_by_name(path) != NameTells::other; }
+
 bool is_like(const std::string& path, const std::string& pattern) {
   const std::size_t slash = path.rfind('/');
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);

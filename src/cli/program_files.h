@@ -21,6 +21,9 @@ struct ProgramFiles {
 ///   exclude  patterns (* ? [abc]) of paths from the folder, or of names, that are left out
 ProgramFiles program_files(const std::vector<std::string>& names, const std::vector<std::string>& exclude);
 
+/// Its ending is one that programs have, or it has none.
+bool has_program_name(const std::string& path);
+
 /// `path` or its last part is like the pattern.
 bool is_like(const std::string& path, const std::string& pattern);
 

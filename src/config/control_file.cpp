@@ -174,8 +174,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   return under;
 }
 
-/// The texts of alarms and the tables of parameters are no controls of their own.
-bool is_control(std::string_view name) { return name != "alarms" && !is_parameter_table(name); }
+/// The texts of alarms, the languages that Kadr does not read and the tables of parameters are no controls of their own.
+bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
 /// The id itself, or the one that the alias stands for.
 std::string id_meant_by(const std::string& name) {

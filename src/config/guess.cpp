@@ -4,10 +4,11 @@
 #include "config/guess.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "base/ascii.h"
 #include "config/guess_pattern.h"
@@ -17,103 +18,59 @@
 namespace kadr {
 namespace {
 
+constexpr std::uint32_t lines_of_guess = 500;
+
 /// Where nothing speaks for another: the most common of makers' machines.
 constexpr std::string_view usual_control = "mach3";
 
-/// What speaks for a control: a piece of text and its first line, or (line 0) what the text is like as a whole.
+/// What speaks for a control: a piece of text and its first line, or (line 0) what the text is like as a whole, or what it is called.
 struct Found {
   double weight = 0;
+  std::uint32_t line = 0;
   std::string en, ru;
 };
 
-/// What the lines of a text are like; comments are left out before.
-class Traits {
- public:
-  void take(std::string_view line) {
-    if (line[0] == '%') {
-      behind_percent_ = true;
-      return;
-    }
-    if (std::exchange(behind_percent_, false) && is_program_number(line)) {
-      numbered_program_ = true;
-      return;
-    }
-    ++lines_;
-    numbered_ += line[0] == 'N' || line[0] == ':' || line.starts_with("/N");
-    points_ += line.find('.') != std::string_view::npos;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) letter(line, i);
-  }
-
-  bool holds(TextTrait trait) const {
-    const bool all_numbered = numbered_ == lines_ && lines_ > 0;
-    switch (trait) {
-      case TextTrait::all_numbered: return all_numbered;
-      case TextTrait::few_numbered: return 2 * numbered_ < lines_;
-      case TextTrait::decimal_points: return points_ > 0;
-      case TextTrait::long_integers: return long_integers_ > 0 && points_ == 0;
-      case TextTrait::whole_lengths: return short_lengths_ > 0 && pointed_lengths_ == 0 && long_integers_ == 0;
-      case TextTrait::plus_signs: return plus_signs_ > 0 && one_digit_codes_ == 0;
-      case TextTrait::two_digit_codes: return all_numbered && two_digit_codes_ > 0 && one_digit_codes_ == 0;
-      case TextTrait::program_number: return numbered_program_ && (one_digit_codes_ != 0 || !all_numbered);
-      case TextTrait::count: break;
-    }
-    return false;
-  }
-
- private:
-  static bool is_program_number(std::string_view line) {
-    return line[0] == 'O' && line.size() > 1 && line.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  }
-
-  void letter(std::string_view line, std::size_t i) {
-    const char c = line[i], next = line[i + 1];
-    const bool digit_behind = i + 2 < line.size() && is_digit(line[i + 2]);
-    if ((c == 'G' || c == 'M') && is_digit(next)) ++(digit_behind ? two_digit_codes_ : one_digit_codes_);
-    if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && digit_behind) ++plus_signs_;
-    const bool argument = line.find("G65") != std::string_view::npos || line.find("G66") != std::string_view::npos;  // often a mere number
-    if (!argument && std::string_view("XYZIJKR").find(c) != std::string_view::npos) length(line, i + 1, c == 'X' || c == 'Y' || c == 'Z');
-  }
-
-  /// `X8000`: four digits or more and no point: increments of 0.001 mm. `X10` may be 10 mm, `X0` is the same on all controls.
-  void length(std::string_view line, std::size_t at, bool of_axis) {
-    if (line[at] == '+' || line[at] == '-') ++at;
-    const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
-    if (end < line.size() && line[end] == '.') ++pointed_lengths_;
-    else if (of_axis && end - at >= 4) ++long_integers_;
-    else if (of_axis && line.substr(at, end - at).find_first_not_of('0') != std::string_view::npos) ++short_lengths_;
-  }
-
-  bool behind_percent_ = false, numbered_program_ = false;
-  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0, plus_signs_ = 0;
-  std::uint64_t long_integers_ = 0, short_lengths_ = 0, pointed_lengths_ = 0;
-};
-
-/// A control and what of its rows has been found so far.
+/// A control, or a language, and what of its rows has been found so far.
 struct Candidate {
   const GuessRows* rows;
+  std::vector<LineSigns> needs;  // of each mark
   std::vector<bool> seen;
   std::vector<Found> found;
-  double strongest = 0;
+  double strongest_mark = 0;
 
-  explicit Candidate(const GuessRows& of) : rows(&of), seen(of.marks.size()) {}
+  explicit Candidate(const GuessRows& of) : rows(&of), seen(of.marks.size()) {
+    for (const GuessMark& mark : of.marks) needs.push_back(signs_needed(mark.pattern));
+  }
 
-  void take(const GuessLine& line, std::uint32_t number) {
+  /// `signs`: of the line as it is written, with its comments. `only_against`: what speaks for it does not count there.
+  void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     for (std::size_t i = 0; i < rows->marks.size(); ++i) {
-      const auto& [pattern, weight] = rows->marks[i];
-      if (seen[i]) continue;
-      const std::string_view text = found_in(line, pattern);
+      if (seen[i] || (needs[i] & ~signs) != 0 || (only_against && rows->marks[i].weight > 0)) continue;
+      const auto& [pattern, weight, place] = rows->marks[i];
+      if (place == MarkPlace::name) continue;
+      const std::string_view text = place == MarkPlace::comment ? found_in_words(line.comments, pattern) : found_in(line, pattern);
       if (text.empty()) continue;
       seen[i] = true;
-      strongest = std::max(strongest, weight);
-      const std::string where = std::to_string(number);
-      found.push_back({weight, "line " + where + ": " + std::string(text), "строка " + where + ": " + std::string(text)});
+      strongest_mark = std::max(strongest_mark, weight);
+      const std::string where = std::to_string(number), said(text);
+      found.push_back({weight, number, "line " + where + ": " + said, "строка " + where + ": " + said});
     }
+  }
+
+  void take_name(std::string_view path) {
+    for (const auto& [pattern, weight, place] : rows->marks)
+      if (place == MarkPlace::name && is_named_like(path, pattern)) {
+        const bool of_folder = pattern.find('/') != std::string::npos;
+        const std::size_t last = path.rfind('/');  // "/folder/part.nc"
+        const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
+        found.push_back({weight, 0, (of_folder ? "its folder: " : "its name: ") + name, (of_folder ? "папка: " : "имя: ") + name});
+        strongest_mark = std::max(strongest_mark, weight);
+      }
   }
 
   void take(const Traits& text) {
     for (const auto& [trait, weight] : rows->traits)
-      if (text.holds(trait)) found.push_back({weight, std::string(text_of(trait).en), std::string(text_of(trait).ru)});
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
+      if (text.holds(trait)) found.push_back({weight, 0, std::string(text_of(trait).en), std::string(text_of(trait).ru)});
   }
 
   double score() const {
@@ -122,32 +79,76 @@ struct Candidate {
     return sum;
   }
 
-  /// "line 3: M97 P10, line 12: G187", the strongest of them.
-  std::string reason(std::string Found::*language) const {
+  /// The strongest of what speaks for it, in the order of the lines, then what the text is like: "line 3: M97P, line 12: G187".
+  std::vector<Found> strongest() const {
     constexpr std::size_t most = 5;
-    std::string all;
-    for (std::size_t i = 0; i < std::min(found.size(), most); ++i) all += (i == 0 ? "" : ", ") + found[i].*language;
+    std::vector<Found> all;
+    std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
+    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns that fit one word
+      all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
+                all.end());
+    if (all.size() > most) all.resize(most);
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 is last
     return all;
   }
 };
 
+std::string reason_of(const std::vector<Found>& found, std::string Found::*language) {
+  std::string all;
+  for (const Found& f : found) all += (all.empty() ? "" : ", ") + f.*language;
+  return all;
+}
+
+/// Greater scores first; of equal ones the usual control.
+template <class Row>
+bool stands_before(const Row& a, const Row& b) {
+  return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;
+}
+
+/// Decides by the scores alone: a mark that tells the control by itself needs little lead over the next one; weaker ones together need much
+/// of it, and mere hints decide nothing.
+void decide(Guess& guess) {
+  constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
+  auto ranked = guess.scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  guess.control = ranked[0].first;
+  for (std::size_t i = 0; i < guess.scores.size(); ++i)
+    if (guess.scores[i].first == guess.control) std::tie(guess.reason_en, guess.reason_ru) = guess.reasons[i];
+  const double mark = guess.strongest_marks[guess.control], before = ranked[0].second - ranked[1].second;
+  guess.decisive = ranked[0].second >= decisive_weight &&
+                   ((mark >= decisive_weight && before >= lead) || (mark >= more_than_hint && before >= great_lead));
+}
+
 Guess guess_of(const std::vector<Candidate>& candidates) {
-  constexpr double lead = 2;  // over the next one, of a decisive mark
-  const auto better = [](const Candidate& a, const Candidate& b) {
-    const double first = a.score(), second = b.score();
-    return first != second ? first < second : a.rows->control != usual_control && b.rows->control == usual_control;
-  };
-  const Candidate& best = *std::max_element(candidates.begin(), candidates.end(), better);
-  double next = 0;
   Guess guess;
   for (const Candidate& c : candidates) {
     guess.scores.emplace_back(c.rows->control, c.score());
-    if (&c != &best) next = std::max(next, c.score());
+    guess.strongest_marks[c.rows->control] = c.strongest_mark;
+    const auto strongest = c.strongest();
+    guess.reasons.emplace_back(strongest.empty() ? "the text tells little" : reason_of(strongest, &Found::en),
+                               strongest.empty() ? "по тексту почти ничего не видно" : reason_of(strongest, &Found::ru));
   }
-  guess.control = best.rows->control;
-  guess.decisive = best.strongest >= decisive_weight && best.score() >= next + lead;
-  guess.reason_en = best.found.empty() ? "the text tells little" : best.reason(&Found::en);
-  guess.reason_ru = best.found.empty() ? "по тексту почти ничего не видно" : best.reason(&Found::ru);
+  decide(guess);
+  return guess;
+}
+
+/// The language that Kadr does not read, if one is found for sure.
+const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
+  const auto best = std::max_element(dialects.begin(), dialects.end(),
+                                     [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
+  return best != dialects.end() && best->score() >= decisive_weight ? &*best : nullptr;
+}
+
+Guess of_dialect(const Candidate& dialect) {
+  Guess guess;
+  guess.decisive = true;
+  guess.dialect = dialect.rows->control;
+  guess.refused_by = dialect.rows->refused_by;
+  guess.language_en = dialect.rows->name_en, guess.language_ru = dialect.rows->name_ru;
+  const auto strongest = dialect.strongest();
+  guess.reason_en = guess.language_en + ", " + reason_of(strongest, &Found::en);
+  guess.reason_ru = guess.language_ru + ", " + reason_of(strongest, &Found::ru);
   return guess;
 }
 
@@ -155,18 +156,18 @@ Guess unknown(const KindOfText& text) {
   const std::string line = std::to_string(text.line);
   Guess guess;
   guess.decisive = true;
-  switch (text.kind) {
-    case TextKind::other_language:
-      guess.reason_en = text.language + ", line " + line + ": " + text.found;
-      guess.reason_ru = text.language + ", строка " + line + ": " + text.found;
-      break;
-    case TextKind::prose:
-      guess.reason_en = "few lines are blocks, the first that is none is line " + line + ": " + text.found;
-      guess.reason_ru = "кадров мало, первая строка не из них — " + line + ": " + text.found;
-      break;
-    default: guess.reason_en = "it is no text", guess.reason_ru = "это не текст";
+  if (text.kind == TextKind::prose) {
+    guess.reason_en = "few lines are blocks, the first that is none is line " + line + ": " + text.found;
+    guess.reason_ru = "кадров мало, первая строка не из них — " + line + ": " + text.found;
+  } else {
+    guess.reason_en = "it is no text", guess.reason_ru = "это не текст";
   }
   return guess;
+}
+
+/// LinuxCNC's names are of any letters: they are no words of another language.
+bool has_names(const GuessLine& line) {
+  return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }
 
 }  // namespace
@@ -178,41 +179,100 @@ bool is_program_text(std::string_view bytes) {
   return kind_of_text(encoding ? std::string_view(text) : bytes).kind == TextKind::program;
 }
 
-Guess guess_control(std::string_view sample, const std::vector<GuessRows>& own) {
-  constexpr std::uint32_t lines_looked_at = 500;
-  if (sample.starts_with("\xEF\xBB\xBF")) sample.remove_prefix(3);
-  const KindOfText text = kind_of_text(sample);
-  if (text.kind != TextKind::program && text.kind != TextKind::empty) return unknown(text);
-  std::vector<Candidate> candidates;
-  for (const GuessRows& rows : built_in_guess_rows()) candidates.emplace_back(rows);
-  for (const GuessRows& rows : own) candidates.emplace_back(rows);
-  Traits traits;
-  for (std::uint32_t number = 1; !sample.empty() && number <= lines_looked_at; ++number) {
-    const std::size_t end = std::min(sample.find('\n'), sample.size());
-    const GuessLine line = guess_line(sample.substr(0, end));
-    if (!line.raw.empty())
-      for (Candidate& c : candidates) c.take(line, number);
-    if (!line.written.empty()) traits.take(line.written);
-    sample.remove_prefix(std::min(end + 1, sample.size()));
-  }
-  for (Candidate& c : candidates) c.take(traits);
-  return guess_of(candidates);
+std::string Guess::runner_up() const {
+  auto ranked = scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  for (const auto& [id, score] : ranked)
+    if (id != control) return score > 0 ? id : std::string();
+  return {};
 }
 
-std::string common_control(const std::vector<Guess>& guesses) {
-  std::set<std::string> decided;
+Guess guess_control(std::string_view sample, std::string_view path, const std::vector<GuessRows>& own) {
+  if (own.empty()) return guess_among(sample, path, built_in_guess_rows(), dialect_rows());
+  std::vector<GuessRows> all = built_in_guess_rows();
+  all.insert(all.end(), own.begin(), own.end());
+  return guess_among(sample, path, all, dialect_rows());
+}
+
+Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
+                  const std::vector<GuessRows>& dialects_known) {
+  if (sample.starts_with("\xEF\xBB\xBF")) sample.remove_prefix(3);
+  const KindOfText text = kind_of_text(sample);
+  if (text.kind == TextKind::binary) return unknown(text);
+  std::vector<Candidate> candidates, dialects;
+  for (const GuessRows& rows : controls) candidates.emplace_back(rows);
+  for (const GuessRows& rows : dialects_known) dialects.emplace_back(rows);
+  Traits traits;
+  for (std::uint32_t number = 1; !sample.empty() && number <= lines_of_guess; ++number) {
+    const std::size_t end = std::min(sample.find('\n'), sample.size());
+    const GuessLine line = guess_line(sample.substr(0, end));
+    sample.remove_prefix(std::min(end + 1, sample.size()));
+    if (line.raw.empty()) continue;
+    const LineSigns signs = signs_of(line.raw);
+    for (Candidate& c : candidates) c.take(line, signs, number, false);
+    for (Candidate& c : dialects) c.take(line, signs, number, has_names(line));
+    if (!line.written.empty()) traits.take(line.written);
+  }
+  for (auto* all : {&candidates, &dialects})
+    for (Candidate& c : *all) {
+      c.take(traits);
+      if (!path.empty()) c.take_name(path);
+    }
+  if (const Candidate* const dialect = dialect_of(dialects)) return of_dialect(*dialect);
+  if (text.kind == TextKind::prose) return unknown(text);
+  Guess guess = guess_of(candidates);
+  for (const Candidate& c : dialects) guess.dialect_scores.emplace_back(c.rows->control, c.score());
+  return guess;
+}
+
+std::vector<std::string> candidates_of(const Guess& guess) {
+  constexpr double near = 4;  // what lies further behind is not meant
+  constexpr std::size_t most = 5;
+  std::vector<std::string> ids;
+  if (guess.control.empty() || guess.decisive) return ids;
+  auto ranked = guess.scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  for (const auto& [id, score] : ranked)
+    if (score + near >= ranked[0].second && ids.size() < most) ids.push_back(id);
+  return ids;
+}
+
+void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
+  constexpr double of_faults = 3;
+  for (const auto& [id, count] : faults)
+    for (auto& [control, score] : guess.scores)
+      if (control == id && count > 0) score -= of_faults;
+  decide(guess);
+}
+
+CommonGuess common_guess(const std::vector<Guess>& guesses) {
+  std::map<std::string, std::size_t> controls, dialects;
   std::map<std::string, double> sums;
+  std::size_t decided = 0;
   for (const Guess& guess : guesses) {
-    if (guess.control.empty()) continue;
-    if (guess.decisive) decided.insert(guess.control);
+    if (guess.control.empty() && guess.dialect.empty()) continue;
+    decided += guess.decisive;
+    if (!guess.dialect.empty()) ++dialects[guess.dialect];
+    else if (guess.decisive) ++controls[guess.control];
     for (const auto& [control, score] : guess.scores) sums[control] += score;
   }
-  if (decided.size() > 1 || sums.empty()) return {};
-  if (!decided.empty()) return *decided.begin();
-  const auto better = [](const auto& a, const auto& b) {
-    return a.second != b.second ? a.second < b.second : a.first != usual_control && b.first == usual_control;
+  const auto agree = [decided](std::size_t count) { return count == decided || (count >= 3 && 4 * count >= 3 * decided); };
+  for (const auto& [control, count] : controls)
+    if (agree(count)) return {control, {}};
+  for (const auto& [dialect, count] : dialects)
+    if (agree(count) && count >= 2) return {{}, dialect};
+  if (decided != 0 || sums.empty()) return {};
+  return {std::min_element(sums.begin(), sums.end(), stands_before<std::pair<const std::string, double>>)->first, {}};
+}
+
+bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending) {
+  constexpr double most_behind = 6;
+  const auto score_in = [](const auto& scores, const std::string& id) {
+    const auto found = std::find_if(scores.begin(), scores.end(), [&](const auto& row) { return row.first == id; });
+    return found == scores.end() ? -decisive_weight : found->second;
   };
-  return std::max_element(sums.begin(), sums.end(), better)->first;
+  if (!neighbours.dialect.empty()) return score_in(guess.dialect_scores, neighbours.dialect) >= (same_ending ? 0 : 1);
+  return score_in(guess.scores, neighbours.control) + most_behind >= score_in(guess.scores, guess.control);
 }
 
 }  // namespace kadr

@@ -3,8 +3,9 @@
 #include "config/guess_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <cmath>
+#include <optional>
 
 #include "config/control_file.h"
 #include "config/loader_texts.h"
@@ -16,52 +17,54 @@ namespace {
 using loader_texts::say;
 using Failed = tl::unexpected<std::string>;
 
-constexpr std::array<TraitText, static_cast<std::size_t>(TextTrait::count)> trait_texts = {{
-    {"all_numbered", "all blocks numbered", "все кадры с номерами"},
-    {"few_numbered", "few block numbers", "мало номеров кадров"},
-    {"decimal_points", "decimal points", "десятичные точки"},
-    {"long_integers", "numbers without points", "числа без точки"},
-    {"whole_lengths", "short lengths without points", "короткие размеры без точек"},
-    {"plus_signs", "plus signs", "знаки «плюс»"},
-    {"two_digit_codes", "codes of two digits", "коды из двух цифр"},
-    {"program_number", "a program number behind %", "номер программы после %"},
-}};
-
 tl::expected<double, std::string> weight_of(const toml::node& node, std::string_view key, const std::string& file) {
   constexpr double most = 20;
   const auto weight = node.value<double>();
-  if (weight && !node.is_boolean() && *weight > 0 && *weight <= most) return *weight;
-  return Failed(toml_tools::place(file, node) + say("[guess] {}: a weight is a number above 0, {} at most", key, most));
+  if (weight && !node.is_boolean() && *weight != 0 && std::abs(*weight) <= most) return *weight;
+  return Failed(toml_tools::place(file, node) + say("[guess] {}: a weight is a number other than 0, {} at most", key, most));
+}
+
+/// The marks of one table; tables in it are left alone.
+std::optional<std::string> take_marks(const toml::table& table, MarkPlace place, const std::string& file, GuessRows& rows) {
+  for (const auto& [key, node] : table) {
+    if (node.is_table() && place == MarkPlace::statement) continue;
+    const auto weight = weight_of(node, key.str(), file);
+    if (!weight) return weight.error();
+    rows.marks.push_back({std::string(key.str()), *weight, place});
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> take_traits(const toml::table& table, const std::string& file, GuessRows& rows) {
+  std::vector<std::string_view> keys;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(TextTrait::count); ++i) keys.push_back(text_of(static_cast<TextTrait>(i)).key);
+  for (const auto& [key, node] : table) {
+    const auto known = std::find(keys.begin(), keys.end(), key.str());
+    if (known == keys.end()) {
+      const std::string_view near = toml_tools::nearest(key.str(), keys);
+      return toml_tools::place(file, node) + say("unknown key '{}'", key.str()) + (near.empty() ? "" : say(", nearest: '{}'", near));
+    }
+    const auto weight = weight_of(node, key.str(), file);
+    if (!weight) return weight.error();
+    rows.traits.emplace_back(static_cast<TextTrait>(known - keys.begin()), *weight);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-const TraitText& text_of(TextTrait trait) { return trait_texts[static_cast<std::size_t>(trait)]; }
-
 tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file) {
   GuessRows rows;
+  auto wrong = take_marks(guess, MarkPlace::statement, file, rows);
   for (const auto& [key, node] : guess) {
-    if (key.str() == "text" && node.is_table()) continue;
-    const auto weight = weight_of(node, key.str(), file);
-    if (!weight) return Failed(weight.error());
-    rows.marks.push_back({std::string(key.str()), *weight});
+    const toml::table* const part = node.as_table();
+    if (part == nullptr || wrong) continue;
+    if (key.str() == "text") wrong = take_traits(*part, file, rows);
+    else if (key.str() == "comment") wrong = take_marks(*part, MarkPlace::comment, file, rows);
+    else if (key.str() == "name") wrong = take_marks(*part, MarkPlace::name, file, rows);
+    else wrong = weight_of(node, key.str(), file).error();
   }
-  const toml::table* const traits = guess["text"].as_table();
-  if (traits == nullptr) return rows;
-  for (const auto& [key, node] : *traits) {
-    const auto known =
-        std::find_if(trait_texts.begin(), trait_texts.end(), [name = key.str()](const TraitText& t) { return t.key == name; });
-    if (known == trait_texts.end()) {
-      std::vector<std::string_view> keys;
-      for (const TraitText& t : trait_texts) keys.push_back(t.key);
-      const std::string_view near = toml_tools::nearest(key.str(), keys);
-      return Failed(toml_tools::place(file, node) + say("unknown key '{}'", key.str()) +
-                    (near.empty() ? "" : say(", nearest: '{}'", near)));
-    }
-    const auto weight = weight_of(node, key.str(), file);
-    if (!weight) return Failed(weight.error());
-    rows.traits.emplace_back(static_cast<TextTrait>(known - trait_texts.begin()), *weight);
-  }
+  if (wrong) return Failed(*wrong);
   return rows;
 }
 
@@ -76,6 +79,28 @@ const std::vector<GuessRows>& built_in_guess_rows() {
       auto rows = guess_rows_of(*guess, file);
       assert(rows);  // tests/controls_table.py loads each file
       rows->control = id;
+      of.push_back(std::move(*rows));
+    }
+    return of;
+  }();
+  return all;
+}
+
+const std::vector<GuessRows>& dialect_rows() {
+  static const std::vector<GuessRows> all = [] {
+    constexpr const char* file = "controls/dialects.toml";
+    std::vector<GuessRows> of;
+    const auto table = toml_tools::embedded_table(file);
+    assert(table);
+    for (const auto& [id, node] : *table) {
+      const toml::table& dialect = *node.as_table();
+      auto rows = guess_rows_of(*dialect["guess"].as_table(), file);
+      assert(rows);  // tests/config/guess_test.cpp
+      rows->control = std::string(id.str());
+      rows->name_en = dialect["name"]["en"].value_or(std::string());
+      rows->name_ru = dialect["name"]["ru"].value_or(std::string());
+      if (const toml::array* const by = dialect["refused_by"].as_array())
+        for (const toml::node& control : *by) rows->refused_by.push_back(control.value_or(std::string()));
       of.push_back(std::move(*rows));
     }
     return of;

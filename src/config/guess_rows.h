@@ -1,5 +1,6 @@
 #pragma once
-// What speaks for each control: the section [guess] of the controls' files.
+// What speaks for each control: the section [guess] of the controls' files; and for each language that Kadr does not read:
+// controls/dialects.toml.
 
 #include <toml++/toml.h>
 
@@ -7,48 +8,44 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
+
+#include "config/guess_traits.h"
 
 namespace kadr {
 
-/// What a text is like as a whole.
-enum class TextTrait : std::uint8_t {
-  all_numbered,     // every block has its number
-  few_numbered,     // less than half
-  decimal_points,   // some number has one
-  long_integers,    // coordinates of four digits and more, and no point anywhere
-  whole_lengths,    // X10, Y-5: of one to three digits, and no length has a point
-  plus_signs,       // `X+10.`, and no code of one digit
-  two_digit_codes,  // G01, and no code of one digit; every block numbered
-  program_number,   // `%`, then O0001; not where every block is numbered, with codes of two digits only
-  count
+enum class MarkPlace : std::uint8_t {
+  statement,  // [guess]: in the blocks
+  comment,    // [guess.comment]: words of the comments
+  name        // [guess.name]: what the file is called, and the folder it lies in
 };
-/// As the keys of [guess.text] say it; and for people.
-struct TraitText {
-  std::string_view key, en, ru;
-};
-const TraitText& text_of(TextTrait trait);
 
 struct GuessMark {
   std::string pattern;  // guess_pattern.h
-  double weight = 0;
+  double weight = 0;    // below 0: speaks against it
+  MarkPlace place = MarkPlace::statement;
 };
 
-/// Of one control.
+/// Of one control, or one language.
 struct GuessRows {
-  std::string control;
+  std::string control;           // its id
+  std::string name_en, name_ru;  // of a language: for people
+  std::vector<std::string> refused_by;  // of a language: controls that it is taken for, and that Kadr reads as something else
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark of this weight tells the control by itself.
+/// A mark of this weight tells the control by itself; what is found of a language must weigh as much.
 inline constexpr double decisive_weight = 10;
 
 /// Rows of a section [guess].
-///   returns  an error sentence: a weight that is no number from 0 to 20, a trait that nobody knows
+///   returns  an error sentence: a weight that is no number from -20 to 20 or 0, a trait that nobody knows
 tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file);
 
 /// Of the built-in controls, read once.
 const std::vector<GuessRows>& built_in_guess_rows();
+/// Of the languages that Kadr does not read, read once.
+const std::vector<GuessRows>& dialect_rows();
 
 }  // namespace kadr

@@ -215,7 +215,7 @@ inline constexpr Row rows[] = {
     {"#{} is beyond [grammar] variables", "#{} больше, чем [grammar] variables"},
     // ---- [guess], aliases, extends
     {"[{}] {} has no effect: the control that is extended says the same", "[{}] {} не действует: в расширяемой системе то же самое"},
-    {"[guess] {}: a weight is a number above 0, {} at most", "[guess] {}: вес — число больше 0, не больше {}"},
+    {"[guess] {}: a weight is a number other than 0, {} at most", "[guess] {}: вес — число, не 0, по модулю не больше {}"},
     {"aliases have no effect in a file of your own: it is named by its path",
      "aliases в собственном файле не действует: его называют по пути"},
     {"aliases: a list of texts", "aliases: список строк"},

@@ -6,86 +6,11 @@
 #include <array>
 
 #include "base/ascii.h"
-#include "config/guess_pattern.h"
 
 namespace kadr {
 namespace {
 
 constexpr int lines_looked_at = 500;
-
-/// A language that Kadr does not know, and what stands in no program of our controls, as config/guess_pattern.h writes it.
-struct LanguageMark {
-  const char* pattern;
-  const char* language;
-};
-constexpr LanguageMark language_marks[] = {
-    {"BEGINPGM", "Heidenhain"},
-    {"ENDPGM", "Heidenhain"},
-    {"TOOLCALL", "Heidenhain"},
-    {"TOOLDEF", "Heidenhain"},
-    {"CYCLDEF", "Heidenhain"},
-    {"CYCLCALL", "Heidenhain"},
-    {"BLKFORM", "Heidenhain"},
-    {"FMAX", "Heidenhain"},
-    {"CALLLBL", "Heidenhain"},
-    {"^LBL\\d", "Heidenhain"},
-    {"FN\\d:", "Heidenhain"},
-    {"DR+", "Heidenhain"},
-    {"DR-", "Heidenhain"},
-    {"LX\\n", "Heidenhain"},
-    {"LY\\n", "Heidenhain"},
-    {"LZ\\n", "Heidenhain"},
-    {"PLANESPATIAL", "Heidenhain"},
-    {";$PATH=", "Sinumerik"},
-    {"MCALL", "Sinumerik"},
-    {"DEFREAL", "Sinumerik"},
-    {"DEFINT", "Sinumerik"},
-    {"CYCLE\\d", "Sinumerik"},
-    {"WORKPIECE(", "Sinumerik"},
-    {"STOPRE", "Sinumerik"},
-    {"GOTOF", "Sinumerik"},
-    {"GOTOB", "Sinumerik"},
-    {"\\a=IC(", "Sinumerik"},
-    {"\\a=AC(", "Sinumerik"},
-    {"\\a=DC(", "Sinumerik"},
-    {"\\a=R\\d", "Sinumerik"},
-    {"^R\\d=", "Sinumerik"},
-    {"^TRANS\\a", "Sinumerik"},
-    {"ATRANS", "Sinumerik"},
-    {"^AROT", "Sinumerik"},
-    {"SUPA", "Sinumerik"},
-    {"TRAORI", "Sinumerik"},
-    {"TRAFOOF", "Sinumerik"},
-    {"DIAMON", "Sinumerik"},
-    {"DIAMOF", "Sinumerik"},
-    {"FFWON", "Sinumerik"},
-    {"POCKET3(", "Sinumerik"},
-    {"POCKET4(", "Sinumerik"},
-    {"HOLES1(", "Sinumerik"},
-    {"HOLES2(", "Sinumerik"},
-    {"CR=\\n", "Sinumerik"},
-    {"TURN=", "Sinumerik"},
-    {"AP=\\n", "Sinumerik"},
-    {"$TC_", "Sinumerik"},
-    {"$P_", "Sinumerik"},
-    {"$AA_", "Sinumerik"},
-    {"^PROC ", "Sinumerik"},
-    {"MSG(\"", "Sinumerik"},
-    {"G500", "Sinumerik"},
-    {"CALLO", "Okuma"},
-    {"VZOF", "Okuma"},
-    {"VTOFH", "Okuma"},
-    {"VTOFD", "Okuma"},
-    {"NAT0", "Okuma"},
-    {"MODIN", "Okuma"},
-    {"MODOUT", "Okuma"},
-    {"^RTS$", "Okuma"},
-    {"NOEX", "Okuma"},
-    {"^VC\\d=", "Okuma"},
-    {"G15H\\d", "Okuma"},
-    {"G56HA", "Okuma"},
-    {"NCYL", "Okuma"},
-};
 
 /// Words of letters that stand in programs of our controls.
 constexpr std::array<std::string_view, 54> statement_words = {
@@ -135,10 +60,23 @@ WordCount words_of(std::string_view line) {
   return count;
 }
 
+/// Commas before numbers: of a table, `M2 x 0.4, 2.5, 1.886`. Blocks have them before letters (`,R5`) and in brackets.
+bool is_like_row(std::string_view line) {
+  int commas = 0, depth = 0;
+  for (std::size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
+    if (line[i] == '[' || line[i] == '(') ++depth;
+    if (line[i] == ']' || line[i] == ')') --depth;
+    if (line[i] != ',' || depth != 0) continue;
+    const std::size_t next = line.find_first_not_of(" \t", i + 1);
+    commas += next != std::string_view::npos && begins_value(line[next]);
+  }
+  return commas >= 2;
+}
+
 bool is_like_block(const std::string& line) {
-  if (line[0] == '%' || line[0] == ';' || line[0] == '/') return true;
+  if (line[0] == '%' || line[0] == ';' || (line[0] == '/' && !line.starts_with("//"))) return true;
   const WordCount count = words_of(line);
-  return count.addresses > count.words;
+  return count.addresses > count.words && !is_like_row(line);
 }
 
 /// For people: what the line begins with, whole characters.
@@ -176,10 +114,10 @@ std::string bare_line(std::string_view line) {
 }
 
 KindOfText kind_of_text(std::string_view sample) {
-  if (is_binary(sample)) return {TextKind::binary, {}, {}, 0};
+  if (is_binary(sample)) return {TextKind::binary, {}, 0};
   std::uint32_t number = 0;
   int lines = 0, blocks = 0;
-  KindOfText first_prose{TextKind::prose, {}, {}, 0};
+  KindOfText first_prose{TextKind::prose, {}, 0};
   for (std::string_view rest = sample; !rest.empty() && lines < lines_looked_at;) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view whole = rest.substr(0, end);
@@ -187,16 +125,11 @@ KindOfText kind_of_text(std::string_view sample) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++number;
     if (line.empty()) continue;
-    const GuessLine forms = guess_line(whole);
-    const bool has_names = line.find("#<") != std::string::npos || line.find("O<") != std::string::npos;  // LinuxCNC's, of any letters
-    for (const LanguageMark& mark : language_marks)
-      if (const std::string_view found = found_in(forms, mark.pattern); !found.empty() && !has_names)
-        return {TextKind::other_language, mark.language, std::string(found), number};
     ++lines;
     if (is_like_block(line)) ++blocks;
-    else if (first_prose.line == 0) first_prose = {TextKind::prose, {}, beginning_of(whole), number};
+    else if (first_prose.line == 0) first_prose = {TextKind::prose, beginning_of(whole), number};
   }
-  if (lines == 0) return {TextKind::empty, {}, {}, 0};
+  if (lines == 0) return {TextKind::empty, {}, 0};
   return 2 * blocks < lines ? first_prose : KindOfText();
 }
 

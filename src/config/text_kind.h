@@ -1,6 +1,5 @@
 #pragma once
-// What kind of text a file holds, before anybody asks for which control: a part program, one of a language that Kadr does not know,
-// prose, or no text at all.
+// What kind of text a file holds, before anybody asks for which control: blocks, prose, or no text at all.
 
 #include <cstdint>
 #include <string>
@@ -8,12 +7,11 @@
 
 namespace kadr {
 
-enum class TextKind : std::uint8_t { program, other_language, prose, binary, empty };
+enum class TextKind : std::uint8_t { program, prose, binary, empty };
 
 struct KindOfText {
   TextKind kind = TextKind::program;
-  std::string language;    // of other_language: "Heidenhain"
-  std::string found;       // what in the text says so
+  std::string found;       // of prose: its first line that is no block
   std::uint32_t line = 0;  // where, from 1; 0: nowhere in particular
 };
 

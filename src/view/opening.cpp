@@ -5,12 +5,14 @@
 #include <fmt/core.h>
 
 #include <cerrno>
+#include <filesystem>
 
 #include "config/control_file.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "lang/text/several_programs.h"
 #include "machine/plc.h"
+#include "session/guess_trial.h"
 
 namespace kadr {
 namespace {
@@ -31,6 +33,12 @@ std::optional<std::string> beginning_of(const OpenedProgram& opened) {
   std::string utf8;
   (void)append_utf8(sample, *encoding, utf8);
   return utf8;
+}
+
+/// "/folder/part.nc"
+std::string called(const std::string& path) {
+  const std::filesystem::path whole(path);
+  return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
@@ -86,7 +94,8 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
   std::string control = wish.control;
   if (control.empty()) {
-    opened.guess = guess_control(*beginning);
+    opened.guess = guess_control(*beginning, called(wish.path));
+    try_guess(*opened.guess, *beginning);
     control = opened.guess->control;
     if (control.empty())
       return wrong(fmt::format("{}: {}",
