@@ -36,7 +36,7 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
     if (is_stated(use, used, job.stated)) continue;
     if (first == nullptr) first = &use;
     if (!told.insert(used.word).second) continue;  // D of the 2С42: length and radius
-    const char* const vacant = use.kind == UseKind::variable ? kadr::told(", vacant", ", не определена") : "";
+    const std::string vacant = use.kind == UseKind::variable ? kadr::told(", vacant", ", не определена") : std::string();
     list += fmt::format("{}{} ({}{})", list.empty() ? "" : ", ", used.word, use.origin.line, vacant);
   }
   if (first == nullptr) return std::nullopt;
