@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "config/told.h"
+
 namespace kadr::cli {
 namespace {
 
@@ -34,7 +36,8 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
     if (is_stated(use, used, job.stated)) continue;
     if (first == nullptr) first = &use;
     if (!told.insert(used.word).second) continue;  // D of the 2С42: length and radius
-    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", used.word, use.origin.line);
+    const std::string vacant = use.kind == UseKind::variable ? kadr::told(", vacant", ", не определена") : std::string();
+    list += fmt::format("{}{} ({}{})", list.empty() ? "" : ", ", used.word, use.origin.line, vacant);
   }
   if (first == nullptr) return std::nullopt;
   AlarmReport report;

@@ -33,10 +33,7 @@ double per_minute(const CourseState& s) {
 }
 
 /// By no more than an F word of that increment can help; never by much of the feed, however coarse the word.
-bool is_rounded(double a, double b, double step) {
-  constexpr double most_share = 0.01;
-  return std::abs(a - b) <= std::min(step / 2 + same_value, most_share * std::abs(a));
-}
+bool is_rounded(double a, double b, double step) { return std::abs(a - b) <= std::min(step / 2 + same_value, 0.01 * std::abs(a)); }
 
 /// The first of what is in force that differs, but for the unit of the feed; nothing: nothing does.
 std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, const CompareRules& rules) {
