@@ -66,12 +66,6 @@ bool StateFile::Database::stands() const {
   return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_);
 }
 
-/// Of a file that was deleted under a process that was killed then: SQLite would take it for that of the next file of that name.
-void set_aside(const std::string& log) {
-  std::error_code none;
-  if (std::filesystem::exists(log, none)) std::filesystem::rename(log, log + ".old", none);
-}
-
 /// What is wrong, and what can be done: the file is left as it is.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
   const std::size_t more = faults.size() - 1;
@@ -119,10 +113,8 @@ int StateFile::Database::prepare_rows() {
 
 Done StateFile::Database::open(const std::string& control_id) {
   std::error_code none;
-  if (!path_.empty() && !std::filesystem::exists(path_, none)) {
-    set_aside(path_ + "-wal");
+  if (!path_.empty() && !std::filesystem::exists(path_, none))
     if (auto made = make_state(path_, control_id, {}); !made && !std::filesystem::exists(path_, none)) return made;
-  }
   if (auto done = vetted(path_); !done) return done;
   if (auto done = base_.connect(); !done) return done;
   if (auto done = check(control_id); !done) return done;

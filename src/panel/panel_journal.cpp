@@ -3,6 +3,7 @@
 #include "panel/panel_journal.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 namespace kadr {
@@ -11,9 +12,18 @@ namespace {
 constexpr const char* control = "panel";  // whose state it is
 const std::string log_ = "log:";
 
+/// What a server has left that was killed after its file had been deleted: it belongs to nothing any more, and would keep a new file from
+/// being made. It stays beside it, in case somebody misses it.
+void put_left_log_aside(const std::string& path) {
+  std::error_code none;
+  if (!path.empty() && !std::filesystem::exists(path, none) && std::filesystem::exists(path + "-wal", none))
+    std::filesystem::rename(path + "-wal", path + "-wal.old", none);
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<PanelJournal>, std::string> PanelJournal::open(const std::string& path) {
+  put_left_log_aside(path);
   auto file = StateFile::open(path, control);
   if (!file) return tl::unexpected(file.error());
   const auto stored = file->load();

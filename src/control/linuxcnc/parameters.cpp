@@ -110,7 +110,7 @@ LinuxCnc::NameKind LinuxCnc::kind_of(const Interpreter& m, double number) const 
 Result<double> LinuxCnc::number_of_element(const Interpreter& m, double symbol, double index, Span where) const {
   if (symbol == symbol_own_number && VariableNames::is_named(index)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   if (symbol == symbol_own_number) return index;
-  if (!VariableNames::is_named(index)) return index >= 1 && index <= last_parameter ? 1.0 : 0.0;
+  if (symbol == symbol_number_exists) return index >= 1 && index <= last_parameter ? 1.0 : 0.0;
   if (level().named.contains(index) || globals_.contains(index)) return 1.0;
   return predefined(m, *this, m.def.grammar.named_variables->name_of(index)) ? 1.0 : 0.0;
 }

@@ -196,19 +196,18 @@ class Compiler : public StepWriter {
     cursor_.skip_blanks();
     if (cursor_.peek() != '#') return fail(alarm(AlarmId::exists_parameter, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    if (named_here()) {
+    const bool is_name = named_here();
+    if (is_name) {
       KADR_TRY(named(begin, Op::number));
     } else {
-      const std::size_t first = block_.code.size();
       KADR_TRY(enter(begin));
       KADR_TRY(factor());
       --depth_;
-      KADR_TRY(own_number(begin, first));
     }
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    return step(Op::element, symbol_exists, begin, 0);  // the control says whether there is one
+    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control says whether there is one
   }
 
   /// Only the operand that follows (nct 23.2.4), with its signs.

@@ -15,11 +15,20 @@ constexpr std::string_view clipped = "…";
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
+/// Bytes of a character of UTF-8 by its first one; 0: it is none.
+std::size_t length_by(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+}
+
+/// Its characters; of what is no UTF-8 each byte, with what goes on behind it as far as a character might.
 std::vector<std::string_view> characters(std::string_view text) {
   std::vector<std::string_view> all;
   for (std::size_t i = 0; i < text.size();) {
+    const std::size_t most = i + length_by(static_cast<unsigned char>(text[i]));
     std::size_t end = i + 1;
-    while (end < text.size() && end - i < 4 && continues(text[end])) ++end;
+    while (end < text.size() && end < most && continues(text[end])) ++end;
     all.push_back(text.substr(i, end - i));
     i = end;
   }
@@ -47,11 +56,9 @@ std::string bytes_shown(std::string_view bytes) {
 /// Control characters must not reach a terminal: their pictures, U+2400 and on.
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
-  const std::size_t length = byte < 0x80 ? 1 : byte < 0xC2 ? 0 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-  if (length == 1 && character.size() > 1) return character_shown(character.substr(0, 1)) + bytes_shown(character.substr(1));
   const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
-  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90) || byte > 0xF4;  // of a smaller character
-  if (character.size() != length || too_long_form) return bytes_shown(character);
+  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // of a smaller character
+  if (character.size() != length_by(byte) || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
   if (byte < 0x20 && byte != '\t') return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);
   const bool second_set = byte == 0xC2 && second < 0xA0;
@@ -96,8 +103,12 @@ std::string shortened_line(std::string_view line, std::size_t most) {
 std::string marked_line(std::string_view line, Span place) {
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
   const std::vector<std::string_view> all = characters(line);
-  const std::size_t begin = characters_before(line, place.begin);
-  const std::size_t end = std::max<std::size_t>(begin + 1, characters_before(line, place.end));
+  const auto before = [&](std::size_t bytes) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; count < all.size() && at < bytes; ++count) at += all[count].size();
+    return count;
+  };
+  const std::size_t begin = before(place.begin), end = std::max(begin + 1, before(place.end));
   const std::size_t first = all.size() > widest && begin > ahead ? begin - ahead : 0;
   const std::size_t last = std::min(all.size(), first + widest);
 
