@@ -117,6 +117,45 @@ def check_what_cannot_be_read(kadr):
     expect('readme: unknown' in err and json.loads(out)['runs'][0]['invocations'][0]['toolExecutionNotifications'], err)
 
 
+def check_files_of_subprograms(kadr):
+    """LinuxCNC: files of nothing but O subprograms are called, not run; they need no sign %."""
+    kadr.file('main.ngc', 'G21 F100\no<one> call [5]\nM2\n')
+    kadr.file('one.ngc', '(for the main program)\no<one> sub\nG0 X#1\no<one> endsub\n\n')
+    kadr.file('two.ngc', 'o100 sub ; the first\nG0 X1\no100 endsub\nO<Two> Sub\nG0 X2\no<two> endsub\n')
+    out, err = kadr.check('.', '--control', 'linuxcnc')
+    expect(out.startswith('3 programs checked: 0 errors'), out + err)
+    kadr.file('one.ngc', 'o<one> sub\nG0 X#1\no<one> endsub\nG0 X3\n')     # a motion behind it: a program
+    kadr.file('two.ngc', 'o<two> sub\nG0 X2\n')                            # the end of the definition is missing
+    kadr.file('three.ngc', '(nothing)\n')
+    _, err = kadr.check('.', '--control', 'linuxcnc', expected=1)
+    for name in ('one.ngc', 'two.ngc', 'three.ngc'):
+        expect(f'{name}:' in err, f'{name} has no end, which is not told: {err}')
+
+
+def check_the_program_memory(kadr):
+    """What a program calls is looked for in the folder of --files and, LinuxCNC, in those of the ini file that lie in it."""
+    kadr.file('jobs/a.ngc', 'G21 F100\no<near> call\no<far> call\nM2\n')
+    kadr.file('jobs/b.ngc', 'G21 F100\no<near> call\no<far> call\n(the same)\nM2\n')
+    kadr.file('memory/near.ngc', 'o<near> sub\nG1 X1 Z-1\no<near> endsub\n')
+    kadr.file('memory/subs/far.ngc', 'o<far> sub\nG1 X2\no<far> endsub\n')
+    kadr.file('memory/mill.ini', '[DISPLAY]\nPROGRAM_PREFIX = subs\n')
+    kadr.file('setup.json', '{"ini": "mill.ini"}')
+    common = ('--control', 'linuxcnc', '--setup', 'setup.json', '-q')
+    _, err = kadr.check('jobs/a.ngc', '--control', 'linuxcnc', expected=1)
+    expect('o<near>' in err, f'without --files: {err}')
+    memory = (*common, '--files', 'memory')
+    kadr.check('jobs/a.ngc', *memory)
+    kadr.file('tools.toml', '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 6\nflutes = 20\nlength = 50\n')
+    cut = kadr.run('cut', 'jobs/a.ngc', *memory, '--stock', 'box:-20,-20,-10,20,20,0', '--tools', 'tools.toml', expected=(0, 1))
+    expect('o<near>' not in cut.stderr, cut.stderr)
+    kadr.run('report', 'jobs/a.ngc', *memory, '--out', 'a.html')
+    kadr.run('diff', 'jobs/a.ngc', 'jobs/b.ngc', *memory)
+    kadr.run('convert', 'jobs/a.ngc', '--from', 'linuxcnc', '--to', 'linuxcnc', '--setup', 'setup.json', '--files', 'memory', '-q', '--out', 'c.ngc')
+    expect(sorted(p.name for p in (kadr.folder / 'memory').iterdir()) == ['mill.ini', 'near.ngc', 'subs'], 'something was written there')
+    _, err = kadr.check('jobs/a.ngc', *common, '--files', 'nowhere', expected=2)
+    expect('nowhere' in err, err)
+
+
 def check_a_deep_tree(kadr):
     deep = os.open(kadr.folder, os.O_RDONLY)
     for _ in range(60):   # longer than a path may be

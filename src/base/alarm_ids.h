@@ -122,5 +122,8 @@
   /* lines that are checked by themselves (spec/grbl) */ \
   X(value_below_zero) X(block_number_large) X(tool_number_large) X(system_number_large) X(length_axis_wrong) X(arc_without_plane_word) \
   X(jog_code) X(jog_target) X(system_line) X(system_line_passed) X(homing_off) X(soft_limits_need_homing) X(step_pulse_short) \
-  X(reference_in_cycle) X(reference_missed) X(look_ahead_wrong) X(call_without_program) X(dwell_missing) X(table_kind_unknown) X(pocket_words_wrong) X(machine_code_unknown) X(offset_number_large)
+  X(reference_in_cycle) X(reference_missed) X(look_ahead_wrong) X(call_without_program) X(dwell_missing) X(table_kind_unknown) X(pocket_words_wrong) X(machine_code_unknown) X(offset_number_large) \
+  /* 32-bit figures of Grbl (spec/grbl 1.3, 5.2), its speed range; LinuxCNC 2.9; probes of which nothing is stated */ \
+  X(single_arc_turns) X(single_arc_path) X(single_arc_refused) X(single_arc_passed) X(speed_beyond_setting) X(percent_passed_over) \
+  X(sub_in_sub) X(machine_move_with_offset) X(probe_unstated)
 // clang-format on

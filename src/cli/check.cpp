@@ -15,9 +15,12 @@
 #include "cli/program_files.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
+#include "cli/sub_file.h"
 #include "cli/terminal.h"
 #include "cli/unstated.h"
+#include "config/read_file.h"
 #include "config/told.h"
+#include "lang/text/utf16.h"
 #include "out/text/alarm_print.h"
 #include "out/text/baseline.h"
 
@@ -52,6 +55,7 @@ class Collector {
     // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
     const bool begins_again = report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done;
     if (begins_again && one_pass) return true;
+    if (only_subprograms && report.alarm.id == AlarmId::rs274_program) return true;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     Finding finding = finding_of(report, job_.texts(), lang_);
     if (to_.baseline && to_.baseline->has(finding)) return true;
@@ -63,6 +67,7 @@ class Collector {
   std::size_t faults = 0;
   std::size_t warnings = 0;
   bool one_pass = false;
+  bool only_subprograms = false;  // nobody runs the file: it needs no end
   bool clean() const { return faults == 0 && (!strict_ || warnings == 0); }
 
  private:
@@ -98,6 +103,8 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
   if (!session) return Checked::unreadable;
   const std::vector<Channel>& channels = session->channels();
   Progress progress(options.quiet);
+  const std::shared_ptr<ByteSource> text = job.def->grammar.o_words && job.file != "-" ? open_text(job.file).source : nullptr;
+  const bool only_subprograms = text && holds_only_subprograms(LineReader(text));
   std::deque<Collector> collectors;
   Found found(job.texts(), language(options), report.text, options.every);
   session->together().stop_together = false;
@@ -105,6 +112,7 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
     if (seen.size() <= i) seen.emplace_back();
     collectors.emplace_back(job, options, report, found, seen[i]);
     collectors.back().one_pass = one_pass;
+    collectors.back().only_subprograms = only_subprograms;
     session->outlets(i) = outlets_of(collectors.back(), progress);
   }
   if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here

@@ -37,6 +37,8 @@ void add_serve(CLI::App& app, Commands& commands);
 /// The options of a program, of all commands that take one (program_commands.cpp).
 void program_argument(CLI::App& app, Options& options);
 void program_options(CLI::App& app, Options& options);
+/// --files of the commands in which a program writes nothing.
+void memory_option(CLI::App& app, Options& options);
 
 void control_option(CLI::App& app, std::string& control);
 void language_option(CLI::App& app, std::string& lang);

@@ -222,6 +222,7 @@ void add_convert(CLI::App& app, Commands& c) {
                                   "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
          "MM", "ММ", least_apart, most_apart);
   program_options(*convert, o.run);
+  memory_option(*convert, o.run);
   convert->footer(convert_examples());
 }
 

@@ -115,6 +115,7 @@ void add_cut(CLI::App& app, Commands& c) {
                               told("what each block takes away, a row a block: a file .csv or - for stdout",
                                    "что снимает каждый кадр, по строке на кадр: файл .csv или - на стандартный вывод")));
   program_options(*cut, o.run);
+  memory_option(*cut, o.run);
   cut->footer(cut_examples());
 }
 

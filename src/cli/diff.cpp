@@ -200,6 +200,7 @@ void add_diff(CLI::App& app, Commands& c) {
       diff->add_option("--setup-a", o.setup_a, told("set-up of A (default: --setup)", "исходное состояние для A (по умолчанию --setup)")));
   takes_file(diff->add_option("--setup-b", o.setup_b, told("set-up of B", "исходное состояние для B")));
   program_options(*diff, o.both);
+  memory_option(*diff, o.both);
   diff->footer(diff_examples());
 }
 

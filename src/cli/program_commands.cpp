@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <limits>
 
 #include "cli/command_parts.h"
@@ -88,6 +89,20 @@ void program_options(CLI::App& app, Options& o) {
                told("print each warning whole, however many are alike", "печатать каждое предупреждение целиком, сколько бы ни было похожих"));
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
+}
+
+void memory_option(CLI::App& app, Options& o) {
+  takes(app.add_option_function<std::string>(
+               "--files", [&o](const std::string& folder) { o.limits.files = (std::filesystem::path(folder) / "").string(); },
+               told("folder of the program memory, where what the program calls and the set-up names is looked for (default: the "
+                    "program's own); nothing is written there",
+                    "папка памяти программ, где ищется то, что вызывает УП и называет наладка (по умолчанию папка самой УП); в неё "
+                    "ничего не пишется"))
+            ->check([](const std::string& folder) {
+              std::error_code error;
+              return std::filesystem::is_directory(folder, error) ? std::string() : told("no folder ", "нет папки ") + folder;
+            }),
+        "DIR", "ПАПКА");
 }
 
 namespace {
@@ -199,6 +214,7 @@ void add_check(CLI::App& app, Commands& c) {
   check->add_option(told("PROGRAM", "УП"), o.programs, told("programs and folders of programs", "программы и папки с программами"))
       ->required();
   program_options(*check, o);
+  memory_option(*check, o);
   one_of(check->add_option("--format", o.format, told("of what is found", "вид перечня найденного")), {"text", "json", "sarif"})
       ->capture_default_str();
   writes_file(check->add_option("--output", o.output,

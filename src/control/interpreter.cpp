@@ -119,6 +119,8 @@ Control::State Interpreter::run(ActionBatch& to) {
     if (!got && dialect && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) continue;
     if (got) {
       take_block();
+      if (unplaced != 0) [[unlikely]]
+        note_placed();
       motion_run_.note(*this);
       if (block_states_) [[unlikely]]
         block_states_->note(origin.number, *this);
@@ -258,6 +260,7 @@ void Interpreter::fail_with(const Alarm& failed) {
   waiting_count_ = 0;
   block_open = false;
   report = report_of(failed, origin, block->text);
+  if (follows_refused_motion(failed.id)) return keep_from_faulty_block();
   stopped_ = true;
   if (dialect) dialect->failed(*this);
 }

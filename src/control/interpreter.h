@@ -247,6 +247,7 @@ class Interpreter : public ControlState, public RunMemory {
   bool block_exact = false;                   // G9 in this block
   bool block_machine_coordinates = false;     // G53 with a motion (Mach3)
   bool needs_probe = false;
+  bool probe_stated = false;  // the set-up says what a probe meets
   Span probe_where;
   bool each_block = false;  // hand over after each block
   bool block_open = false;  // a watched block has been carried out, its end is to come
@@ -312,7 +313,11 @@ class Interpreter : public ControlState, public RunMemory {
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
+  bool follows_refused_motion(AlarmId id) const;
   void keep_from_faulty_block();
+  void keep_modes_of_faulty_block();
+  void stand_where_meant();
+  void note_placed();
   std::shared_ptr<const BlockMemory> block_memory() const;
   void go_on_in_block(const BlockMemory& then);
 

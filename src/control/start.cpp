@@ -73,6 +73,7 @@ void Interpreter::check_setup(const Setup& setup) {
 void Interpreter::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
+  probe_stated = !setup.probe.empty() || setup.probe_hole.has_value();
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   check_setup(setup);

@@ -65,7 +65,7 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   if (setup.channels.contains(setup.channel))
     return refused(fmt::format("channel {} is the program's own", setup.channel), fmt::format("канал {} — самой УП", setup.channel));
   const std::string file = program.file;
-  if (!limits.writes_files) limits.files = folder_of(file);
+  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // nobody has said which
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels;
   const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {

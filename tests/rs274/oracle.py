@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-PROGRAM = '/usr/bin/rs274'
+PROGRAM = os.environ.get('KADR_RS274', '/usr/bin/rs274')
 USER_UNIT = struct.pack('<d', 0.03937007874016)     # user units per mm in the stub
 SIX_AXES, NINE_AXES = b'\xb8\x3f\x00\x00\x00\xc3', b'\xb8\xff\x01\x00\x00\xc3'     # return 0x3f, 0x1ff: a bit an axis
 CANONICAL = re.compile(r' *\d+ N[0-9.]* *([A-Z_.0-9]+)\((.*)\)$')
@@ -137,7 +137,8 @@ class Oracle:
             done = subprocess.run([str(program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
                                   timeout=seconds, stdin=subprocess.DEVNULL,
                                   env={**os.environ, 'HOME': home, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
-        said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(('executing', 'link ('))]
+        noise = ('executing', 'link (', 'PYTHON:', 'ModuleNotFoundError:')  # the latter two of a build without Python
+        said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(noise)]
         lines = done.stdout.decode('latin-1').splitlines()
         return lines, None if done.returncode == 0 else said[0] if said else 'ended without a word'
 

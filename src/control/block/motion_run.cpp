@@ -22,7 +22,7 @@ bool only_words_count(const Interpreter& m) {
   const bool plain_frames = m.transform.identity && m.frames.is_plain();
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
   const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
-  return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 &&
+  return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 && m.unplaced == 0 &&
          (!m.dialect || m.dialect->lines_follow(m));
 }
 

@@ -1,6 +1,7 @@
 // Going on: another pass of a main program; after a faulty block, for people who check.
 
 #include <algorithm>
+#include <span>
 
 #include "control/interpreter.h"
 
@@ -39,16 +40,95 @@ bool Interpreter::may_have_steered() const {
 void Interpreter::go_on() {
   stopped_ = false;
   if (dialect) dialect->note_fault(*this, may_have_steered());
-  damaged = false;
   keep_from_faulty_block();
+  damaged = false;
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
   if (dialect && dialect->leave_call(*this)) return;
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
-/// What the faulty block would have left to those after it, so that one fault is one alarm: a feed, the end of a
-/// subprogram or repetition.
+/// An alarm that says no more than that the tool stands elsewhere than it would, had the motion before it not been refused.
+bool Interpreter::follows_refused_motion(AlarmId id) const {
+  if (unplaced == 0) return false;
+  switch (id) {
+    case AlarmId::radius_mismatch:
+    case AlarmId::radius_too_small:
+    case AlarmId::full_circle_by_radius:
+    case AlarmId::arc_radius_zero:
+    case AlarmId::rs274_arc:
+    case AlarmId::limit_exceeded:
+    case AlarmId::jog_target:
+    case AlarmId::probe_too_close:
+    case AlarmId::cycle_level: return true;
+    default: return false;
+  }
+}
+
+/// The modes that its codes name: those that say what coordinates mean, and the motion.
+void Interpreter::keep_modes_of_faulty_block() {
+  if (damaged || block->statement.kind != StatementKind::none) return;
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
+    const Word& w = block->words[i];
+    const std::int32_t place = w.address == 0 || w.code < 0 ? -1 : def.row_of(w.address, w.code);
+    if (place < 0) continue;
+    const CodeRow& row = def.codes[static_cast<std::size_t>(place)];
+    if (!row.modal || row.group == 0 || !row.works) continue;
+    const Phase phase = traits_of(row.function).phase;
+    const auto number = static_cast<std::int16_t>(place);
+    if (traits_of(row.function).is(function_fact::plain_motion)) {
+      modal.motion = row.function == Function::rapid    ? MotionMode::rapid
+                     : row.function == Function::linear ? MotionMode::linear
+                     : row.function == Function::arc_cw ? MotionMode::arc_cw
+                                                        : MotionMode::arc_ccw;
+      modal.motion_row = modal.rows[row.group] = number;
+    } else if (phase == Phase::plane || phase == Phase::distance || phase == Phase::unit) {
+      if (handler_of(row.function)(*this, {&row, &w, w.where})) modal.rows[row.group] = number;
+    }
+  }
+}
+
+/// A motion that was refused: the blocks behind it were written for where it leads to. Where its words do not say that (it could not be
+/// read, they belong to another code), the axes are unplaced until a block gives them a coordinate.
+void Interpreter::stand_where_meant() {
+  if (block->statement.kind != StatementKind::none || flow.in_body()) return;
+  const bool unread = damaged || block->broken;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const char letter = letters.axis_letter[a];
+    if (letter != 0 && (unread ? block->text.find(letter) != std::string_view::npos : has(letter))) named |= AxisMask{1} << a;
+  }
+  if (named == 0) return;
+  const std::span words(block->words.data(), block->word_count);
+  const bool is_plain = std::all_of(words.begin(), words.end(), [this](const Word& w) {
+    if (w.code < 0) return true;
+    const std::int32_t row = w.address == 0 ? -1 : def.row_of(w.address, w.code);
+    if (row < 0) return false;
+    const FunctionTraits& traits = traits_of(def.codes[static_cast<std::size_t>(row)].function);
+    return traits.is(function_fact::plain_motion) || !traits.takes_axes();
+  });
+  const bool moves = modal.motion == MotionMode::rapid || modal.motion == MotionMode::linear || modal.motion == MotionMode::arc_cw ||
+                     modal.motion == MotionMode::arc_ccw;
+  Axes to;
+  AxisMask by_words = 0;
+  const bool is_known = !unread && is_plain && moves && !modal.polar && modal.surface == PathSurface::plane && frames.is_plain() &&
+                        (!block->evaluates || evaluate_words()) && target(to, by_words);
+  if (!is_known || !within_reach(transform.to_work(to))) return void(unplaced |= named);
+  move_to(to, transform.to_work(to), by_words);
+  if (modal.absolute) unplaced &= ~by_words;
+}
+
+/// A block has been carried out: the axes that it gives a coordinate stand there.
+void Interpreter::note_placed() {
+  if (stopped_ || !modal.absolute || block->statement.kind != StatementKind::none) return;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const char letter = letters.axis_letter[a];
+    if (letter != 0 && has(letter) && !word(letter)->incremental) unplaced &= ~(AxisMask{1} << a);
+  }
+}
+
+/// What the faulty block would have left to those after it, so that one fault is one alarm: a feed, its modes, where its motion leads to,
+/// the end of a subprogram or repetition.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
   const AlarmId id = report.alarm.id;
@@ -58,6 +138,8 @@ void Interpreter::keep_from_faulty_block() {
     modal.feed_known = true;
     modal.feed = f->value > 0 ? f->value : 1;
   }
+  keep_modes_of_faulty_block();
+  stand_where_meant();
   if (of_flow || flow.depth() == 0) return;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];

@@ -5,6 +5,7 @@
 #include "base/tolerance.h"
 #include "control/functions/contour.h"
 #include "control/functions/functions.h"
+#include "control/functions/probe_unstated.h"
 
 namespace kadr {
 namespace {
@@ -197,15 +198,16 @@ void Interpreter::answer(const ProbeAnswer& answer) {
 
 Status Interpreter::note_answer(const ProbeAnswer& answer) {
   needs_probe = false;
+  const bool touched = made_contact(*this, answer);
   const std::uint32_t first = variables.first(VariableKind::probe_point);
   for (std::size_t a = 0; a < axis_count; ++a) {
     position.work[a] = answer.at[a];
     position.machine[a] = answer.at[a] + frames.origin[a] + frames.length[a];
-    if (answer.touched && first != 0 && a < 6) variables.set_raw(first + static_cast<std::uint32_t>(a), answer.at[a]);
+    if (touched && first != 0 && a < 6) variables.set_raw(first + static_cast<std::uint32_t>(a), answer.at[a]);
   }
   (void)variables.take_frames_changed();
   position.programmed = transform.to_programmed(position.work);
-  if (!answer.touched) return fail(alarm(AlarmId::probe_no_contact, probe_where));
+  if (!touched) return fail(alarm(AlarmId::probe_no_contact, probe_where));
   return {};
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/code_literals.h"
 #include "base/units.h"
+#include "control/grbl/arc_readings.h"
 #include "control/grbl/grbl.h"
 #include "control/interpreter.h"
 
@@ -17,8 +18,7 @@ namespace {
 
 constexpr double most_tool = 255;
 constexpr std::int32_t most_systems = 6;
-constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
-constexpr std::int32_t no_motion = 80_g;                                                // G80
+constexpr std::int32_t no_motion = 80_g;  // G80
 
 constexpr std::uint64_t bits(std::string_view letters) {
   std::uint64_t all = 0;
@@ -39,7 +39,8 @@ CodeNumber code_number(double value) {
 
 class BlockCheck {
  public:
-  BlockCheck(const Interpreter& m, const Grbl& control, bool is_jog) : m_(m), control_(control), block_(*m.block), is_jog_(is_jog) {
+  BlockCheck(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted)
+      : m_(m), control_(control), block_(*m.block), is_jog_(is_jog), parted_(parted) {
     const Modal& modal = m.modal;
     if (is_jog) all_.motion = 1_g;
     else if (modal.motion_row >= 0) all_.motion = m.def.codes[static_cast<std::size_t>(modal.motion_row)].tenth;
@@ -200,6 +201,13 @@ class BlockCheck {
   void use(std::string_view letters) { values_ &= ~bits(letters); }
   double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
   double unit() const { return all_.inch ? mm_per_inch : 1; }
+  /// mm, as Grbl has it.
+  float single_value(char letter) const {
+    constexpr auto mm = static_cast<float>(mm_per_inch);
+    if (!m_.has(letter)) return 0;
+    const float v = single_of(block_, *m_.word(letter));
+    return all_.inch ? v * mm : v;
+  }
   bool is_arc() const { return all_.motion == 2_g || all_.motion == 3_g; }
   bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
@@ -221,9 +229,13 @@ class BlockCheck {
   /// Where the tool stands in the work system that the block names.
   void take_start() {
     all_.start = m_.position.programmed;
-    const auto system = all_.system < 0 ? std::size_t{m_.modal.work_zero} : static_cast<std::size_t>((all_.system - 530) / 10);
+    const std::size_t system = work_system();
     if (system == m_.modal.work_zero) return;
     for (std::size_t a = 0; a < axes; ++a) all_.start[a] += m_.tables.zeros[m_.modal.work_zero][a] - m_.tables.zeros[system][a];
+  }
+
+  std::size_t work_system() const {
+    return all_.system < 0 ? std::size_t{m_.modal.work_zero} : static_cast<std::size_t>((all_.system - 530) / 10);
   }
 
   Status dwell() {
@@ -259,12 +271,17 @@ class BlockCheck {
   }
 
   void targets() {
-    all_.target = all_.non_modal == 53_g ? m_.position.machine : all_.start;
+    const bool by_machine = all_.non_modal == 53_g;
+    const Singles& singles = control_.state.singles;
+    all_.target = by_machine ? m_.position.machine : all_.start;
+    all_.single_target = singles.position.single;
     for (std::size_t a = 0; a < axes; ++a) {
       const char letter = m_.letters.axis_letter[a];
       if (!m_.has(letter)) continue;
       const double v = value(letter) * unit();
-      all_.target[a] = all_.absolute || all_.non_modal == 53_g ? v : all_.target[a] + v;
+      all_.target[a] = all_.absolute || by_machine ? v : all_.target[a] + v;
+      const float single = single_value(letter);
+      all_.single_target[a] = by_machine ? single : singles.target(a, single, work_system(), all_.absolute);
     }
   }
 
@@ -299,36 +316,38 @@ class BlockCheck {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G2, G3"));
     if ((block_.letters & (letter(plane.first) | letter(plane.second))) == 0)
       return fail(alarm(AlarmId::arc_without_plane_word, block_.where));
-    const Vec2 from{all_.start[plane.first], all_.start[plane.second]};
-    const Vec2 to{all_.target[plane.first], all_.target[plane.second]};
-    const Turn turn = all_.motion == 2_g ? Turn::cw : Turn::ccw;
-    if (has("R")) {
+    ArcWords words;
+    words.from = {all_.start[plane.first], all_.start[plane.second]};
+    words.to = {all_.target[plane.first], all_.target[plane.second]};
+    const Single3& standing = control_.state.singles.position.single;
+    words.single_from = {standing[plane.first], standing[plane.second]};
+    words.single_to = {all_.single_target[plane.first], all_.single_target[plane.second]};
+    words.same_point = all_.target == all_.start;
+    words.single_same_point = all_.single_target == standing;
+    words.turn = all_.motion == 2_g ? Turn::cw : Turn::ccw;
+    words.tolerance = static_cast<float>(control_.state.settings.arc_tolerance);
+    words.where = block_.where;
+    words.by_radius = has("R");
+    if (words.by_radius) {
       use("R");
-      return by_radius(from, to, turn);
+      words.radius = value('R') * unit();
+      words.single_radius = single_value('R');
+      words.radius_where = m_.where('R');
+      return found(read_arc(words));
     }
-    const Vec2 offset{value(center_letter(plane.first)) * unit(), value(center_letter(plane.second)) * unit()};
-    const bool given = m_.has(center_letter(plane.first)) || m_.has(center_letter(plane.second));
-    if (!given) return fail(alarm(AlarmId::center_missing, block_.where));
+    const char first = center_letter(plane.first), second = center_letter(plane.second);
+    if (!m_.has(first) && !m_.has(second)) return fail(alarm(AlarmId::center_missing, block_.where));
     use("IJK");
-    constexpr double arc_tolerance = 0.002;  // mm, $12: a circle within it is no segments, but a line (5.4)
-    const double radius = kadr::length(offset), end_radius = kadr::length(to - from - offset), error = std::fabs(end_radius - radius);
-    if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
-      return fail(alarm(AlarmId::radius_mismatch, block_.where, radius, end_radius));
-    if (2 * radius <= arc_tolerance) return {};
-    return found(arc_around(from, to, from + offset, turn, farthest));
+    words.offset = {value(first) * unit(), value(second) * unit()};
+    words.single_offset = {single_value(first), single_value(second)};
+    return found(read_arc(words));
   }
 
-  Status by_radius(Vec2 from, Vec2 to, Turn turn) {
-    const double radius = value('R') * unit(), half = kadr::length(to - from) / 2;
-    if (all_.target == all_.start) return fail(alarm(AlarmId::full_circle_by_radius, block_.where));
-    if (from == to && radius != 0) return {};  // only the third axis moves: gcode.c divides by 0 and goes there straight
-    if (std::fabs(radius) < half) return fail(alarm(AlarmId::radius_too_small, m_.where('R'), std::fabs(radius), half));
-    return found(arc_by_radius(from, to, radius, turn, farthest));
-  }
-
-  Status found(const Result<PlaneArc>& arc) {
-    if (!arc) return fail(arc.error());
-    all_.arc = *arc;
+  Status found(const ArcReading& reading) {
+    parted_ = reading.parted;
+    if (reading.refused) return fail(*reading.refused);
+    all_.arc = reading.arc;
+    all_.segments = reading.segments;
     return {};
   }
 
@@ -354,6 +373,7 @@ class BlockCheck {
   const Grbl& control_;
   const Block& block_;
   const bool is_jog_;
+  std::optional<Alarm>& parted_;
   CheckedBlock all_;
   std::string axis_code_;  // that has the axis words
   std::uint64_t groups_ = 0;
@@ -365,6 +385,8 @@ class BlockCheck {
 
 }  // namespace
 
-Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog) { return BlockCheck(m, control, is_jog).run(); }
+Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted) {
+  return BlockCheck(m, control, is_jog, parted).run();
+}
 
 }  // namespace kadr::grbl

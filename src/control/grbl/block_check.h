@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/block/arc.h"
+#include "control/grbl/singles.h"
 
 namespace kadr {
 class Interpreter;
@@ -32,18 +33,21 @@ struct CheckedBlock {
   std::int32_t system = -1;     // G54 … of the block
   Axes start{};                 // programmed coordinates in the block's work system
   Axes target{};                // programmed coordinates; machine ones with G53
-  std::optional<PlaneArc> arc;  // of G2, G3; none: a line, where the circle is smaller than its tolerance
+  std::optional<PlaneArc> arc;  // of G2, G3; none: a line, where Grbl makes no segments of it
+  int segments = 0;             // of the arc
+  Single3 single_target{};      // Grbl's figures: machine coordinates
 };
 
 /// A number that gcode.c keeps in a byte: of G, M, L, P of G10.
 inline std::int32_t byte_of(double value) { return static_cast<std::uint8_t>(static_cast<std::int64_t>(value)); }
 
-/// Checks the interpreter's block; `is_jog`: the words of `$J=` (9).
+/// Checks the interpreter's block; `is_jog`: the words of `$J=` (9). `parted`: the warning of an arc that is otherwise by exact figures,
+/// whether the block is right or not.
 ///   alarms  those of the reader; code_unknown, word_not_integer, group_conflict, not_together, address_twice, value_below_zero,
 ///           tool_number_large, block_number_large, feed_missing, word_missing, length_axis_wrong, no_axis_word, system_number_large,
 ///           illegal_address, machine_motion_mode, no_motion_mode, arc_without_plane_word, full_circle_by_radius, radius_too_small,
 ///           center_missing, radius_mismatch, probe_too_close, word_unused, jog_code, limit_exceeded
-Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog);
+Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted);
 
 /// $20: every segment of the motion ends within the travel (8).
 ///   alarms  limit_exceeded; jog_target of a jog

@@ -38,7 +38,7 @@ Grbl& grbl_of(const Interpreter& m) { return static_cast<Grbl&>(*m.dialect); }
 Grbl::Grbl(const Setup& setup) {
   constexpr double usual_travel = 200;
   for (std::size_t a = 0; a < axes; ++a) state.settings.travel[a] = usual_travel;
-  for (const int number : {22, 20, 30, 31, 130, 131, 132}) {
+  for (const int number : {12, 22, 20, 30, 31, 130, 131, 132}) {
     const std::string digits = std::to_string(number);
     const auto given = setup.parameters.find({std::string(4 - digits.size(), '0') + digits, "", ""});
     if (given == setup.parameters.end() || !std::holds_alternative<double>(given->second)) continue;
@@ -67,7 +67,9 @@ void Grbl::started(Interpreter&) { before_ = state; }
 
 /// `$J=`: a straight motion at its own F, in mm/min; the modes are left as they are (9).
 Status Grbl::jog(Interpreter& m) {
-  const auto jog = check(m, *this, true);
+  std::optional<Alarm> parted;  // no arc is a jog
+  state.singles.follow(m, state.length);
+  const auto jog = check(m, *this, true, parted);
   if (!jog) return fail(jog.error());
   const Modal before = m.modal;
   m.modal.feed_mode = FeedMode::per_minute;
@@ -83,11 +85,15 @@ Status Grbl::jog(Interpreter& m) {
   const Status moved = by_machine ? m.to_machine(MotionKind::feed, jog->target, named_in(m), m.modal.feed)
                                   : m.straight(MotionKind::feed, jog->target, named_in(m));
   m.modal = before;
+  if (moved) state.singles.note(m, *jog, state.length);
   return moved;
 }
 
 Result<bool> Grbl::takes_block(Interpreter& m) {
-  const auto all = check(m, *this, false);
+  std::optional<Alarm> parted;
+  state.singles.follow(m, state.length);
+  const auto all = check(m, *this, false, parted);
+  if (parted) m.warn(*parted);
   if (!all) return fail(all.error());
   checked = *all;
   if (m.has('T')) {  // 1.3: a byte is remembered
@@ -95,11 +101,17 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
     tool = byte_of(tool);
   }
   KADR_TRY(m.check_ranges());
-  if (!m.has('S')) return false;
-  const Settings& s = state.settings;  // $30, $31 (4.17)
-  double& speed = m.block->words[m.block->at['S' - 'A']].value;
-  if (speed > 0) speed = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
+  if (m.has('S')) watch_speed(m);
   return false;
+}
+
+/// S stays as it is written; the spindle turns within $30 and $31 (4.17). Of each speed once.
+void Grbl::watch_speed(Interpreter& m) {
+  const Settings& s = state.settings;
+  const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
+  if (!(speed > 0) || turned == speed || told_speed_ == speed) return;
+  told_speed_ = speed;
+  m.warn(warning(AlarmId::speed_beyond_setting, m.where('S'), speed, turned));
 }
 
 void Grbl::begin_block(Interpreter&) {
@@ -127,6 +139,7 @@ Status Grbl::after_block(Interpreter& m) {
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
+  state.singles.note(m, checked, state.length);
   const bool probes = checked.motion > 38_g && checked.motion < 39_g;
   if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // 3: G38.n is a mode
   if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F counts for its block
@@ -139,6 +152,8 @@ Status Grbl::after_block(Interpreter& m) {
 bool Grbl::lines_follow(const Interpreter& m) const {
   return m.modal.feed_mode == FeedMode::per_minute && m.modal.feed_known && m.modal.feed > 0 && !state.settings.soft_limits;
 }
+
+void Grbl::note_line(Interpreter& m) { state.singles.note_line(m); }
 
 /// Its arcs are looked at one by one.
 ArcRule Grbl::arc_rule(const Interpreter& m) const {

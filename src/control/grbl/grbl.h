@@ -11,14 +11,13 @@
 
 namespace kadr::grbl {
 
-inline constexpr std::size_t axes = 3;  // X Y Z of the default build
-
 /// $x: what the program's meaning depends on (10).
 struct Settings {
   bool soft_limits = false;  // $20
   bool homing = false;       // $22
   double speed_most = 1000;  // $30, rev/min
   double speed_least = 0;    // $31
+  double arc_tolerance = 0.002;  // $12, mm
   Axes travel{};             // $130 to $132, mm
 };
 
@@ -26,6 +25,7 @@ struct Settings {
 struct State {
   double length = 0;  // G43.1, mm
   Settings settings;
+  Singles singles;
 };
 
 class Grbl final : public Dialect {
@@ -46,6 +46,7 @@ class Grbl final : public Dialect {
   bool end_program(Interpreter& m) override;
   Status after_block(Interpreter& m) override;
   bool lines_follow(const Interpreter& m) const override;
+  void note_line(Interpreter& m) override;
   ArcRule arc_rule(const Interpreter& m) const override;
   Status arc(Interpreter& m, const Call& call, Turn turn) override;
   void refresh_frames(Interpreter& m) override;
@@ -57,7 +58,9 @@ class Grbl final : public Dialect {
 
  private:
   Status jog(Interpreter& m);
+  void watch_speed(Interpreter& m);
   State before_;
+  double told_speed_ = 0;    // of the last warning
   double feed_at_end_ = -1;  // of a block with M2 or M30; -1: none
 };
 

@@ -12,14 +12,6 @@
 namespace kadr::grbl {
 namespace {
 
-/// How many lines mc_arc makes of it (5.4).
-int segments_of(const PlaneArc& arc, double radius) {
-  constexpr double tolerance = 0.002;  // mm, $12
-  constexpr double most = 65535;
-  const double angle = 2 * std::numbers::pi * arc.turns;
-  return static_cast<int>(std::min(most, std::floor(angle * radius / 2 / std::sqrt(tolerance * (2 * radius - tolerance)))));
-}
-
 Status point_within(const Interpreter& m, const Grbl& control, const Axes& machine, bool is_jog) {
   const Settings& s = control.state.settings;
   for (std::size_t a = 0; a < axes; ++a) {
@@ -45,7 +37,7 @@ Status within_travel(const Interpreter& m, const Grbl& control, const CheckedBlo
     const PlaneAxes plane = axes_of(block.plane == 17_g ? Plane::xy : block.plane == 18_g ? Plane::zx : Plane::yz);
     const Vec2 start{block.start[plane.first], block.start[plane.second]};
     const Vec2 from = start - block.arc->center;
-    const int segments = segments_of(*block.arc, length(from));
+    const int segments = block.segments;
     const double step = (block.motion == 2_g ? -2 : 2) * std::numbers::pi * block.arc->turns / segments;
     for (int i = 1; i < segments; ++i) {
       Axes at = end;

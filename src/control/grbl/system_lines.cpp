@@ -67,6 +67,7 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
     case 0:
       if (byte_of(value) < least_pulse) return fail(alarm(AlarmId::step_pulse_short, where, value));
       return false;
+    case 12: settings.arc_tolerance = value; return true;
     case 20:
       if (byte_of(value) != 0 && !settings.homing) return fail(alarm(AlarmId::soft_limits_need_homing, where));
       settings.soft_limits = byte_of(value) != 0;

@@ -277,7 +277,8 @@ Status Checker::words() const {
   const bool cycle_l = codes_.is_cycle() && codes_.motion != 74_g;
   KADR_TRY(unless(tool_side() || codes_.g[14] == 96_g || moves({70_g, 71_g, 71.1_g, 71.2_g, 72_g, 72.1_g, 72.2_g}), 'D',
                   "D word with no G41, G41.1, G42, G42.1, G71, G71.1, G71.2 or G96 to use it"));
-  if (has(spindle_) && !has('S') && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({33_g, 33.1_g, 76_g}))
+  const bool spindle_mode = codes_.g[5] == 95_g || is_one_of(codes_.g[14], {96_g, 97_g});
+  if (has(spindle_) && !has('S') && !spindle_mode && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({33_g, 33.1_g, 76_g}))
     return wrong(AlarmId::rs274_words, m_.where(spindle_),
                  "$ (spindle selection) word with no M3, M4, M5, M19, M51, G33, G33.1, G76, G95, G96 or G97 to use it");
   KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || moves({70_g, 76_g}), 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));

@@ -192,7 +192,19 @@ Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
   return {};
 }
 
+namespace {
+
+/// A byte order mark is three characters to the control, of which it names the first; the reader of lines has passed it over.
+Status no_byte_order_mark(const Interpreter& m) {
+  constexpr std::uint64_t size_of_mark = 3;
+  if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
+  return linuxcnc_of(m).fault(AlarmId::rs274_form, m.block->where, "Bad character '\\357' used");
+}
+
+}  // namespace
+
 Result<bool> LinuxCnc::statement(Interpreter& m) {
+  KADR_TRY(no_byte_order_mark(m));
   state.began = true;
   KADR_TRY(run_o_line(m));
   return true;
@@ -200,6 +212,7 @@ Result<bool> LinuxCnc::statement(Interpreter& m) {
 
 /// `%` alone: the first line that is not blank begins the file, the next one ends it (2.1).
 Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
+  KADR_TRY(no_byte_order_mark(m));
   if (!state.began && !state.percent) {
     state.percent = state.began = true;
     return true;
@@ -274,6 +287,7 @@ Status compensation_allows(const Interpreter& m, const LinuxCnc& control) {
 }  // namespace
 
 Result<bool> LinuxCnc::takes_block(Interpreter& m) {
+  KADR_TRY(no_byte_order_mark(m));
   auto read = codes_of_block(m, *this);
   if (!read) return fail(read.error());
   codes = *read;

@@ -127,6 +127,11 @@ Status OLines::define() {
 }
 
 Status OLines::begin_sub() {
+  if (!flow_.calls.empty()) {  // within a call no line is a definition: it is run through, and its endsub leaves the call
+    if (flow_.by_m98.back()) return wrong("'O.... sub' subroutine must be called with 'O.... call'");
+    m_.warn(warning(AlarmId::sub_in_sub, s_.where, std::string_view(text())));
+    return {};
+  }
   PassedSub& known = flow_.passed(label_);
   const bool here = known.known && known.reader == m_.flow.reader() && known.at == m_.block->position;
   if (here && m_.flow.passes() == 1)

@@ -334,7 +334,12 @@ Status tool_length(Interpreter& m, const Call& call) {
     const bool words = m.has_axis_words() && control.codes.motion < 0;
     if (m.has('H') && m.has_axis_words()) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
     if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
-    if (words) return control.fault(AlarmId::rs274_tool, call.where, "Requested tool -1 not found in the tool table");
+    if (words) {  // 2.9.3: added to what is in force
+      Axes more{};
+      linuxcnc::each_word(m, [&](std::size_t a, double v) { more[a] = v; });
+      linuxcnc::take_length(m, linuxcnc::sum(control.state.length, more));
+      return {};
+    }
   }
   const auto length = linuxcnc::length_of_tool(m, call.where);
   if (!length) return fail(length.error());

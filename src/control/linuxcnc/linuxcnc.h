@@ -127,6 +127,8 @@ class LinuxCnc final : public Dialect {
   void note_line(Interpreter& m) override;
   ArcRule arc_rule(const Interpreter& m) const override;
   Status arc(Interpreter& m, const Call& call, Turn turn) override;
+  bool shapes_lines(const Interpreter& m) const override;
+  Status straight(Interpreter& m, const Call& call, MotionKind kind) override;
   Result<bool> turns_spindle(Interpreter& m, SpindleDir dir, Span where) override;
   SurfaceSpeed surface_speed(const Interpreter& m) const override;
   const WrittenFiles& files_written() const override { return outputs.written(); }

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
+#include "control/functions/probe_unstated.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/spindles.h"
@@ -175,12 +176,13 @@ Status LinuxCnc::take_answer(Interpreter& m, const ProbeAnswer& answer) {
   m.position.machine = m.frames.machine_of(m.position.work);
   m.position.programmed = m.position.work;
   probed = m.position.work;
-  probe_tripped = answer.touched;
-  m.variables.set_raw(5070, answer.touched ? 1 : 0);
-  (void)m.variables.take_frames_changed();
-  if (answer.touched) KADR_TRY(write_probed(m));
   const bool must = probe_kind == 2 || probe_kind == 4;
-  if (answer.touched || !must) return {};
+  const bool touched = must ? made_contact(m, answer) : answer.touched;
+  probe_tripped = touched;
+  m.variables.set_raw(5070, touched ? 1 : 0);
+  (void)m.variables.take_frames_changed();
+  if (touched) KADR_TRY(write_probed(m));
+  if (touched || !must) return {};
   return fault(AlarmId::rs274_probe, m.probe_where,
                fmt::format("G38.{} move finished without {} contact.", probe_kind, probe_kind == 2 ? "making" : "breaking"));
 }

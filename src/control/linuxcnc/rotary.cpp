@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -24,7 +26,42 @@ double unwrapped(double value, double here) {
   return to;
 }
 
+/// G53 leaves the tool's offset in a rotary axis on, but in one that is wrapped (find_ends, up to 2.9.10: a fault of the control).
+bool keeps_offset(const Interpreter& m, std::size_t axis) {
+  const LinuxCnc& control = linuxcnc_of(m);
+  for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
+    if (m.letters.axis_letter[axis] == rotary_letters[i])
+      return !control.machine.wrapped[i] && m.has(rotary_letters[i]) && m.frames.length[axis] != 0;
+  return false;
+}
+
 }  // namespace
+
+bool LinuxCnc::shapes_lines(const Interpreter& m) const {
+  if (!m.block_machine_coordinates) return false;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (keeps_offset(m, a)) return true;
+  return false;
+}
+
+/// G53 with such an axis.
+Status LinuxCnc::straight(Interpreter& m, const kadr::Call& call, MotionKind kind) {
+  if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
+  Axes to = m.position.machine;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const char letter = m.letters.axis_letter[a];
+    if (letter == 0 || !m.has(letter)) continue;
+    const bool is_angle = std::find(std::begin(rotary_letters), std::end(rotary_letters), letter) != std::end(rotary_letters);
+    const double half = (m.modal.diameter >> a & 1U) != 0 ? 0.5 : 1;
+    to[a] = is_angle ? m.value(letter) : m.length_value(letter) * half;
+    named |= AxisMask{1} << a;
+    if (!keeps_offset(m, a)) continue;
+    to[a] += m.frames.length[a];
+    m.warn(warning(AlarmId::machine_move_with_offset, m.where(letter), letter, to[a]));
+  }
+  return m.to_machine(kind, to, named, 0);
+}
 
 Status LinuxCnc::target(const Interpreter& m, Axes& to, AxisMask& named) const {
   KADR_TRY(m.axis_words(to, named));

@@ -90,7 +90,8 @@ void stop_other_spindles(Interpreter& m) {
 
 /// M3, M4, M5 with `$`.
 Result<bool> LinuxCnc::turns_spindle(Interpreter& m, SpindleDir dir, Span where) {
-  const auto chosen = spindle_word(m);
+  auto chosen = spindle_word(m);
+  if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;  // 2.9.3: M5 alone is M5 $-1
   if (!chosen) return false;
   if (*chosen != all_spindles && !is_spindle(*this, *chosen))
     return fault(AlarmId::rs274_spindle, where,

@@ -185,6 +185,7 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
     case AlarmId::power_of_negative: return {AlarmId::rs274_expression, "Attempt to raise negative to non integer power"};
     case AlarmId::not_a_number: return no_number(report);
     case AlarmId::o_word_unknown: return {AlarmId::rs274_flow, "Unknown control command in o word"};
+    case AlarmId::statement_not_alone:
     case AlarmId::o_word_rest: return {AlarmId::rs274_flow, "Unexpected character after O-word"};
     case AlarmId::o_word_arguments: return {AlarmId::rs274_flow, "Too many subroutine parameters"};
     case AlarmId::o_word_bracket:

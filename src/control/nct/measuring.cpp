@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "control/functions/functions.h"
+#include "control/functions/probe_unstated.h"
 #include "control/nct/nct.h"
 #include "control/nct/variables/system_variables.h"
 #include "control/nct/words/coordinates.h"
@@ -206,8 +207,9 @@ Status take_answer(Interpreter& m, const ProbeAnswer& answer) {
   nct.probe_length = length_in_force(m);
   nct.probe_machine = m.position.machine;
   const Measurement measurement = std::exchange(nct.measurement, {});
+  const bool touched = made_contact(m, answer);
   if (!measurement.length) return {};
-  if (answer.touched) return correct_length(m, measurement, m.position.work[measurement.axis]);
+  if (touched) return correct_length(m, measurement, m.position.work[measurement.axis]);
   return fail(alarm(AlarmId::probe_window, m.probe_where, m.position.work[measurement.axis], measurement.expected));  // INFERRED
 }
 

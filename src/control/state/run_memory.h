@@ -33,6 +33,7 @@ struct RunMemory {
   bool skipping_section = false;
   bool in_interrupt = false;  // the block belongs to an interrupt macro
   bool damaged = false;       // the block could not be read
+  AxisMask unplaced = 0;      // axes of which a refused motion has left unknown where they are
   // switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};

@@ -24,6 +24,10 @@ Status LineWordReader::read() {
   if (grammar_.block_length != 0 && kept_.size() > grammar_.block_length)
     return fail(alarm(AlarmId::block_too_long, span(0, kept_.size()), double(kept_.size()), double(grammar_.block_length)));
   if (kept_.empty()) return {};
+  if (kept_ == "%") {  // senders leave it out
+    block_.warnings.push_back(note(AlarmId::percent_passed_over, span(0, 1)));
+    return {};
+  }
   if (kept_[0] != '$') {
     words(0);
     return {};
@@ -96,21 +100,45 @@ bool LineWordReader::word(std::size_t& at) {
   return true;
 }
 
-double value_of_digits(std::string_view number) {
+namespace {
+
+/// The digits that count, and the power of ten that they are to be multiplied by.
+struct CountedDigits {
+  std::uint32_t digits = 0;
+  int exponent = 0;
+};
+
+CountedDigits counted_digits(std::string_view number) {
   constexpr int most_digits = 8;
-  std::uint64_t digits = 0;
-  int count = 0, exponent = 0;
+  CountedDigits all;
+  int count = 0;
   bool fraction = false;
   for (const char c : number) {
     if (c == '.') fraction = true;
     if (!is_digit(c)) continue;
-    if (++count > most_digits) exponent += fraction ? 0 : 1;
-    else digits = 10 * digits + static_cast<std::uint64_t>(c - '0'), exponent -= fraction ? 1 : 0;
+    if (++count > most_digits) all.exponent += fraction ? 0 : 1;
+    else all.digits = 10 * all.digits + static_cast<std::uint32_t>(c - '0'), all.exponent -= fraction ? 1 : 0;
   }
+  return all;
+}
+
+}  // namespace
+
+double value_of_digits(std::string_view number) {
+  const auto [digits, exponent] = counted_digits(number);
   if (digits == 0) return 0;
   const double scale = std::pow(10.0, std::abs(exponent)), value = static_cast<double>(digits);
   const double sized = exponent < 0 ? value / scale : value * scale;
   return number[0] == '-' ? -sized : sized;
+}
+
+float single_of_digits(std::string_view number) {
+  auto [digits, exponent] = counted_digits(number);
+  auto value = static_cast<float>(digits);
+  for (; exponent <= -2; exponent += 2) value *= 0.01F;
+  if (exponent < 0) value *= 0.1F;
+  for (; exponent > 0; --exponent) value *= 10.0F;
+  return number[0] == '-' ? -value : value;
 }
 
 /// The first N is the block's number, whole or not; one below 0 or too large for a number stays a word.

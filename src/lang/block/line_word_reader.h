@@ -22,6 +22,8 @@ std::size_t size_of_number(std::string_view text);
 
 /// read_float of nuts_bolts.c: of the digits, leading zeros too, the first eight count; further ones before the point are zeros (1.3).
 double value_of_digits(std::string_view number);
+/// The same as the control has it: each step of read_float rounded to 32 bits.
+float single_of_digits(std::string_view number);
 
 class LineWordReader {
  public:

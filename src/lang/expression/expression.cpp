@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr double nearly = 1e-4;             // LinuxCNC's EQ and NE
+constexpr double nearly = 1e-6;             // TOLERANCE_EQUAL of LinuxCNC 2.9.3
 constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
 constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused
 
@@ -44,6 +44,8 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::logic_xor: return (a != 0) != (b != 0) ? 1.0 : 0.0;
     case Op::nearly_equal: return std::fabs(a - b) < nearly ? 1.0 : 0.0;
     case Op::nearly_not_equal: return std::fabs(a - b) < nearly ? 0.0 : 1.0;
+    case Op::nearly_greater_equal: return std::fabs(a - b) < nearly || a >= b ? 1.0 : 0.0;
+    case Op::nearly_less_equal: return std::fabs(a - b) < nearly || a <= b ? 1.0 : 0.0;
     case Op::atan: return angle_deg({b, a});  // ATAN[a]/[b]
     case Op::atan_turn: {
       const double angle = angle_deg({b, a});

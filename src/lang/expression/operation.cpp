@@ -62,6 +62,8 @@ constexpr std::pair<std::string_view, Op> operation_names[] = {
     {"bit_xor", Op::bit_xor},
     {"nearly_equal", Op::nearly_equal},
     {"nearly_not_equal", Op::nearly_not_equal},
+    {"nearly_greater_equal", Op::nearly_greater_equal},
+    {"nearly_less_equal", Op::nearly_less_equal},
 };
 
 }  // namespace

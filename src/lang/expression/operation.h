@@ -51,8 +51,10 @@ enum class Op : std::uint8_t {
   bit_and,
   bit_or,
   bit_xor,
-  nearly_equal,  // within 0.0001 (spec/linuxcnc 5)
+  nearly_equal,  // within 1e-6 (LinuxCNC 2.9.3)
   nearly_not_equal,
+  nearly_greater_equal,  // greater, or within 1e-6
+  nearly_less_equal,
   bit_not,
   truncate,        // FIX
   away_from_zero,  // FUP
@@ -85,7 +87,7 @@ constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_e
 /// Steps with two operands.
 constexpr bool takes_two(Op op) {
   return (op >= Op::add && op <= Op::less_equal_by_value && op != Op::negate) || op == Op::atan || op == Op::atan_turn ||
-         (op >= Op::remainder && op <= Op::nearly_not_equal);
+         (op >= Op::remainder && op <= Op::nearly_less_equal);
 }
 
 }  // namespace kadr

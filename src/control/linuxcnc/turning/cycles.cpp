@@ -42,6 +42,15 @@ void set_motion(Interpreter& m, std::int32_t tenths) {
   if (row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
 }
 
+/// The way to the start of G70, of the cycle and of each pass: beside no contour, whatever is on (2.9.4).
+void leave_uncompensated(Interpreter& m) {
+  if (m.batch->empty()) return;
+  auto* const way = std::get_if<Motion>(&m.batch->back().what);
+  if (way == nullptr) return;
+  way->side = 0;
+  way->side_step = SideStep::none;
+}
+
 /// The motions, some at a time.
 class Turning final : public RunningValue<Turning> {
  public:
@@ -67,7 +76,11 @@ class Turning final : public RunningValue<Turning> {
     to[z_axis] = step.to.real() * unit;
     constexpr AxisMask x_and_z = 1U | 1U << z_axis;
     switch (step.kind) {
-      case TurningMove::Kind::rapid: set_motion(m, 0); return m.straight(MotionKind::rapid, to, x_and_z);
+      case TurningMove::Kind::rapid:
+        set_motion(m, 0);
+        KADR_TRY(m.straight(MotionKind::rapid, to, x_and_z));
+        if (step.to_start) leave_uncompensated(m);
+        return {};
       case TurningMove::Kind::line: set_motion(m, 1_g); return line(m, to, x_and_z);
       case TurningMove::Kind::arc_cw:
       case TurningMove::Kind::arc_ccw: break;
@@ -240,6 +253,7 @@ Status profile_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(aimed);
   if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // a motion of no length, the control makes one
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
+  linuxcnc::leave_uncompensated(m);
   linuxcnc::set_motion(m, 0);
   const double q = m.value('Q');
   if (std::fabs(q - std::round(q)) > linuxcnc::equal_within) return wrong("Non integer value for integer");

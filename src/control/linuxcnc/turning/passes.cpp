@@ -208,8 +208,8 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
       if (!follows) return tl::unexpected(follows.error());
       if (!*follows) return {};
       x_ = tops_.back().imag();
-    } else if (std::abs(here_.imag() - x_) > same_point) {
-      ++at;  // X lies beyond this piece
+    } else if (std::abs(here_.imag() - x_) > same_point || at->end == here_) {
+      ++at;  // X lies beyond this piece, or it is done (2.9.4)
     } else {
       cut_to_wall(at, retract);
     }
@@ -246,13 +246,26 @@ Turned finish_profile(const Profile& given, const TurningWords& words, std::vect
     Cutting cutting(along, moves);
     if (!cutting.has_room()) return tl::unexpected(std::string());
     cutting.rapid(along.pieces.front().start);
+    if (!moves.empty()) moves.back().to_start = true;
     cutting.rapid(along.pieces.front().end);
     for (auto at = std::next(along.pieces.begin()); at != along.pieces.end(); ++at) cutting.along(*at);
   }
   return {};
 }
 
+/// A profile that leads away from the start of the cycle, and ends with a way along: it is closed to the level of the start (2.9.4).
+void close_profile(Profile& profile, Point start, bool across) {
+  const Point first = profile.pieces.front().end - profile.pieces.front().start;
+  const Piece& back = profile.pieces.back();
+  const Point last = back.end - back.start, end = back.end;
+  if (across && std::abs(last.imag()) > 0 && first.real() * (start.real() - end.real()) < 0)
+    profile.pieces.push_back(Piece::line(end, {start.real(), end.imag()}));
+  if (!across && std::abs(last.real()) > 0 && first.imag() * (start.imag() - end.imag()) < 0)
+    profile.pieces.push_back(Piece::line(end, {end.real(), start.imag()}));
+}
+
 Turned rough_profile(Profile profile, const TurningWords& words, Pockets pockets, bool across, std::vector<TurningMove>& moves) {
+  close_profile(profile, words.start, across);
   profile.pieces.front().start = words.start;
   if (across) profile.quarter_turn();
   profile.face_down();

@@ -13,6 +13,7 @@ struct TurningMove {
   Kind kind = Kind::rapid;
   Point to;
   Point center{};
+  bool to_start = false;  // of a pass of G70
 };
 
 /// Words of the cycle, in the unit of the program; X as a radius.

@@ -1,0 +1,52 @@
+// Files of nothing but O subprograms. For cli/check; tests/run_check.py.
+
+#include "cli/sub_file.h"
+
+#include <string>
+#include <string_view>
+
+#include "base/ascii.h"
+
+namespace kadr::cli {
+namespace {
+
+/// Without remarks and blanks, in small letters.
+std::string plain(std::string_view line) {
+  std::string text;
+  bool remark = false;
+  for (const char c : line) {
+    if (c == ';' && !remark) break;
+    if (c == '(') remark = true;
+    if (!remark && static_cast<unsigned char>(c) > ' ') text += to_lower(c);
+    if (c == ')') remark = false;
+  }
+  return text;
+}
+
+/// `o<name>sub` → `<name>`; empty: the line is no O line with that word.
+std::string label_before(const std::string& line, std::string_view word) {
+  if (line.size() <= word.size() + 1 || line[0] != 'o') return {};
+  const std::size_t end = line[1] == '<' ? line.find('>') : line.find_first_not_of("0123456789", 1) - 1;
+  if (end == std::string::npos || end == 0 || line.compare(end + 1, word.size(), word) != 0) return {};
+  return line.substr(1, end);
+}
+
+}  // namespace
+
+bool holds_only_subprograms(LineReader reader) {
+  std::string open;  // label of the definition that the line stands in
+  bool any = false;
+  for (Line line; reader.next(line);) {
+    const std::string text = plain(line.bytes);
+    if (!open.empty()) {
+      if (label_before(text, "endsub") == open) open.clear();
+    } else if (!text.empty()) {
+      open = label_before(text, "sub");
+      if (open.empty()) return false;
+      any = true;
+    }
+  }
+  return any && open.empty();
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,76 @@
+// 32-bit arithmetic of Grbl's arcs. For control/grbl/arc_readings; tested by tests/grbl_arcs.py, which has the same in Python, and against
+// Grbl's own source by dev/grbl_oracle.
+
+#include "control/grbl/single_arc.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace kadr::grbl {
+namespace {
+
+constexpr float travel_epsilon = 5e-7F;  // rad, ARC_ANGULAR_TRAVEL_EPSILON
+constexpr float whole_turn = 2 * std::numbers::pi_v<float>;
+constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;  // mm, mm, part of the radius (5.2)
+
+float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
+
+/// By a double's arc tangent, which every library rounds alike when it becomes a float: the same on every machine.
+float angle_of(float y, float x) { return static_cast<float>(std::atan2(double{y}, double{x})); }
+
+/// Lines that are made of the arc: counted in 16 bits, so that a count above 65535 begins again at 0.
+int segments_of(float angle, float radius, float tolerance) {
+  constexpr float counts = 65536;
+  const float chord = std::sqrt(tolerance * (2 * radius - tolerance));
+  const float count = std::floor(std::fabs(0.5F * angle * radius) / chord);
+  return std::isfinite(count) ? static_cast<int>(std::fmod(count, counts)) : 0;
+}
+
+/// mc_arc.
+SingleArc led(Single2 from, Single2 to, Single2 offset, float radius, Turn turn, float tolerance) {
+  const Single2 center{from[0] + offset[0], from[1] + offset[1]};
+  const Single2 first{-offset[0], -offset[1]}, last{to[0] - center[0], to[1] - center[1]};
+  float angle = angle_of(first[0] * last[1] - first[1] * last[0], first[0] * last[0] + first[1] * last[1]);
+  if (turn == Turn::cw && angle >= -travel_epsilon) angle -= whole_turn;
+  if (turn == Turn::ccw && angle <= travel_epsilon) angle += whole_turn;
+  SingleArc arc;
+  arc.offset = {double{center[0]} - double{from[0]}, double{center[1]} - double{from[1]}};
+  arc.radius = radius;
+  arc.turns = double{std::fabs(angle)} / double{whole_turn};
+  arc.segments = segments_of(angle, radius, tolerance);
+  return arc;
+}
+
+}  // namespace
+
+SingleArc single_arc_by_center(Single2 from, Single2 to, Single2 offset, Turn turn, float tolerance) {
+  const float radius = length_of(offset[0], offset[1]);
+  const float end_radius = length_of(to[0] - from[0] - offset[0], to[1] - from[1] - offset[1]);
+  const float error = std::fabs(end_radius - radius);
+  if (error > error_least && (error > error_most || error > error_of_radius * radius)) {
+    SingleArc arc;
+    arc.answer = SingleArc::Answer::radius_wrong;
+    arc.radius = radius;
+    arc.other = end_radius;
+    return arc;
+  }
+  return led(from, to, offset, radius, turn, tolerance);
+}
+
+SingleArc single_arc_by_radius(Single2 from, Single2 to, float radius, Turn turn, float tolerance) {
+  const float x = to[0] - from[0], y = to[1] - from[1];
+  const float four_height_sq = 4 * radius * radius - x * x - y * y;
+  if (four_height_sq < 0) {
+    SingleArc arc;
+    arc.answer = SingleArc::Answer::radius_small;
+    arc.radius = std::fabs(radius);
+    arc.other = length_of(x, y) / 2;
+    return arc;
+  }
+  float height = -std::sqrt(four_height_sq) / length_of(x, y);  // twice that of the centre over the chord, of its length
+  if (turn == Turn::ccw) height = -height;
+  if (radius < 0) height = -height;
+  return led(from, to, {0.5F * (x - y * height), 0.5F * (y + x * height)}, std::fabs(radius), turn, tolerance);
+}
+
+}  // namespace kadr::grbl
