@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <pthread.h>
 #include <sys/signalfd.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -67,14 +68,20 @@ void watch(int signals) {
   ::_exit(first_of_signals + signal);
 }
 
-/// Where no thread is to be had: whoever asks the token ends, and a second signal is the end at once.
+/// Where no thread is to be had: the same, as far as a handler may; the timer's signal comes at the end of the grace.
 void handle_instead(const sigset_t& signals) {
+  std::signal(SIGALRM, [](int) {
+    ResultFile::discard_all();
+    ::_exit(first_of_signals + handled);
+  });
   struct sigaction how {};
   how.sa_handler = [](int signal) {  // NOLINT: a union
     handled = signal;
     asked = true;
+    const itimerval after = {{0, 0}, {0, std::chrono::microseconds(grace).count()}};
+    (void)::setitimer(ITIMER_REAL, &after, nullptr);
   };
-  how.sa_flags = static_cast<int>(SA_RESETHAND);
+  how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second one is the end at once
   for (const int signal : ending)
     if (sigismember(&signals, signal) == 1) (void)::sigaction(signal, &how, nullptr);
 }

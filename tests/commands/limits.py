@@ -229,8 +229,8 @@ def begun(kadr, words, before=lambda: None):
     return process
 
 
-def interrupted(kadr, words, outputs, sign):
-    process = begun(kadr, words)
+def interrupted(kadr, words, outputs, sign, before=lambda: None):
+    process = begun(kadr, words, before)
     if harness.ended(process):
         yield f'it is over, and should work on: {text((kadr.folder / "said").read_bytes())}'
     took = harness.spent_after(process, sign)
@@ -242,6 +242,31 @@ def interrupted(kadr, words, outputs, sign):
         yield f'left over: {kadr.left_over()}'
     if changed := [name for name in outputs if (kadr.folder / name).read_bytes() != OLD]:
         yield f'changed: {changed}'
+
+
+def signals_alone(kadr):
+    """The same where no thread can be made that waits for them."""
+    kadr.folder.chmod(0o777)
+    root = os.geteuid() == 0
+    if root and not for_nobody(kadr):
+        return harness.skipped('signals without threads: nobody may not begin the program')
+
+    def alone():
+        if root:
+            os.setgroups([])
+            os.setgid(NOBODY['group'])
+            os.setuid(NOBODY['user'])
+        resource.setrlimit(resource.RLIMIT_NPROC, (0, 0))
+    program = kadr.file('p.nc', ENDLESS)
+    words, outputs = works(program, 'mach3', 'tools.toml')['run']
+    for sign in (signal.SIGHUP, signal.SIGTERM, signal.SIGINT):
+        for output in outputs:
+            kadr.file(output, OLD).chmod(0o666)
+        yield f'{sign.name}: run', list(interrupted(kadr, [*words, *FOR_EVER], outputs, sign, alone))
+    process = kadr.start('serve', kadr.folder, '--port', '0', '--no-browser', stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=kadr.bounded(before=alone))
+    faults = [] if harness.stands(process) else ['it does not stand']
+    harness.spent_after(process, signal.SIGTERM)
+    yield 'SIGTERM: serve', [*faults, *([] if process.returncode == 128 + signal.SIGTERM else [f'exit status {process.returncode}'])]
 
 
 def nohup(kadr):
@@ -332,7 +357,7 @@ def small(kadr):
         yield name, [*faults, *(['out of memory'] if b'out of memory' in done.stderr else [])]
 
 
-LIMITS = {'no threads': no_threads, 'memory': memory, 'open files': open_files, 'full disk': full_disk, 'file size': file_size, 'no reader': no_reader, 'signals': signals, 'nohup': nohup,
+LIMITS = {'no threads': no_threads, 'memory': memory, 'open files': open_files, 'full disk': full_disk, 'file size': file_size, 'no reader': no_reader, 'signals': signals, 'signals alone': signals_alone, 'nohup': nohup,
           'names': names, 'texts': texts, 'pipe': pipe, 'device': device, 'small': small}
 
 

@@ -10,10 +10,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "base/file_id.h"
@@ -152,9 +154,13 @@ void ResultFile::discard() {
 
 void ResultFile::discard_all() {
   UnderWay& files = under_way();
-  files.lock.lock();  // for good: the process ends
+  // For good: the process ends. Not for ever: where it is called by a handler of a signal, the thread that it has interrupted may hold it.
+  constexpr int most_looks = 100;
+  for (int look = 0; !files.lock.try_lock(); ++look) {
+    if (look == most_looks) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   for (const std::string& name : files.names) (void)::unlink(name.c_str());
-  files.names.clear();
 }
 
 }  // namespace kadr
