@@ -70,6 +70,8 @@ COMMANDS = [
     # found.md A2: a lathe's program is no milling program, whoever says so; a control of one's own is taken at its word
     ({'a.nc': LATHE}, ['a.nc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y", 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y; of fanuc Kadr reads milling", 'errors'),
+    ({'a.nc': LATHE}, ['a.nc', '--control', 'HAAS-VF'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
+    ({'.kadr.toml': 'control = "fanuc"\n', 'a.nc': LATHE}, ['a.nc'], 2, 'of fanuc Kadr reads milling programs alone', 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'haas'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'nct'], 2, 'of nct Kadr reads milling programs alone', 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc', '--lang', 'ru'], 2, 'программа токарного станка, строка 3: G99', 'Ошибок'),
@@ -87,6 +89,8 @@ COMMANDS = [
      ['a.nc'], 0, '1 program checked', 'perhaps'),
     ({'.kadr.toml': 'controll = "grbl"\n', 'a.nc': MILL}, ['a.nc'], 0, ".kadr.toml:1: 'control', a text, and [control_for]", None),
     ({'.kadr.toml': 'control = "nosuch"\n', 'a.nc': MILL}, ['a.nc'], 2, "no control 'nosuch'", 'checked'),
+    # nothing decides: one that reads it without a fault wins over those that do not know G12.1
+    ({'a.nc': 'G0 X10 Z5\nG12.1\nG1 X20 C5 F100\nG13.1\nM30\n'}, ['a.nc'], 1, 'perhaps nct: a weak guess', None),
     # a second file of the folder is looked at, though it is not named
     ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2. F100.\n'}, ['b.nc'], 0, 'perhaps haas, as a.nc is (line 1: G154P', None),
     ({'a.nc': '%00000\nN0 T1.1\nN1 M6\n', 'b.nc': '%00001\nN0 T2.2\nN1 M6\n', 'c.nc': 'N1 G0 X5 Y5\n'}, ['c.nc'], 2, 'Fagor, line 1: %00000, line 2: T1.1, as in a.nc', None),

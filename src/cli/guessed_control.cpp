@@ -204,20 +204,13 @@ void GuessedControls::say(const std::string& file, const Neighbours& neighbours)
                             shown_by, reason_en));
 }
 
-/// The text is surely in a language that the named control is not read as: a lathe's, where Kadr reads the mill. Told.
+/// A lathe's program, of a control that Kadr reads as a mill's. Told.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
-  const auto may_refuse = [&](const GuessRows& rows) {
-    return std::find(rows.refused_by.begin(), rows.refused_by.end(), control) != rows.refused_by.end();
-  };
-  if (file == "-" || std::none_of(dialect_rows().begin(), dialect_rows().end(), may_refuse)) return false;
+  if (control.ends_with(".toml")) return false;
   const auto text = sample_of(file, options_.encoding);
-  if (!text) return false;
-  const Guess guess = guess_control(*text);
-  if (std::find(guess.refused_by.begin(), guess.refused_by.end(), control) == guess.refused_by.end()) return false;
-  complain(language(options_) == Lang::ru
-               ? fmt::format("{}: {}; для {} Kadr читает только программы фрезерных станков", file, guess.reason_ru, control)
-               : fmt::format("{}: {}; of {} Kadr reads milling programs alone", file, guess.reason_en, control));
-  return true;
+  const std::string why = text ? refused_by_control(*text, control, language(options_) == Lang::ru) : std::string();
+  if (!why.empty()) complain(fmt::format("{}: {}", file, why));
+  return !why.empty();
 }
 
 std::optional<std::string> GuessedControls::of(const std::string& file) const {

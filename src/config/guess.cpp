@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "base/ascii.h"
+#include "config/control_file.h"
 #include "config/guess_pattern.h"
 #include "config/text_kind.h"
 #include "lang/text/encoding.h"
@@ -19,6 +20,7 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
+constexpr double near = 4;  // what lies further behind the best is not meant
 
 /// Where nothing speaks for another: the most common of makers' machines.
 constexpr std::string_view usual_control = "mach3";
@@ -225,8 +227,21 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
   return guess;
 }
 
+std::string refused_by_control(std::string_view sample, std::string_view control, bool ru) {
+  std::string id;
+  for (const char c : control) id += to_lower(c);
+  for (const auto& [alias, meant] : control_aliases())
+    if (alias == id) id = meant;
+  const auto refuses = [&](const std::vector<std::string>& by) { return std::find(by.begin(), by.end(), id) != by.end(); };
+  const auto& rows = dialect_rows();
+  if (std::none_of(rows.begin(), rows.end(), [&](const GuessRows& of) { return refuses(of.refused_by); })) return {};
+  const Guess guess = guess_control(sample);
+  if (!refuses(guess.refused_by)) return {};
+  return ru ? guess.reason_ru + "; для " + id + " Kadr читает только программы фрезерных станков"
+            : guess.reason_en + "; of " + id + " Kadr reads milling programs alone";
+}
+
 std::vector<std::string> candidates_of(const Guess& guess) {
-  constexpr double near = 4;  // what lies further behind is not meant
   constexpr std::size_t most = 5;
   std::vector<std::string> ids;
   if (guess.control.empty() || guess.decisive) return ids;
@@ -238,7 +253,7 @@ std::vector<std::string> candidates_of(const Guess& guess) {
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
-  constexpr double of_faults = 3;
+  constexpr double of_faults = near + 1;  // a clean reading wins over one with faults
   for (const auto& [id, count] : faults)
     for (auto& [control, score] : guess.scores)
       if (control == id && count > 0) score -= of_faults;

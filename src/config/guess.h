@@ -38,6 +38,12 @@ Guess guess_control(std::string_view sample, std::string_view path = {}, const s
 Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
                   const std::vector<GuessRows>& dialects);
 
+/// The text is surely in a language that the named control is not read as: a lathe's program, where Kadr reads the mill. A control file
+/// of one's own is taken at its word.
+///   control  an id or alias
+///   returns  an error sentence; empty: it is not
+std::string refused_by_control(std::string_view sample, std::string_view control, bool ru);
+
 /// The weak guess, after a trial: controls that find faults in it stand behind those that find none.
 ///   candidates  those that may still be meant, the best first: not more than the trial is worth
 std::vector<std::string> candidates_of(const Guess& guess);

@@ -93,6 +93,8 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   const auto beginning = beginning_of(opened);
   if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
   std::string control = wish.control;
+  if (const std::string why = refused_by_control(*beginning, control, wish.lang == Lang::ru); !why.empty())
+    return wrong(fmt::format("{}: {}", wish.path, why));
   if (control.empty()) {
     opened.guess = guess_control(*beginning, called(wish.path));
     try_guess(*opened.guess, *beginning);
