@@ -49,6 +49,7 @@ class Twin:
 
     def __init__(self):
         r = self.rounded
+        self.edge = False                                # R is half of the chord: of exact figures too a rounding would decide
         self.at, self.zeros, self.shift = [0.0] * 3, [[0.0] * 3 for _ in range(7)], [0.0] * 3
         self.system, self.absolute, self.inch, self.plane, self.motion = 1, True, False, 'G17', 'G0'
         self.mm, self.tolerance, self.epsilon, self.turn = r(25.4), r(0.002), r(EPSILON), r(2 * r(PI))
@@ -140,6 +141,7 @@ class Twin:
             if target == self.at:
                 return {'error': 33}
             root = r(r(r(r(4 * radius) * radius) - r(x * x)) - r(y * y))
+            self.edge = abs(root) <= 1e-9 * (x * x + y * y)
             if root < 0:
                 return {'error': 34}
             chord = self.length(x, y)
@@ -343,13 +345,14 @@ class Batch:
     def __init__(self, seed, arcs):
         self.lines = program(seed, arcs)
         twin, exact = Twin(), Exact()
-        self.arcs = {}                                   # line: plane, twin's, exact's
+        self.arcs, self.edges = {}, set()                # line: plane, twin's, exact's; lines of which a warning means nothing
         for number, line in enumerate(self.lines, 1):
-            before = exact.at
+            before, exact.edge = exact.at, False
             found, other = twin.line(line), exact.line(line)
             if found is None:
                 continue
             self.arcs[number] = (twin.plane, found, other)
+            self.edges |= {number} if exact.edge else set()
             if 'error' in found:
                 exact.at = before                        # Grbl stays
             elif 'error' in other:
@@ -369,17 +372,19 @@ class Batch:
         done = motions(kadr, ['' if n in refused else line for n, line in enumerate(self.lines, 1)])
         for number, (plane, found, exact) in self.arcs.items():
             errors, warned = said.get(number, ([], set()))
-            fault = self.fault(found, exact, plane, errors, warned)
+            fault = self.fault(found, exact, plane, errors, warned, number in self.edges)
             if not fault and 'error' not in found:
                 fault = self.path_fault(found, plane, done.get(number))
             if fault:
                 yield f'line {number} {self.lines[number - 1]!r}: {fault}'
 
     @staticmethod
-    def fault(found, exact, plane, errors, warned):
+    def fault(found, exact, plane, errors, warned, on_edge):
         expected = [found['error']] if 'error' in found else []
         if errors != expected:
             return f'errors {errors}, Grbl {expected}'
+        if on_edge:
+            return None
         if 'error' in found or 'error' in exact:
             parted = 'error' not in found or 'error' not in exact
             return None if parted == bool(warned) else f'warnings {warned}, the exact figures give {exact}, 32 bits {found}'

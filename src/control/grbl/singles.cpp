@@ -2,7 +2,9 @@
 
 #include "control/grbl/singles.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/units.h"
@@ -35,7 +37,16 @@ float single_of(const Block& block, const Word& word) {
   return single_of_digits(filtered(text, place));
 }
 
+void Singles::read_lines(std::size_t system) {
+  for (std::size_t a = 0; a < axes; ++a)
+    if (Unread& word = unread[a]; word.size != 0) {
+      position.single[a] = target(a, single_of_digits({word.text.data(), word.size}), system, true);
+      word.size = 0;
+    }
+}
+
 void Singles::follow(const Interpreter& m, double tool_length) {
+  read_lines(m.modal.work_zero);
   position.follow(m.position.machine);
   shift.follow(m.set_position);
   for (std::size_t i = 1; i < zeros.size(); ++i) zeros[i].follow(m.tables.zeros[i]);
@@ -91,9 +102,20 @@ void Singles::note(const Interpreter& m, const CheckedBlock& block, double tool_
 }
 
 void Singles::note_line(const Interpreter& m) {
-  for (std::size_t a = 0; a < axes; ++a)
-    if (const Word* const w = m.word(m.letters.axis_letter[a]); w != nullptr)
-      position.take(a, m.position.machine[a], target(a, single_of(*m.block, *w), m.modal.work_zero, m.modal.absolute));
+  for (std::size_t a = 0; a < axes; ++a) {
+    const Word* const w = m.word(m.letters.axis_letter[a]);
+    if (w == nullptr) continue;
+    const std::string_view text = m.block->text_of(w->where).substr(1);
+    const bool waits = m.modal.absolute && text.size() <= unread[a].text.size() && text.find_first_of(" \t(") == std::string_view::npos;
+    position.exact[a] = m.position.machine[a];
+    unread[a].size = 0;
+    if (waits) {
+      std::copy(text.begin(), text.end(), unread[a].text.begin());
+      unread[a].size = static_cast<std::uint8_t>(text.size());
+    } else {
+      position.single[a] = target(a, single_of(*m.block, *w), m.modal.work_zero, m.modal.absolute);
+    }
+  }
 }
 
 }  // namespace kadr::grbl

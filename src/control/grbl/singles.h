@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "base/vec.h"
 #include "lang/block/block.h"
@@ -34,6 +35,12 @@ struct Singles {
   std::array<SinglePoint, 3> reference;      // G28.1, G30.1: 1, 2
   double exact_length = 0;
   float length = 0;                          // G43.1
+  /// The last words of lines that nobody has asked about: they are read when somebody does.
+  struct Unread {
+    std::array<char, 15> text{};
+    std::uint8_t size = 0;  // 0: none
+  };
+  std::array<Unread, axes> unread{};
 
   /// As the interpreter has them before a block.
   void follow(const Interpreter& m, double tool_length);
@@ -41,6 +48,7 @@ struct Singles {
   void note(const Interpreter& m, const CheckedBlock& block, double tool_length);
   /// A motion whose words are all that it is, in mm.
   void note_line(const Interpreter& m);
+  void read_lines(std::size_t system);
   /// Where words lead to, axis by axis.
   float target(std::size_t axis, float word, std::size_t system, bool absolute) const;
 };
