@@ -308,7 +308,7 @@ class BlockCheck {
     }
     const Vec2 offset{value(center_letter(plane.first)) * unit(), value(center_letter(plane.second)) * unit()};
     const bool given = m_.has(center_letter(plane.first)) || m_.has(center_letter(plane.second));
-    if (!given) return fail(alarm(AlarmId::center_missing, block_.where));
+    if (!given) return fail(alarm(AlarmId::center_missing, block_.where, center_letter(plane.first), center_letter(plane.second)));
     use("IJK");
     constexpr double arc_tolerance = 0.002;  // mm, $12: a circle within it is no segments, but a line (5.4)
     const double radius = kadr::length(offset), end_radius = kadr::length(to - from - offset), error = std::fabs(end_radius - radius);
