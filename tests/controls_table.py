@@ -58,11 +58,11 @@ TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "ex
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many"}
-CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "from",
-                         "to"}
+CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "told",
+                         "from", "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}
 CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
-                          "parameters"}
+                          "parameters", "left_out"}
 VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is", "ranges", "symbol", "first", "arg", "bit", "of", "access", "works"}
 FIRST_UNWRITTEN = 1_000_000  # first_unwritten_variable of control_def.h
 OWN_ALARM_KEYS = {"number", "en", "ru", "hint_en", "hint_ru"}

@@ -137,7 +137,7 @@ std::string picture(const ProgramSpec& spec, const std::string& kind) {
   const Channel& own = session->channels()[session->own()];
   const Control& control = *own.control;
   Statistics statistics(control.axes(), control.rotary(), rates_of(spec.machine(), own.setup, control.axes()));
-  statistics.start_with(own.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(own.setup.tool, 0)));
+  statistics.start_with(own.setup);
   Plot plot(control.axes(), control.rotary(), control.tool_position());
   Outlets& outlets = session->outlets();
   outlets.clock = &statistics.clock();

@@ -40,6 +40,7 @@ inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind 
 /// What the commanded feed is measured along.
 enum class FeedAlong : std::uint8_t {
   path,      // the linear axes; where only rotary axes move, their way (NIST 2.1.2.5)
+  turn,      // of an arc whose radius changes: its angle goes evenly, at its start with the feed (nct 4.3)
   arc,       // of a helix: the arc in its plane, the other axes keep pace (nct 4.3.2, HEF=0)
   all_axes,  // millimetres and degrees alike (nct 4.2)
   xyz,       // X, Y, Z where they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
@@ -181,6 +182,7 @@ struct MotionModes {
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
   HoleWork in_hole = HoleWork::none;             //
   EndGiven end_given = EndGiven::by_work;        //
+  std::uint8_t spindle = 1;                      // whose turns a feed per revolution and a thread count
   std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
   std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches
@@ -232,6 +234,7 @@ struct ToolSelect {
 struct ToolChange {
   std::uint32_t tool;
   ToolPlace place{};
+  bool there = false;  // nothing is changed: the program says which tool stands in the spindle (2С42 6.4.4)
 };
 /// M code for the machine.
 struct MachineFunction {
@@ -241,6 +244,7 @@ struct MachineFunction {
   std::uint8_t spindle = 0;        // it acts on; 0: none
   std::optional<double> number{};  // of an output or input, and what it gets (spec/linuxcnc 8)
   std::optional<double> value{};
+  bool by_control = false;  // the control carries it out itself, and the machine is told of it (nct 13.1: M2, M30, M98, M99)
 };
 /// A function on another address (nct 13.2).
 struct AuxiliaryFunction {
@@ -267,11 +271,11 @@ struct Sync {
 struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
-  AxisMask axes = 0;     // with limits; the others are free
-  Axes least{}, most{};  // of these, machine coordinates; infinite: no limit
+  AxisMask axes = 0;           // with limits; the others are free
+  Axes least{}, most{};        // of these, machine coordinates; infinite: no limit
+  bool of_parameters = false;  // it is the zone of the parameters as they are now, in force or not; G23 brings it back
 };
-/// An electronic gearbox begins: the slave axis turns with a spindle, and with the travel of a third axis, over and above what the
-/// motions command (nct 20.1). Uncouple: it stops.
+/// An electronic gearbox begins: the slave axis turns with a spindle and a third axis' travel beside its motions (nct 20.1).
 struct Couple {
   std::string master, slave;      // spindle, axis
   double ratio = 1;               // revolutions of the slave for one of the master, signed
@@ -304,8 +308,7 @@ struct ContourBreak {
   bool off = false;
   bool here = false;
 };
-/// The frame of what follows. Not a command to the machine: the tool stands, `work` are its coordinates from now on (a length that is
-/// taken out by the next motion only, 2С42, leaves them as they were).
+/// The frame of what follows, no command to the machine: `work` are the tool's coordinates from now on (2С42: but for a new length).
 struct FrameChange {
   Placement placement;
   Axes work;

@@ -73,6 +73,7 @@ double Curve::rise(FeedAlong along) const {
 }
 
 bool Curve::measures_path(FeedAlong along) const {
+  if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
   bool flat = true;  // nothing outside the plane moves
@@ -81,12 +82,14 @@ bool Curve::measures_path(FeedAlong along) const {
 }
 
 double Curve::length(FeedAlong along) const {
+  if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
   const double way = straight() ? rise(along) : flat_.length(rise(along));
   return way > 0 ? way : rotary_length();  // rotary axes alone: degrees for mm
 }
 
 double Curve::rate(FeedAlong along, double part) const {
   if (straight() || flat_.length() == 0) return length(along);
+  if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
   return std::hypot(kadr::length(flat_.rate(part)), rise(along));
 }
 

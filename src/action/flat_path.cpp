@@ -86,6 +86,8 @@ FlatPath FlatPath::arc(Vec2 from, Vec2 to, Vec2 center, double turns) {
   return path;
 }
 
+double FlatPath::turn_length() const { return arc_ ? std::abs(sweep_deg_) * rad_per_deg * radius_ : 0; }
+
 FlatPath FlatPath::spline(const PlaneSpline& curve, double from, double to) {
   FlatPath path = line(curve.at(from), curve.at(to));
   path.spline_ = &curve;

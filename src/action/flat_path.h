@@ -43,6 +43,9 @@ class FlatPath {
   /// Length in mm if it also goes `rise` mm out of the plane, evenly with the part (helix, cone).
   double length(double rise = 0) const;
 
+  /// Of an arc: its angle along a circle of the radius at its start; 0 where that is 0.
+  double turn_length() const;
+
   /// The exact bounding box.
   Box2 box() const;
 

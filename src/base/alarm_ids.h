@@ -32,7 +32,7 @@
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
   X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\
   /* cycles */                                                                               \
-  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_endless) X(cycle_undefined)   \
+  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_endless) X(cycle_undefined) X(cycle_word_taken) \
   X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \
@@ -60,7 +60,7 @@
   /* geometry, cycles, probes (nct 4, 10, 18, 19, 21) */                                     \
   X(thread_definition) X(thread_axes) X(incremental_in_machine) X(plane_illegal)             \
   X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing) \
-  X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown)                \
+  X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown) X(probe_servo_error) \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
   X(rough_uncompensated)                                                                   \
   /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \

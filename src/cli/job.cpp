@@ -94,7 +94,7 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   }
   job.profile = std::move(*profile);
   if (!take_setup(job, options)) return std::nullopt;
-  if (const std::string error = Plc(job.setup.events).error(); !error.empty()) {
+  if (const std::string error = Plc(job.setup.events, job.def->tells_of_ends()).error(); !error.empty()) {
     complain(options.setup + ": " + error);
     return std::nullopt;
   }

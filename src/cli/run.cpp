@@ -78,7 +78,7 @@ class RunCommand {
       View& view = *views_.emplace_back(std::make_unique<View>(channel, rates));
       const AxisMask rotary = channel.control->rotary();
       if (trace != nullptr) view.trace.emplace(trace, axes, rotary, channel.setup.points);
-      if (view.trace && channels_.size() > 1) view.trace->set_channel(channel.number);
+      if (view.trace && channels_.size() > 1) view.trace->set_channel(channel.number, channel.number == job_.setup.channel);
       if (const auto rules = session.look_ahead())
         view.statistics.count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
       if (i != session.own()) continue;

@@ -7,7 +7,7 @@
 namespace kadr::cli {
 
 View::View(const Channel& channel, const Rates& rates) : statistics(channel.control->axes(), channel.control->rotary(), rates) {
-  statistics.start_with(channel.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(channel.setup.tool, 0)));
+  statistics.start_with(channel.setup);
 }
 
 void View::show(const Step& step) {

@@ -110,7 +110,7 @@ void Course::take_switch(const Step& step) {
     if (!messages_) ++passed_messages_;
     else take_act(step, Kind::message, message->number, message->text);
   } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
-    take_function(step, function->code);
+    if (!function->by_control) take_function(step, function->code);
   } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
     take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
   } else if (const auto* const frame = std::get_if<FrameChange>(&what)) {

@@ -45,6 +45,7 @@ struct CodeRow {
   bool takes_all_axes = false;  // `*` in takes: every axis of the channel
   bool works = true;            // Kadr does it
   bool in_part = false;         // not all of it: the notes say what
+  bool told = false;            // the control does it, and tells the machine of it (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -104,6 +105,7 @@ struct CycleRow {
   std::string printed;                           // of one by steps: the body as the manual prints it, for people
   std::vector<std::pair<char, int>> parameters;  // of a permanent subprogram: which word sets which formal parameter
   std::uint64_t needs = 0;                       // letters that must be known (given or sticky)
+  std::uint64_t left_out = 0;                    // … of them R and Q, where the manual's own example has none: a warning
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
   bool needs_override_off = false;  // L84 of the 2С42: G23
@@ -195,6 +197,7 @@ struct Behaviour {
   bool arc_radius_word = false;         // G2 … R
   double arc_radius_difference = 0.01;  // mm
   double arc_difference_inch = 0;       // mm, while the unit is inch (G20); 0: the same
+  bool arc_angle_even = false;          // where an arc's radius changes its angle goes evenly (nct 4.3); else the path
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
   bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there
@@ -208,8 +211,11 @@ struct Behaviour {
   double return_chip_break = 1;         // mm, G73
   double return_near = 1;               // mm, back to just above the bottom in G83
   double probe_least_distance = 0;      // mm
+  double probe_retract = 0;             // mm, along its way back, when the probe has touched (Mach3 10.7.12.1)
   bool probe_in_inverse_time = false;   // Grbl: G38 in G93, its F is the time of the whole way
   bool speed_needs_direction = false;   // 2С42: S without M3/M4 changes nothing
+  bool tool_in_spindle = false;         // 2С42: a digit before the tool of T names the tool that stands in the spindle
+  bool skip_asks = false;               // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
   bool tool_and_corrector = false;      // T0404: the last two of more than two digits are the corrector
   bool zero_change_checked = false;     // 2С42: with G90 and G40 on a straight section only
   bool subprogram_zero_local = false;   // 2С42: the caller's zero comes back
@@ -256,12 +262,12 @@ struct Behaviour {
   bool common_is_local_shift = false;        // #5201 and G10 L2 P0 are G52, not the common zero (spec/haas 2.4, 5.4)
   bool drills_third = false;                 // cycles drill along Z in any plane, unless a parameter says otherwise (spec/fanuc 10.1)
   bool numbers_by_five = false;              // files of programs have five digits (spec/haas 1.1)
-  bool uvw_are_increments = true;            // U, V, W that name no axis are increments along X, Y, Z (nct 5.1; not in milling of the Fanuc)
-  std::uint32_t alarm_base = 4000;           // #3000=n is alarm base + n (5.5)
+  bool uvw_are_increments = true;   // U, V, W that name no axis are increments along X, Y, Z (nct 5.1; not in milling of the Fanuc)
+  std::uint32_t alarm_base = 4000;  // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
   std::uint32_t program_digits = 1;    // of O, as a program for the control is written
   std::uint32_t m_codes_of_block = 8;  // most M codes of a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
-  std::uint32_t offsets = 99;  // highest offset number
+  std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
   std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
 };
@@ -274,8 +280,8 @@ struct AlarmText {
 };
 
 /// Who does what no row of a control's file can say (`dialect = "…"`; control/dialect.h). iso: nobody.
-enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl };
-inline constexpr std::array<std::string_view, 6> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl"};
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3 };
+inline constexpr std::array<std::string_view, 7> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl", "mach3"};
 
 /// An M function of the machine that another control's machine has under another code.
 struct MachineCodeRow {
@@ -327,6 +333,10 @@ struct ControlDef {
   /// Some variables tell the time.
   bool has_clocks() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return is_clock(row.kind); });
+  }
+  /// The machine's logic is told of the codes that call and end programs (nct 13.1).
+  bool tells_of_ends() const {
+    return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
   }
   /// It has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }

@@ -31,6 +31,7 @@ Done ControlLoader::behaviour() {
   number("result_most", b.result_most, ranges::any);
   number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
   number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
+  flag("arc_angle_even", b.arc_angle_even);
   flag("helix_by_lead", b.helix_by_lead);
   number("feed_most", b.feed_most, ranges::feed);
   flag("feed_required", b.feed_required);
@@ -38,8 +39,11 @@ Done ControlLoader::behaviour() {
   number("return_chip_break", b.return_chip_break, ranges::distance);
   number("return_near", b.return_near, ranges::distance);
   number("probe_least_distance", b.probe_least_distance, ranges::distance);
+  number("probe_retract", b.probe_retract, ranges::distance);
   flag("probe_in_inverse_time", b.probe_in_inverse_time);
   flag("speed_needs_direction", b.speed_needs_direction);
+  flag("tool_in_spindle", b.tool_in_spindle);
+  flag("skip_asks", b.skip_asks);
   flag("tool_and_corrector", b.tool_and_corrector);
   flag("contour_entry_tangent", b.contour_entry_tangent);
   flag("contour_queued", b.contour_queued);

@@ -95,7 +95,7 @@ Done ControlLoader::codes(std::string_view key, char letter) {
 
 Done ControlLoader::code(char letter, double number, const toml::table& row) {
   KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works",
-                             "in_part", "en", "ru", "manual", "from", "to"}));
+                             "in_part", "told", "en", "ru", "manual", "from", "to"}));
   CodeRow c;
   c.letter = letter;
   c.tenth = static_cast<std::int32_t>(std::lround(number * 10));
@@ -121,6 +121,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.needs_axis = typed(row, "needs_axis", false);
   c.works = typed(row, "works", true);
   c.in_part = typed(row, "in_part", false);
+  c.told = typed(row, "told", false);
   if (const toml::array* const with = list(row, "with"))
     for (const auto& other : *with) {
       const std::string code = other.value_exact<std::string>().value_or(std::string());
@@ -188,7 +189,7 @@ Done ControlLoader::cycles() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     if (row == nullptr) return Failed(place(name_, node) + say("a cycle is a table"));
-    KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
+    KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "left_out", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
                                 "parameters", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
@@ -211,6 +212,7 @@ Done ControlLoader::cycles() {
     if (const toml::table* const to = (*row)["parameters"].as_table()) KADR_LOAD(cycle_parameters(*to, c));
     if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + say("a cycle has steps or a body"));
     c.needs = letters(*row, "needs");
+    c.left_out = letters(*row, "left_out");
     c.needs_spindle = typed(*row, "needs_spindle", false);
     c.needs_spindle_cw = typed(*row, "needs_spindle_cw", false);
     c.needs_override_off = typed(*row, "needs_override_off", false);

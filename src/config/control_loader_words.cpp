@@ -203,8 +203,9 @@ Done ControlLoader::grammar() {
   g.parameter_address = first_letter(*t, "formal_parameter");
   g.label_address = first_letter(*t, "label");
   g.long_parameters = (*t)["long_parameters"].value_or(g.long_parameters);
-  if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_capital) || g.long_parameters.size() > 3)
-    return Failed(place(name_, *t, "long_parameters") + say("long_parameters: at most three letters A to Z"));
+  const auto fits = [](char c) { return is_capital(c) || is_parameter_sign(c); };
+  if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), fits) || g.long_parameters.size() > most_long_parameters)
+    return Failed(place(name_, *t, "long_parameters") + say("long_parameters: letters A to Z and the signs # @ $ &, at most eight"));
   g.section_address = first_letter(*t, "section");
   const std::string end = text(*t, "end_of_block");
   if (end == "line_only") g.end_of_block = EndOfBlock::line_only;
@@ -315,8 +316,8 @@ bool ControlLoader::sign_address(std::string_view text) {
 }
 
 Done ControlLoader::address(char letter, const toml::table& row) {
-  KADR_LOAD(known_keys(
-      row, {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many", "en", "ru", "manual"}));
+  KADR_LOAD(known_keys(row, {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many", "en",
+                             "ru", "manual"}));
   AddressRow& a = def_.addresses[static_cast<std::size_t>(letter - 'A')];
   a.letter = letter;
   const auto function = function_of(row, CalledBy::word, address_written(letter));

@@ -184,6 +184,7 @@ struct Setup {
   int channel = 1;
   std::map<int, ChannelSetup> channels;  // the others
   std::vector<int> skip;                 // switches that are on
+  std::vector<bool> skip_answers;        // the operator is asked before a block is skipped, and says yes or no; the last one counts on
   bool optional_stop = false;
   std::vector<AlarmId> disabled;                   // warnings and notes that are not told
   std::vector<std::string> mirror;                 // axes

@@ -98,6 +98,7 @@ constexpr SetupKey keys[] = {
   {"parameters.*", F::number_or_text, N::fixed, any, U::none, stated, H::parameters, "", "0.5", "", "one parameter or bit", "один параметр или бит"},
 
   {"skip", F::wholes, N::fixed, {1, 9}, U::none, stated, H::nothing, "", "[1]", "", "skip switches that are on", "включённые переключатели пропуска кадров"},
+  {"skip_answers", F::texts, N::any, any, U::none, stated, H::skip_question, "yes no", R"(["yes", "no"])", "", "the operator is asked before a block is skipped; what he says, in order, the last answer from then on", "перед пропуском кадра оператора спрашивают; его ответы по порядку, последний действует дальше"},
   {"disable", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["word_passed_over"])", "", "warnings and notes that are not told, by their id; an alarm is always told", "предупреждения и замечания, о которых не сообщать, по их имени; об ошибке сообщается всегда"},
   {"optional_stop", F::flag, N::fixed, any, U::none, stated, H::nothing, "", "true", "", "the switch of M1 is on", "включён переключатель останова по M1"},
   {"single_block", F::flag, N::fixed, any, U::none, null, H::machine_axes, "", "true", "", "the switch block by block is on", "включён покадровый режим"},
@@ -197,6 +198,10 @@ constexpr SetupSignal signals[] = {
   {"CP_NOWT", "channels do not wait for each other", "каналы не ждут друг друга", "14.5"},
   {"CP_LIM2DIS", "zone 2 is suspended", "зона 2 отключена", "22.2"},
   {"CP_LIM3DIS", "zone 3 is suspended", "зона 3 отключена", "22.3"},
+  {"AP_SYNCR", "the axis follows the one that N2101 names", "ось движется вслед за осью из N2101", "20.2", true},
+  {"AP_PARKR", "the axis is parked", "ось запаркована", "20.2", true},
+  {"AP_MIXR", "the axis is exchanged with the one that N2104 names", "ось обменяна с осью из N2104", "20.3", true},
+  {"AP_MIRR", "the axis goes the other way round", "направление оси обращено", "20.4", true},
 };
 // clang-format on
 
@@ -226,6 +231,16 @@ const SetupKey* setup_key(std::string_view path) {
 }
 
 std::span<const SetupSignal> setup_signals() { return signals; }
+
+AxisSignal axis_signal(std::string_view name) {
+  constexpr std::pair<std::string_view, AxisLink> links[] = {{"AP_SYNCR.", AxisLink::follows},
+                                                             {"AP_PARKR.", AxisLink::parked},
+                                                             {"AP_MIXR.", AxisLink::exchanged},
+                                                             {"AP_MIRR.", AxisLink::reversed}};
+  for (const auto& [front, link] : links)
+    if (name.starts_with(front)) return {link, name.substr(front.size())};
+  return {};
+}
 
 SetupWords name_of(SetupUnit unit) {
   constexpr SetupWords names[] = {{"", ""},           {"mm", "мм"}, {"mm, degrees", "мм, градусы"}, {"mm/min", "мм/мин"},

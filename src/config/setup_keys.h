@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "config/setup.h"
+
 namespace kadr {
 
 /// What the value of a key is.
@@ -64,8 +66,9 @@ enum class SetupNeeds : std::uint8_t {
   clock,
   ini,  // settings of the control stand in an ini file (spec/linuxcnc 10.1)
   probe,
-  diameters,     // axes may be programmed in diameters
-  machine_axes,  // axes, channels, spindles and logic are the machine's
+  diameters,      // axes may be programmed in diameters
+  skip_question,  // the operator may be asked before a block is skipped
+  machine_axes,   // axes, channels, spindles and logic are the machine's
 };
 
 enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };
@@ -98,8 +101,16 @@ const SetupKey* setup_key(std::string_view path);
 /// A signal of the machine's logic that the control or the machine obeys (nct).
 struct SetupSignal {
   std::string_view name, en, ru, manual;
+  bool of_axis = false;  // each axis has one: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
+
+/// What the signal asks of an axis (nct 20.2 to 20.4): "AP_SYNCR.Z". The axis is empty where it is none of these.
+struct AxisSignal {
+  AxisLink link = AxisLink::follows;
+  std::string_view axis;
+};
+AxisSignal axis_signal(std::string_view name);
 
 /// How a number must be: "zero or above", "0 to 100", "above zero"; empty: any.
 struct SetupWords {

@@ -107,6 +107,13 @@ void kinematics(const Json& value, const std::string& key, KinematicsSetup& to) 
               {"D", vector}});
 }
 
+/// An answer of the operator.
+bool skips(const Json& value, const std::string& key) {
+  const std::string answer = word(value, key);
+  if (answer != "yes" && answer != "no") wrong(key, "\"yes\" or \"no\"");
+  return answer == "yes";
+}
+
 void overrides(const Json& value, const std::string& key, Setup& s) {
   read_table(value, key,
              {{"feed", to_range(s.feed_override, ranges::percent)},
@@ -127,6 +134,7 @@ Readers readers_of_machine(Setup& s) {
          numbered(v, k, s.spindles, spindle, {1, most_spindles});
        }},
       {"skip", [&](const Json& v, const std::string& k) { s.skip = list(v, k, whole); }},
+      {"skip_answers", [&](const Json& v, const std::string& k) { s.skip_answers = list(v, k, skips); }},
       {"disable", [&](const Json& v, const std::string& k) { s.disabled = list(v, k, finding); }},
       {"optional_stop", to_flag(s.optional_stop)},
       {"single_block", or_null(to_flag(s.single_block))},

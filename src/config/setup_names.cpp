@@ -91,6 +91,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
     case SetupNeeds::diameters: return def.machine_axes() || def.behaviour.diameter_by_setup;
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
+    case SetupNeeds::skip_question: return def.behaviour.skip_asks;
     case SetupNeeds::machine_axes: return def.machine_axes();
   }
   return true;
@@ -213,7 +214,10 @@ std::vector<std::string> SetupNamesOf::all(SetupNames kind) const {
       for (const ParameterRow& row : def_->parameters) names.push_back(text_of({row.name, "", ""}));
       return names;
     case SetupNames::signal:
-      for (const SetupSignal& signal : setup_signals()) names.emplace_back(signal.name);
+      for (const SetupSignal& signal : setup_signals()) {
+        if (!signal.of_axis) names.emplace_back(signal.name);
+        for (std::size_t a = 0; signal.of_axis && a < all_axes_.size(); ++a) names.push_back(std::string(signal.name) + "." + all_axes_[a]);
+      }
       return names;
     case SetupNames::shift: return {"G92", "G52"};
     default: return names;

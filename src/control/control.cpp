@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/machine_axes.h"
+#include "config/setup_keys.h"
 #include "control/interpreter.h"
 #include "control/shared_memory.h"
 #include "control/snapshot_content.h"
@@ -118,6 +119,8 @@ void Control::set_signal(const std::string& name, double value) {
   MachineSide* const side = machine_side();
   if (side == nullptr) return;
   side->set_signal(name, value);
+  if (const AxisSignal asked = axis_signal(name); !asked.axis.empty())
+    side->couple_axis(*interpreter_, std::string(asked.axis), asked.link, value != 0);
   if (on_signal) on_signal(name, value != 0);
   if (side->waiting_suspended()) interpreter_->waiting.meeting.reset();
 }
@@ -126,6 +129,8 @@ void Control::set_skip(int number, bool on) {
   if (number >= 1 && number < 10) interpreter_->skip_switches[static_cast<std::size_t>(number)] = on;
 }
 void Control::set_answer(double answer) {
+  constexpr double yes = 2;
+  if (interpreter_->skips_it) interpreter_->skips_it = answer == yes;
   if (MachineSide* const side = machine_side()) side->set_answer(answer);
 }
 void Control::synchronise(int slave, int master) {

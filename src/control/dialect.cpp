@@ -83,6 +83,7 @@ std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const 
     case DialectId::grbl: return make_grbl_dialect(setup);
     case DialectId::linuxcnc: return make_linuxcnc_dialect(m, setup, limits);
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
+    case DialectId::mach3: return make_mach3_dialect(limits);
     case DialectId::iso: break;
   }
   return nullptr;

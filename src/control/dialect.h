@@ -233,6 +233,7 @@ class Dialect {
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const Interpreter& m, const Setup& setup);
 std::unique_ptr<Dialect> make_grbl_dialect(const Setup& setup);
+std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits);
 std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 

@@ -116,9 +116,11 @@ Control::State Interpreter::run(ActionBatch& to) {
       for (const Alarm& w : block->warnings) warn(w);
       block->warnings.clear();  // of a block that is kept: told once
     }
+    if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
     if (!got && dialect && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) continue;
     if (got) {
       take_block();
+      skips_it.reset();
       if (unplaced != 0) [[unlikely]]
         note_placed();
       motion_run_.note(*this);
@@ -146,23 +148,6 @@ void Interpreter::carry_out_statement() {
   else report_changes();
 }
 
-bool Interpreter::carry_out_call(std::uint8_t word) {
-  const Word& w = block->words[word];
-  const CodeRow& row = def.codes[static_cast<std::size_t>(def.row_of(w.address, w.code))];
-  if (row.function == Function::return_program) {
-    const CallFrame* const top = flow.innermost();
-    const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    if (!plain || top->return_to >= 0) return false;  // another pass of the main program, an interrupt, a jump
-  }
-  journal.begin();
-  if (!evaluate_words() || !handler_of(row.function)(*this, {&row, &w, w.where})) return false;
-  if (dialect) {
-    dialect->after_code(*this, row, w.code);
-    dialect->note_line(*this);
-  }
-  return true;
-}
-
 void Interpreter::take_block() {
   if (returns_from_entered()) [[unlikely]]
     return fail_with(alarm(AlarmId::return_without_call, block->where));
@@ -179,12 +164,12 @@ bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block)
 /// A block with what the machine's logic does before it; after it: end_block, when its actions have been handed over (nct 23.4).
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
 void Interpreter::watch_block() {
-  const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
+  const bool skipped = is_skipped();
   in_interrupt = dialect && dialect->in_interrupt();
   const bool put_off = resumed && !in_interrupt && *resumed == block->position;
   if (put_off || !in_interrupt) resumed.reset();
   Result<bool> instead = false;
-  if (!put_off && !is_skipped) {
+  if (!put_off && !skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
     if (flow.ended()) return;  // the power went off
     if (dialect) instead = dialect->interrupt(*this, BlockMoment::start);
@@ -193,13 +178,13 @@ void Interpreter::watch_block() {
     resumed = block->position;
     return;
   }
-  if (block->skip != 0 && !is_skipped && dialect) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
+  if (block->skip != 0 && !skipped && dialect) dialect->note_skip_mark(*this);
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
   const Status status = instead ? execute() : Status(fail(instead.error()));
-  if (!is_skipped) block->skip = skip;
+  if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   else report_changes();
-  block_open = !stopped_ && !is_skipped;
+  block_open = !stopped_ && !skipped;
 }
 
 /// The end of a watched block: the interrupt macro, then the machine's logic.
@@ -277,7 +262,7 @@ Status Interpreter::execute() {
     pass_varies = true;
     use.note(UseKind::skip_switch, block->skip, origin);
     if (dialect) dialect->note_skip_mark(*this);
-    if (skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
+    if (is_skipped()) return {};
   }
   const bool data = dialect && block->has_number && dialect->takes_data();
   if (def.grammar.macro && !data) KADR_TRY(check_numbers());

@@ -224,6 +224,9 @@ class Interpreter : public ControlState, public RunMemory {
   SurfaceSpeed speed_by_x() const;
   Status note_answer(const ProbeAnswer& answer);
   Status emit_machine_function(const Call& call);
+  /// The machine's logic gets the code, which the control carries out itself (nct 13.1).
+  ///   code  in tenths
+  void tell_machine(std::int32_t code);
   Status plain_arc(Turn turn, Span where);
   ArcRule plain_arc_rule() const;
   BlockChanges changes_of_block(const Plan& plan) const;
@@ -278,6 +281,8 @@ class Interpreter : public ControlState, public RunMemory {
   bool returns_from_entered() const;
   void watch_block();
   bool is_watched() const;
+  bool asks_to_skip();
+  bool is_skipped() const;
   void end_block();
   void report_changes();
   std::vector<std::string> codes_in_force(const Modal& of) const;

@@ -121,6 +121,8 @@ void Interpreter::read_setup(const Setup& setup) {
   }
   for (const int s : setup.skip)
     if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;
+  skip_answers = setup.skip_answers;
+  if (!skip_answers.empty()) each_block = true;  // each answer is to come before the next block
   optional_stop_on = setup.optional_stop;
   for (const std::string& axis : setup.mirror)
     if (const auto found = std::find(axis_names.begin(), axis_names.end(), axis); found != axis_names.end())

@@ -79,13 +79,15 @@ Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
     placement_ = frame->placement;
     return {};
   }
+  const auto* const function = std::get_if<MachineFunction>(&what);
+  if (function != nullptr && function->by_control) return {};  // calls and ends are the flat program's own
   has_acts_ = true;
+  if (function != nullptr) return machine_code(function->code);
   if (const auto* const turned = std::get_if<Spindle>(&what)) return spindle(*turned);
   if (const auto* const of = std::get_if<Speed>(&what)) return speed(*of);
   if (const auto* const selected = std::get_if<ToolSelect>(&what)) return tool(selected->tool, selected->corrector, false);
-  if (const auto* const change = std::get_if<ToolChange>(&what)) return tool(change->tool, 0, true);
+  if (const auto* const change = std::get_if<ToolChange>(&what)) return change->there ? no_code("tool_word") : tool(change->tool, 0, true);
   if (const auto* const pause = std::get_if<Dwell>(&what)) return dwell(pause->seconds);
-  if (const auto* const function = std::get_if<MachineFunction>(&what)) return machine_code(function->code);
   if (const auto* const switched = std::get_if<CoolantSwitch>(&what)) return coolant(coolant_ = switched->what);
   if (const auto* const stop = std::get_if<Stop>(&what)) {
     if (stop->reason == StopReason::single_block || (stop->reason == StopReason::message && source_.same_messages)) return {};

@@ -1,6 +1,6 @@
 #pragma once
 // Parameters of the set-up that the machine itself obeys: safety zones and the in-position window (nct 4.1.1, 22), by axis of
-// the channel. INFERRED: what a program writes into them acts after the next start; they can be set in Edit mode only (22.2).
+// the channel. What a program writes into zone 2 acts from G23 on (22.2; ZoneChange); INFERRED: into the others, after the next start.
 
 #include <string>
 #include <vector>

@@ -40,7 +40,7 @@ struct CodeOf {
   }
   Code operator()(const Speed& s) const { return s.surface ? Code{} : Code{'S', s.value}; }
   Code operator()(const ToolSelect& t) const { return {'T', double(t.tool)}; }
-  Code operator()(const ToolChange&) const { return {'M', 6}; }
+  Code operator()(const ToolChange& t) const { return t.there ? Code{} : Code{'M', 6}; }
   Code operator()(const AuxiliaryFunction& a) const { return {a.address, a.value}; }
   template <class Other>
   Code operator()(const Other&) const {
@@ -55,12 +55,12 @@ double answer_value(const std::string& answer) {
   return 0;
 }
 
-/// Codes that the control carries out by itself: the logic never sees an action for them.
-bool is_seen(const std::string& code) {
+/// Not of codes that the control carries out by itself and does not tell of.
+bool is_seen(const std::string& code, bool told_of_ends) {
   constexpr std::string_view letters = "MSTABCUVW";
   if (letters.find(code[0]) == std::string_view::npos) return false;
   const double number = std::strtod(code.c_str() + 1, nullptr);
-  return code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
+  return told_of_ends || code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
 }
 
 PlcCommand command_of(const SetupEvent& event) {
@@ -85,11 +85,11 @@ PlcCommand command_of(const SetupEvent& event) {
 
 }  // namespace
 
-Plc::Plc(const std::vector<SetupEvent>& events) {
+Plc::Plc(const std::vector<SetupEvent>& events, bool told_of_ends) {
   for (const SetupEvent& from : events) {
     const std::string& word = from.code.empty() ? from.block : from.code;
     const char letter = word.empty() ? '\0' : word[0];
-    if (!from.code.empty() && !is_seen(from.code))
+    if (!from.code.empty() && !is_seen(from.code, told_of_ends))
       error_ = told("events: the machine's logic does not see ", "events: логика станка не видит ") + from.code;
     const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
     events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command_of(from)});

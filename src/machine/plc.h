@@ -43,7 +43,8 @@ using PlcCommand = std::variant<SetSignal, SetSkip, AnswerBox, Start, PowerCycle
 
 class Plc {
  public:
-  explicit Plc(const std::vector<SetupEvent>& events);
+  ///   told_of_ends  the control tells it of M2, M30, M98, M99 too (nct 13.1)
+  explicit Plc(const std::vector<SetupEvent>& events, bool told_of_ends = true);
 
   /// Which event cannot be served: a sentence; empty: all can.
   const std::string& error() const { return error_; }

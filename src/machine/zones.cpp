@@ -22,6 +22,12 @@ bool is_signal(const Setup& setup, const char* name) {
   return found != setup.signals.end() && found->second != 0;
 }
 
+/// Earlier on the way. Of two that only rounding holds apart the first in the order of axes and zones is named.
+bool is_before(double part, double other) {
+  constexpr double same = 1e-9;
+  return part < other - same;
+}
+
 }  // namespace
 
 Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup)
@@ -50,7 +56,11 @@ Zones::Zone2 Zones::zone_of(const ZoneChange& zone) const {
   return made;
 }
 
-void Zones::change(const ZoneChange& zone) { zone2_ = zone.on ? zone_of(zone) : of_parameters_; }
+void Zones::change(const ZoneChange& zone) {
+  if (zone.of_parameters && zone.axes == 0) checks_before_ = zone.on;
+  else if (zone.of_parameters) of_parameters_ = zone.on ? zone_of(zone) : Zone2{};
+  zone2_ = zone.on && !zone.of_parameters ? zone_of(zone) : of_parameters_;
+}
 
 ZoneBox Zones::open2() const { return zone2_.box.grown(-tol::same_point); }
 ZoneBox Zones::closed3() const { return zone3_.grown(tol::same_point); }
@@ -106,7 +116,7 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
     if (!box.has(i) || path.rolls_over(i)) continue;
     const auto look = [&](double limit, double passed, Side side, AlarmId id) {
       const auto part = first_passing(path, i, passed, side);
-      if (part && *part < first.part) first = {*part, alarm(id, {}, std::string_view(names_[i]), limit)};
+      if (part && is_before(*part, first.part)) first = {*part, alarm(id, {}, std::string_view(names_[i]), limit)};
     };
     const auto [low, high] = bounds(i);
     if (whole.most[i] > high) look(box.most[i], high, Side::above, ids.positive);
@@ -122,7 +132,7 @@ Status Zones::on_the_way(const MachinePath& path) const {
   if (outside2()) limits_reached(path, zone2_.box, {AlarmId::zone2_reached_positive, AlarmId::zone2_reached_negative}, first);
   const auto inside = [&](bool in_force, const ZoneBox& box, AlarmId id) {
     const auto part = in_force && !checks_before_ ? first_meeting(box, path) : std::nullopt;
-    if (part && *part < first.part) first = {*part, alarm(id, {})};
+    if (part && is_before(*part, first.part)) first = {*part, alarm(id, {})};
   };
   inside(inside2(), open2(), AlarmId::zone2_reached_inside);
   inside(inside3(), closed3(), AlarmId::zone3_reached_inside);

@@ -27,7 +27,8 @@ class Zones {
   /// `ends`: the end positions.
   Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
 
-  /// G22 or G23.
+  /// G22 or G23: two changes `of_parameters` say the zone of the parameters, and without axes whether the check before the motion is on
+  /// (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
   /// The machine's logic holds a check off: 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
@@ -90,12 +91,15 @@ class Zones {
 
 /// What a run has changed of them.
 struct Zones::Memory {
-  Zone2 zone2;
+  Zone2 zone2, of_parameters;
+  bool checks_before = false;
   bool suspended2 = false, suspended3 = false;
 };
-inline Zones::Memory Zones::memory() const { return {zone2_, suspended2_, suspended3_}; }
+inline Zones::Memory Zones::memory() const { return {zone2_, of_parameters_, checks_before_, suspended2_, suspended3_}; }
 inline void Zones::remember(const Memory& memory) {
   zone2_ = memory.zone2;
+  of_parameters_ = memory.of_parameters;
+  checks_before_ = memory.checks_before;
   suspended2_ = memory.suspended2;
   suspended3_ = memory.suspended3;
 }

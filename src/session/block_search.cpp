@@ -13,7 +13,7 @@ namespace {
 
 /// The M code that an action was commanded by; 0: it is of none that the machine's logic gets.
 std::uint32_t m_code_of(const Action& action) {
-  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return function->code;
+  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return function->by_control ? 0 : function->code;
   if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) {
     constexpr std::uint32_t codes[] = {9, 7, 8};
     return codes[static_cast<std::size_t>(coolant->what)];

@@ -266,7 +266,7 @@ Status ChannelRun::remember(const Memory& memory) {
 TimeEstimate& ChannelRun::clock() {
   if (clock_ == nullptr) {
     clock_ = &own_clock_.emplace(machine_.roles(), rates_);
-    clock_->spindle(setup_.spindle().rpm);
+    clock_->spindles(setup_);
   }
   return *clock_;
 }

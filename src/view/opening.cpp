@@ -119,7 +119,7 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   if (!setup) return wrong(setup.error());
   opened.setup = std::move(setup->setup);
   opened.stated = std::move(setup->stated);
-  if (const std::string error = Plc(opened.setup.events).error(); !error.empty()) return wrong(error);
+  if (const std::string error = Plc(opened.setup.events, opened.def->tells_of_ends()).error(); !error.empty()) return wrong(error);
   return opened;
 }
 

@@ -50,7 +50,7 @@ void ProgramRun::attach() {
     if (on_piece) on_piece(piece, 0);
   };
   statistics_ = std::make_unique<Statistics>(control.axes(), control.rotary(), rates_of(opened_.machine, own.setup, control.axes()));
-  statistics_->start_with(own.setup.spindle().rpm, tool);
+  statistics_->start_with(own.setup);
   const auto rules = session_->look_ahead();
   if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
   Outlets& outlets = session_->outlets();

@@ -86,6 +86,29 @@ TEST(zones, the_first_one_on_the_way_is_named) {
   EXPECT_EQ(checked(zones_of(bits("C"), cube(0, 100, true), ends), {50, 50, 50}, {150, 50, 50}), "zone1_positive X");
 }
 
+TEST(zones, of_two_reached_at_once_the_first_axis_is_named) {
+  const Zones zones = zones_of({}, cube(0, 100, true));
+  for (const double bit : {-1e-13, 0.0, 1e-13}) {
+    EXPECT_EQ(checked(zones, {50, 50 + bit, 50}, {150, 150 + bit, 50}), "zone2_reached_positive X");
+    EXPECT_EQ(checked(zones, {150, 150 + bit, 50}, {151, 151, 50}), "zone2_reached_positive X");  // from beyond both
+  }
+}
+
+TEST(zones, what_is_written_acts_from_g23_on) {  // 22.2
+  Zones zones(names, roles, no_ends(), {});
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "");
+  ZoneChange written = cube(0, 100, true);
+  written.of_parameters = true;
+  zones.change(written);
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "zone2_reached_positive X");
+  zones.change(ZoneChange{true, false, 0, {}, {}, true});  // CBM
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "zone2_positive X");
+  zones.change(cube(0, 200, true));  // G22
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "");
+  zones.change(written);
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "zone2_positive X");
+}
+
 TEST(zones, inside_forbidden) {
   const Zones before = zones_of(bits("C"), cube(0, 100, false)), after = zones_of({}, cube(0, 100, false));
   EXPECT_EQ(checked(before, {150, 50, 50}, {50, 50, 50}), "zone2_inside");

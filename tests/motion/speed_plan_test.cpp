@@ -86,6 +86,20 @@ RC_GTEST_PROP(speed_plan, bell_shaped_takes_longer, ()) {
   RC_ASSERT(seconds(pieces) <= smooth * (1 + 1e-9));
 }
 
+/// Limits that are equal but for rounding, as those of one figure along its sides: which of them is the lower decides nothing.
+RC_GTEST_PROP(speed_plan, rounding_decides_nothing, ()) {
+  const std::vector<PathPiece> even = any_path(true);
+  std::vector<PathPiece> planned = even, noisy = even;
+  for (PathPiece& p : noisy) {
+    p.most *= 1 + 1e-15 * *rc::gen::inRange(-4, 5);
+    p.enter *= 1 + 1e-15 * *rc::gen::inRange(-4, 5);
+  }
+  SpeedPlan().make(planned, 0);
+  SpeedPlan().make(noisy, 0);
+  for (std::size_t k = 0; k < even.size(); ++k)
+    RC_ASSERT(std::abs(planned[k].seconds - noisy[k].seconds) <= 1e-5 * std::max(planned[k].seconds, noisy[k].seconds));
+}
+
 TEST(speed_plan, one_ramp_over_many_pieces) {
   const std::vector<PathPiece> pieces(100, {1, 100, 1e9, {1000, 0.05}});
   EXPECT_NEAR(seconds(pieces), 1.15, 1e-9);

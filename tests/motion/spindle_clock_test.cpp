@@ -64,6 +64,19 @@ TEST(spindle_turning, by_the_speed_at_the_surface) {
   EXPECT_EQ(turning.at({50}), 0);
 }
 
+// 11.4: the main spindle of a channel may be another one; each goes on turning.
+TEST(spindle_clock, another_one_leads) {
+  SpindleClock clock;
+  clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
+  clock.take(act(Spindle{SpindleDir::ccw, 120, 2, {}, {}}));
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, 0);
+  clock.lead(2);
+  EXPECT_EQ(clock.per_second(), -720);
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, -720);
+  clock.lead(1);
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, 720);
+}
+
 TEST(spindle_clock, coupled_it_goes_with_the_axis) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));

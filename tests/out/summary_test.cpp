@@ -146,7 +146,10 @@ TEST(summary, threads_cut) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
   Counting run(names, 0, {});
   Statistics& s = run.s;
-  s.start_with(100, 1);
+  Setup setup;
+  setup.tool = 1;
+  setup.spindles[1].rpm = 100;
+  s.start_with(setup);
   MotionDetail detail;
   detail.lead = 2;
   Motion m = straight(thread, {0, 0, -20});

@@ -1,7 +1,10 @@
 #pragma once
 // The geometry of one programmed arc: centre, sweep, checks. Plain numbers in the plane; no words, no state.
 
+#include <cmath>
+
 #include "base/result.h"
+#include "base/tolerance.h"
 #include "base/vec.h"
 
 namespace kadr {
@@ -19,7 +22,13 @@ struct ArcRule {
   bool absolute = false;        // they are coordinates; else distances from the start
   bool lead_on_normal = false;  // that on the normal axis is the lead of a helix (2С42 6.6.6)
   double difference = 0;        // mm; how far the radii at start and end may differ
+  bool even_angle = false;      // where they differ the angle goes evenly (nct 4.3); else the feed is that of the path
 };
+
+/// By more than rounding.
+inline bool radius_changes(Vec2 from, Vec2 to, Vec2 center) {
+  return std::fabs(length(to - center) - length(from - center)) > tol::same_point;
+}
 
 /// Arc from `from` to `to` around `center`; a full circle if the two coincide.
 ///   from, to, center  mm, in the plane

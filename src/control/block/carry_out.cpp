@@ -71,10 +71,40 @@ Status Interpreter::carry_out(const PlanItem& item) {
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   if (dialect) dialect->before_function(*this, function);
   const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may make another block the current one
+  if (row != nullptr && row->told) tell_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
   if (dialect && row != nullptr) dialect->after_code(*this, *row, code);
   return {};
+}
+
+bool Interpreter::carry_out_call(std::uint8_t word) {
+  const Word& w = block->words[word];
+  const CodeRow& row = def.codes[static_cast<std::size_t>(def.row_of(w.address, w.code))];
+  if (row.function == Function::return_program) {
+    const CallFrame* const top = flow.innermost();
+    const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
+    if (!plain || top->return_to >= 0) return false;  // another pass of the main program, an interrupt, a jump
+  }
+  journal.begin();
+  const std::size_t actions = batch->size();
+  if (!evaluate_words()) return false;
+  if (row.told) tell_machine(w.code);
+  if (!handler_of(row.function)(*this, {&row, &w, w.where})) {
+    batch->cut(actions);
+    return false;
+  }
+  if (dialect) {
+    dialect->after_code(*this, row, w.code);
+    dialect->note_line(*this);
+  }
+  return true;
+}
+
+void Interpreter::tell_machine(std::int32_t code) {
+  MachineFunction function{static_cast<std::uint32_t>(code / 10)};
+  function.by_control = true;
+  emit(function);
 }
 
 /// In a drilling cycle's block M0 acts after operation 1, the end of the program after the last hole; in a turning cycle's

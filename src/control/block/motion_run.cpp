@@ -245,6 +245,12 @@ bool MotionRun::find_arc(const Interpreter& m, const Form& form, Kind kind, cons
   return found.has_value();
 }
 
+bool MotionRun::changes_radius(const Interpreter& m, const Axes& to, Vec2 center) {
+  const PlaneAxes& plane = m.modal.axes;
+  const Axes& from = m.position.programmed;
+  return radius_changes({from[plane.first], from[plane.second]}, {to[plane.first], to[plane.second]}, center);
+}
+
 // NOLINTNEXTLINE(readability-function-size): in one piece, it is what a line costs
 bool MotionRun::take(Interpreter& m) {
   const Block& block = *m.block;
@@ -288,6 +294,7 @@ bool MotionRun::take(Interpreter& m) {
   if (arc && !find_arc(m, form, kind, to, found)) return refused();
 
   const AxisMask named = arc ? form.named | plane_of(m) : form.named;
+  const bool turns_evenly = arc && arcs_.even_angle && named == plane_of(m) && changes_radius(m, to, found.center);
   for (AxisMask rest = form.named; rest != 0; rest &= rest - 1) {
     const auto a = static_cast<std::size_t>(__builtin_ctz(rest));
     m.position.programmed[a] = to[a];
@@ -301,6 +308,8 @@ bool MotionRun::take(Interpreter& m) {
   if (arc) {
     motion.center = found.center;
     motion.turns = found.turns;
+    if (turns_evenly) motion.along = FeedAlong::turn;
+    else if (motion.along == FeedAlong::turn) motion.along = FeedAlong::arc;
   }
   if (m.dialect) m.dialect->note_line(m);
   return true;

@@ -71,6 +71,7 @@ class MotionRun {
     return !block.has_number || (block.number >= number_least_ && block.number <= number_most_);
   }
   bool holds(const Interpreter& m, const Form& form) const;
+  static bool changes_radius(const Interpreter& m, const Axes& to, Vec2 center);
   bool find_arc(const Interpreter& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const;
 
   bool on_ = false;

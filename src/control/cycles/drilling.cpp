@@ -87,15 +87,35 @@ class Drilling {
     take('I', 'I', memory_.i, true);
     take('J', 'J', memory_.j, true);
     take('K', 'K', memory_.k, true);
-    std::uint64_t missing = cycle_.needs & ~memory_.known;
+    take_left_out();
+    std::uint64_t missing = cycle_.needs & ~(memory_.known | taken_);
     if (missing != 0) {
       char letter = static_cast<char>('A' + std::countr_zero(missing));
       if (letter == 'Z') letter = drill;
       return fail(alarm(AlarmId::word_missing, call_.where, letter, call_.row->code));
     }
-    if ((cycle_.needs & letter_bit('Q')) != 0 && !(memory_.peck > 0)) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), memory_.peck));
+    if (((cycle_.needs & ~taken_) & letter_bit('Q')) != 0 && !(memory_.peck > 0))
+      return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), memory_.peck));
     if (memory_.dwell < 0) return fail(alarm(AlarmId::value_out_of_range, m_.where('P'), 'P', memory_.dwell));
     return {};
+  }
+
+  /// What the block, and those before it, leave out and the manual's example too (Mach3 10.7.6: G83 Z-0.6). INFERRED: without R the cycle
+  /// begins where the tool stands, without Q the drill goes down in one pass. Neither is kept for the next hole.
+  void take_left_out() {
+    taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // an alarm says that
+    if ((taken_ & letter_bit('R')) != 0) {
+      memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
+      warn_of('R', memory_.level);
+    }
+    if ((taken_ & letter_bit('Q')) == 0) return;
+    memory_.peck = m_.modal.absolute ? memory_.level - memory_.bottom : -memory_.bottom;
+    warn_of('Q', memory_.peck);
+  }
+
+  void warn_of(char letter, double taken) {
+    m_.warn(warning(AlarmId::cycle_word_taken, call_.where, letter, call_.row->code, m_.modal.inch ? taken / mm_per_inch : taken));
   }
 
   /// G90: R and Z are coordinates; G91: R from where the tool stands, Z from R.
@@ -159,6 +179,7 @@ class Drilling {
   const CycleRow& cycle_;
   CycleAxes axes_;
   CycleMemory& memory_;
+  std::uint64_t taken_ = 0;  // words that are left out, and what is taken for them
 };
 
 }  // namespace

@@ -73,7 +73,10 @@ class Circular {
       if (!arc) return placed(m_, arc.error());
       return arc;
     }
-    if (!has_center(axes_.first) && !has_center(axes_.second)) return fail(alarm(AlarmId::center_missing, where));
+    if (!has_center(axes_.first) && !has_center(axes_.second)) {
+      const auto& letters = m_.letters.center_letter;
+      return fail(alarm(AlarmId::center_missing, where, letters[axes_.first], letters[axes_.second]));
+    }
     if (!rule_.lead_on_normal && has_center(axes_.normal) && m_.value(m_.letters.center_letter[axes_.normal]) != 0)
       return fail(
           alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));

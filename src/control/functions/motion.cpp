@@ -54,6 +54,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.first = static_cast<std::uint8_t>(modal.axes.first);
   motion.second = static_cast<std::uint8_t>(modal.axes.second);
   motion.along = FeedAlong::path;
+  motion.spindle = modal.main_spindle;
   motion.own_override = !modal.override_enabled || (modal.override_permission & feed_permission) == 0;
   motion.no_hold = motion.in_position = false;
   motion.named = named;

@@ -336,7 +336,7 @@ class BlockCheck {
       return found(read_arc(words));
     }
     const char first = center_letter(plane.first), second = center_letter(plane.second);
-    if (!m_.has(first) && !m_.has(second)) return fail(alarm(AlarmId::center_missing, block_.where));
+    if (!m_.has(first) && !m_.has(second)) return fail(alarm(AlarmId::center_missing, block_.where, first, second));
     use("IJK");
     words.offset = {value(first) * unit(), value(second) * unit()};
     words.single_offset = {single_value(first), single_value(second)};

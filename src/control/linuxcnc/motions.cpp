@@ -146,6 +146,7 @@ Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
   motion.own_override = motion.no_hold = true;
   motion.unit = FeedUnit::mm_per_rev;
   motion.feed = lead;
+  motion.spindle = machine_number(linuxcnc_of(m).state.active_spindle);
   auto detail = std::make_shared<MotionDetail>();
   detail->lead = lead;
   motion.detail = std::move(detail);

@@ -27,8 +27,6 @@ std::optional<int> spindle_word(const Interpreter& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-std::uint8_t told(int number) { return static_cast<std::uint8_t>(number + 1); }
-
 /// The spindles that a number means.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
@@ -39,10 +37,12 @@ void each_spindle(const LinuxCnc& control, int number, Use use) {
 void command_spindle(Interpreter& m, int number, SpindleDir dir) {
   if (number == 0) m.modal.spindle = dir;
   else linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir = dir;
-  m.emit(Spindle{dir, dir == SpindleDir::stop ? 0 : rpm_of(m, number), told(number)});
+  m.emit(Spindle{dir, dir == SpindleDir::stop ? 0 : rpm_of(m, number), machine_number(number)});
 }
 
 }  // namespace
+
+std::uint8_t machine_number(int number) { return static_cast<std::uint8_t>(number + 1); }
 
 double rpm_of(const Interpreter& m, int number) {
   return number == 0 ? m.modal.rpm : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].rpm;
@@ -76,9 +76,11 @@ Status spindle_of_modes(Interpreter& m) {
   const bool of_speed = control.codes.g[14] >= 0, of_feed = control.codes.g[5] >= 0;
   if (!of_speed && !of_feed) return {};
   control.state.active_spindle = 0;
-  return take_spindle(
+  const Status taken = take_spindle(
       m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
       m.block->where);
+  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // whose turns G95 counts
+  return taken;
 }
 
 void stop_other_spindles(Interpreter& m) {
@@ -86,6 +88,7 @@ void stop_other_spindles(Interpreter& m) {
   for (int i = 1; i < control.machine.spindles; ++i)
     if (control.state.others[static_cast<std::size_t>(i)].dir != SpindleDir::stop) command_spindle(m, i, SpindleDir::stop);
   control.state.active_spindle = 0;
+  m.modal.main_spindle = machine_number(0);
 }
 
 /// M3, M4, M5 with `$`.
@@ -131,7 +134,7 @@ Status speed_of_spindle(Interpreter& m, const Call& call) {
     if (i == 0) m.modal.rpm = rpm;
     else control.state.others[static_cast<std::size_t>(i)].rpm = rpm;
     const bool surface = i == 0 ? m.modal.surface_speed : control.state.others[static_cast<std::size_t>(i)].surface;
-    if (!starts) m.emit(Speed{rpm, surface, linuxcnc::told(i)});
+    if (!starts) m.emit(Speed{rpm, surface, linuxcnc::machine_number(i)});
   });
   return {};
 }

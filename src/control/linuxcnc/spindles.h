@@ -10,6 +10,8 @@ class Interpreter;
 
 namespace kadr::linuxcnc {
 
+/// The machine counts its spindles from 1, `$` from 0.
+std::uint8_t machine_number(int number);
 /// A spindle as it was commanded.
 SpindleDir direction_of(const Interpreter& m, int number);
 double rpm_of(const Interpreter& m, int number);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/setup_keys.h"
 #include "control/interpreter.h"
 #include "control/nct/blocks.h"
 #include "control/nct/calls/calls.h"
@@ -27,7 +28,12 @@ std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, co
 
 namespace nct {
 
-void Nct::started(Interpreter& m) { couple_gantries(m); }
+void Nct::started(Interpreter& m) {
+  couple_gantries(m);
+  for (const auto& [name, value] : signals)  // what the machine's logic asks of axes from the start (20.2 to 20.4)
+    if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
+      couple_axis(m, std::string(asked.axis), asked.link, true);
+}
 
 bool Nct::end_program(Interpreter& m) {
   if (settings.part_code == 0) state.parts_done += 1;  // 13.1; else note_code
@@ -149,7 +155,8 @@ AxisMask Nct::rolling_axes(const Interpreter& m) const {
 
 /// I, J, K belong to X, Y, Z whatever axes the plane has (4.3); with others there Kadr looks closer.
 ArcRule Nct::arc_rule(const Interpreter& m) const {
-  return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference};
+  return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
+          m.def.behaviour.arc_angle_even};
 }
 
 void Nct::note_line(Interpreter& m) {

@@ -1,5 +1,7 @@
 // What the machine's logic and its operator tell the NCT (spec/nct 11.7, 11.8, 12.3, 20.2, 23.1.9, 23.4).
 
+#include <utility>
+
 #include "control/nct/calls/waiting.h"
 #include "control/nct/nct.h"
 #include "control/nct/spindles/coupling.h"
@@ -53,7 +55,10 @@ void Nct::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
   cutting_ms += cut_ms;  // the program may have set it
   constexpr double ms_per_s = 1000;
-  if (counts_time) tools.add_time(cut_ms / ms_per_s, spindle_magazine());
+  const SpindleState& leads = spindle(state.main_spindle);
+  const bool turns = leads.dir == SpindleDir::cw || leads.dir == SpindleDir::ccw;
+  const bool turned_then = std::exchange(turned, turns);
+  if (counts_time && (turns || turned_then)) tools.add_time(cut_ms / ms_per_s, spindle_magazine());
   counts_time = tools.counts_time();
 }
 

@@ -58,6 +58,18 @@ Result<int> input_of(const Interpreter& m) {
   return static_cast<int>(*p);
 }
 
+/// N3019 watches the lag of the axis meanwhile (21.2). INFERRED: 0 is no limit; the lag is the one that the set-up states.
+Status servo_follows(const Interpreter& m, const Call& call, AxisMask named) {
+  const nct::ParameterStore& store = nct_of(m).parameters;
+  const auto limit = store.named("3019");
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const double most = store.value(limit, m.def.axis_numbers[a]);
+    if ((named >> a & 1u) != 0 && most > 0 && nct_of(m).servo_lag[a] > most)
+      return fail(alarm(AlarmId::probe_servo_error, call.where, std::string_view(m.axis_names[a])));
+  }
+  return {};
+}
+
 /// G31 P98 (21.2): Q1 … Q254 and one axis, whose drive tells its torque.
 Status torque_possible(const Interpreter& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
@@ -68,7 +80,7 @@ Status torque_possible(const Interpreter& m, const Call& call, AxisMask named) {
     if ((named >> a & 1u) != 0 && ++count == 2)
       return fail(alarm(AlarmId::probe_torque_axis, call.where, std::string_view(m.axis_names[a])));
   if (!nct_of(m).settings.torque_known) return fail(alarm(AlarmId::probe_torque_unknown, call.where));
-  return {};
+  return servo_follows(m, call, named);
 }
 
 /// The measuring feed: of the parameter where a bit says so (SKF, TLF), else 0, the one in force.

@@ -171,7 +171,9 @@ struct Memory {
   Vec3 normal_before;  // of the surface, where the block's motion begins (25.17)
   // of the machine and its operator
   std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
+  double spindle_part = 1;                                        // spindle override / 100
   double singular = 0;                                            // degrees: of the set-up's kinematics
+  Axes servo_lag{};                                               // how far the set-up says that each axis stays from the command, mm
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
   std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
@@ -179,6 +181,7 @@ struct Memory {
   double parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
   bool counts_time = false;               // of tools, since set_time came last
+  bool turned = false;                    // the main spindle, then
   double now_ms = 0;                      // virtual time since power-on
   double tool_magazine = 10;              // #8400
   Axes probe_position{}, probe_length{};  // work coordinates; tool length then, as vector on the main axes
@@ -194,7 +197,7 @@ struct Memory {
   std::vector<std::pair<std::size_t, int>> spindle_axes;  // axis, spindle that it is made of (11.8)
   Endless endless;
   std::uint64_t parameters_seen = 0;  // version of the parameters that `settings` are of, plus 1
-  std::uint64_t without_point = 0;  // letters whose numbers take no decimal point (spec/fanuc 1.3)
+  std::uint64_t without_point = 0;    // letters whose numbers take no decimal point (spec/fanuc 1.3)
 };
 
 }  // namespace kadr::nct

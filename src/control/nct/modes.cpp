@@ -141,10 +141,10 @@ Result<double> dwell_by_digits(Interpreter& m) {
 Result<double> dwell_seconds(Interpreter& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
   if (m.modal.feed_mode != FeedMode::per_revolution || nct_of(m).settings.dwell_seconds) return p;
-  const double rpm = nct_of(m).spindle_rpm(m);
+  const double rpm = nct_of(m).spindle_part > 0 ? nct_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
   if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
-  return p * 60 / rpm;
+  return p * 60 / (rpm * nct_of(m).spindle_part);  // INFERRED (8): revolutions as the spindle makes them, its override included
 }
 
 }  // namespace kadr::nct

@@ -204,6 +204,8 @@ bool Nct::start(Interpreter& m, const Setup& setup) {
     for (const std::string& name : {std::string("*"), m.axis_names[a]})
       if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.limits)
         axis_limits[a] = *found->second.limits;
+    for (const std::string& name : {std::string("*"), m.axis_names[a]})
+      if (const auto found = setup.machine.find(name); found != setup.machine.end()) servo_lag[a] = found->second.position_error;
   }
   for (const auto& [number, spindle_setup] : setup.spindles) {
     if (number < 1 || number > static_cast<int>(most_spindles)) continue;
@@ -217,6 +219,8 @@ bool Nct::start(Interpreter& m, const Setup& setup) {
     spindle_names[number] = spindle_setup.name;
   }
   if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
+  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4, INFERRED: that of N0604
+  spindle_part = setup.spindle_override / 100;
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
   signals = setup.signals;

@@ -122,9 +122,10 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* doo
 /// A file of that number in another form, or (`by_word`) one that begins with it: in the caller's folder, then in that of --files.
 ///   returns  "": there is none
 ///   alarms  label_twice
-Result<std::string> other_file(Interpreter& m, std::uint32_t number, const std::string& extension, bool by_word, Span where) {
+Result<std::string> other_file(Interpreter& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
+  const std::string extension = caller.extension().string();
   if (!by_word && names_are_strict(extension)) return std::string();
-  const fs::path own = fs::path(m.flow.file()).parent_path();
+  const fs::path own = caller.parent_path();
   for (const fs::path& folder : {own.empty() ? fs::path(".") : own, fs::path(m.flow.limits().files)}) {
     if (folder.empty()) continue;
     std::vector<std::string> files;
@@ -158,11 +159,12 @@ std::uint32_t number_of_file(const std::string& path) {
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
 }
 
-Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where) {
+Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
   if (m.def.behaviour.own_programs_first) return by_steps(m, number, where);
-  const std::pair key{std::uint32_t{m.flow.reader()}, number};
+  const bool of_main = beside == Beside::main_program;
+  const std::pair key{of_main ? 0 : std::uint32_t{m.flow.reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
-  const fs::path caller(m.flow.file());
+  const fs::path caller(of_main ? m.flow.main_file() : m.flow.file());
   const std::string extension = caller.extension().string();
   ProgramPlace place;
   const auto open = [&](const fs::path& file) -> Status {
@@ -178,14 +180,14 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
   } else if (const auto label = m.flow.label_of(number)) {
     place.start = *label;
   } else {
-    auto other = other_file(m, number, extension, false, where);
+    auto other = other_file(m, number, caller, false, where);
     if (!other) return fail(other.error());
     const auto built_in = other->empty() ? m.flow.open_built_in(program_name(number)) : std::nullopt;
     if (built_in) {  // the control's own: G65 P9999 (23.6)
       place.reader = *built_in;
     } else {
       const bool by_word = other->empty();
-      if (by_word) other = other_file(m, number, extension, true, where);
+      if (by_word) other = other_file(m, number, caller, true, where);
       if (!other) return fail(other.error());
       const std::string name = program_name(number) + extension;
       if (other->empty()) return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
@@ -205,15 +207,16 @@ Result<ProgramPlace> Programs::opened(Interpreter& m, const std::string& path, S
   return ProgramPlace{*reader, {}};
 }
 
-Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where) {
+Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where, Beside beside) {
   if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
-  const fs::path folder = fs::path(m.flow.file()).parent_path();
+  const fs::path caller(beside == Beside::main_program ? m.flow.main_file() : m.flow.file());
+  const fs::path folder = caller.parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();
   auto file = in_folder(whole.parent_path(), whole.filename().string());
   if (!file && m.def.behaviour.own_programs_first) {  // spec/fanuc 9.2
-    file = in_folder(whole.parent_path(), whole.filename().string() + fs::path(m.flow.file()).extension().string());
+    file = in_folder(whole.parent_path(), whole.filename().string() + caller.extension().string());
     if (!file) {
       const auto headed = by_heading(m, name, where);
       if (!headed) return fail(headed.error());

@@ -22,6 +22,9 @@ struct ProgramPlace {
   Position start;
 };
 
+/// In whose folder a program is looked for.
+enum class Beside : std::uint8_t { caller, main_program };
+
 /// Finds programs once and remembers them.
 class Programs {
  public:
@@ -30,10 +33,10 @@ class Programs {
   /// that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own; else a file that
   /// begins with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice
-  Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where);
+  Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
   /// M98 <path\\name.ext> from the caller's folder, within the main program's folder or that of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
-  Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where);
+  Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
   /// A system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
   Result<ProgramPlace> system(Interpreter& m, std::uint32_t number, Span where);
 

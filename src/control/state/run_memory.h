@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "action/action.h"
 #include "base/vec.h"
@@ -37,6 +38,9 @@ struct RunMemory {
   // switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
+  std::vector<bool> skip_answers;                // of the operator, who is asked before a block is skipped (spec/gost 2); empty: nobody is
+  std::size_t skips_asked = 0;                   // so many of them are used up; the last one counts on
+  std::optional<bool> skips_it;                  // to the question about the current block
   std::array<bool, max_axes> mirror_switches{};  // of the 2С42 (6.8)
 };
 

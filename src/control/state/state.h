@@ -100,8 +100,9 @@ struct Modal : MotionModal {
   Vec2 contour_vector;                       // from its last point to the tool beside it, were it to end there; work coordinates
   bool beside_told = false;                  // beside_contour has been, since G40
   // nct
-  bool turning_lengths = false;  // G43.7
-  double other_feed = 0;         // of G94 while G95 is in force, and the other way round
+  std::uint8_t main_spindle = 1;  // whose turns feeds and threads count (11.4)
+  bool turning_lengths = false;   // G43.7
+  double other_feed = 0;          // of G94 while G95 is in force, and the other way round
   bool other_feed_known = false;
   bool polar_data = false;          // G16
   bool polar_radius_given = false;  // since G16, and as an absolute one

@@ -117,13 +117,13 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  take(digits, "*");  // 2С42 writes T*2; the star's meaning is lost with a figure
+  const bool one_more = take(digits, "*");  // T*2 of the 2С42: "an additional digit" (6.2, the note); INFERRED: the star
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
   if (!std::all_of(digits.begin(), digits.end(), is_digit)) return Failed("only digits may follow");
   if (digits[0] == '0') return Failed("at least one digit stands before the point");
-  format.whole_digits = static_cast<std::uint8_t>(digits[0] - '0');
+  format.whole_digits = static_cast<std::uint8_t>(digits[0] - '0' + (one_more ? 1 : 0));
   if (digits.size() == 2) format.fraction_digits = static_cast<std::uint8_t>(digits[1] - '0');
   format.implied = format.fraction_digits > 0;
   return format;

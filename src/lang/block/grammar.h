@@ -42,6 +42,9 @@ struct AddressName {
 
 /// Formal parameters: R0 to R9 of the 2С42; of several letters with two or three digits, a thousand a letter.
 inline constexpr int parameters_a_letter = 1000;
+inline constexpr std::size_t most_long_parameters = 8;
+/// Formal parameters may have a special sign for a letter (spec/correctors 3).
+constexpr bool is_parameter_sign(char c) { return c == '#' || c == '@' || c == '$' || c == '&'; }
 
 /// A system variable's name: `#_ABSIO[n]` (nct 23.1.1).
 struct VariableName {
@@ -94,7 +97,7 @@ struct Grammar {
   ExpressionRules expression;           // … and what may stand in them
   bool lower_case = true;               // small letters mean the same
   char parameter_address = 0;           // 'R' where R0..R9 are formal parameters (2С42 6.3.7)
-  std::string long_parameters;          // "RPE": R01, P123 are formal parameters where a sign or = follows (spec/correctors 3)
+  std::string long_parameters;          // "RPE#": R01, P123, #12 are formal parameters where a sign or = follows (spec/correctors 3)
   char label_address = 0;               // 'O' where Onnnn begins a subprogram (Mach3)
   char section_address = 0;             // 'L' where `L` alone begins a section of subprograms (2С42 6.3.5)
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)

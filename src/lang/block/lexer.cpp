@@ -127,7 +127,7 @@ class Lexer {
       case '(': return comment();
       case ';': return grammar_.semicolon_comments ? line_comment(1) : grammar_.semicolon_ends ? end_by_semicolon() : unexpected();
       case '/': return slash();
-      case '#': return grammar_.expressions ? assignment() : unexpected();
+      case '#': return grammar_.expressions ? assignment() : words_.parameter_by_sign();
       case ',': return grammar_.comma_words ? comma_word() : unexpected();
       case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return grammar_.colon_is_label ? word_of(grammar_.label_address, 1, cursor_.at) : main_block();
@@ -141,7 +141,7 @@ class Lexer {
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
     for (const AddressName& name : grammar_.names)  // `$`, `@`, `^`
       if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
-    return unexpected();
+    return words_.parameter_by_sign();
   }
 
   Status word(char letter, std::size_t bytes) {

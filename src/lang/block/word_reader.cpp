@@ -8,6 +8,7 @@
 
 #include "base/ascii.h"
 #include "base/powers_of_ten.h"
+#include "lang/block/odd_characters.h"
 
 namespace kadr {
 namespace {
@@ -229,6 +230,12 @@ Status WordReader::long_parameter(char letter, std::size_t begin) {
   if ((!is_digit(cursor_.peek()) && cursor_.peek() != '.') || !read_number(cursor_, read))
     return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), letter));
   return assign_parameter(index, sign == '-' ? -read.value : read.value, begin);
+}
+
+Status WordReader::parameter_by_sign() {
+  const std::size_t begin = cursor_.at++;
+  if (assigns_parameter(cursor_.text[begin])) return long_parameter(cursor_.text[begin], begin);
+  return fail(unexpected_at(cursor_.text, cursor_.at = begin));
 }
 
 Status WordReader::assign_parameter(double index, double value, std::size_t begin) {

@@ -24,6 +24,8 @@ class WordReader {
 
   /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
   Status formal_parameter(std::size_t begin);
+  /// `#12+50.`: its letter is a special sign (spec/correctors 3); anything else is unexpected.
+  Status parameter_by_sign();
 
   /// `R01+50.`, `P123=5`: after the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
   bool assigns_parameter(char letter) const;

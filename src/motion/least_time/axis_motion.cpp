@@ -26,9 +26,10 @@ const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
 /// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out after it). Words that only set
 /// something – speed, coolant, tool to be brought, message – do not.
 bool needs_rest(const Action& action) {
+  if (const auto* const change = std::get_if<ToolChange>(&action.what)) return !change->there;
+  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return !function->by_control;
   return std::holds_alternative<Dwell>(action.what) || std::holds_alternative<Stop>(action.what) ||
-         std::holds_alternative<ToolChange>(action.what) || std::holds_alternative<Sync>(action.what) ||
-         std::holds_alternative<Spindle>(action.what) || std::holds_alternative<MachineFunction>(action.what);
+         std::holds_alternative<Sync>(action.what) || std::holds_alternative<Spindle>(action.what);
 }
 
 double distance(const Axes& from, const Axes& to) {
@@ -89,6 +90,8 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
 
 void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
   now_.spindle.start(setup.spindle(), setup.spindle_override / 100);
+  for (const auto& [number, spindle] : setup.spindles)
+    now_.spindle.start(spindle, setup.spindle_override / 100, static_cast<std::size_t>(number));
   now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
@@ -202,6 +205,10 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
   const bool taps = motion.detail && motion.detail->turn;
   const Switches switches{rapid || !motion.own_override, !motion.no_hold};
+  if (motion.spindle != now_.spindle.leading() && (thread || taps || motion.unit == FeedUnit::mm_per_rev)) {
+    rest();
+    now_.spindle.lead(motion.spindle);
+  }
   if (!thread) cut_threads();
   if (!smooths) end_smoothing();
   if (taps) couple(step, motion);

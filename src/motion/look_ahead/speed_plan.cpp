@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/vec.h"
@@ -13,6 +14,15 @@ namespace kadr {
 namespace {
 
 constexpr double rounding = 1e-9;  // relative: what a speed reached within a way needs more than that way
+
+/// Speeds that only rounding holds apart are one: which of them is the lower must decide nothing.
+bool is_same(double a, double b) { return a == b || std::abs(a - b) <= rounding * std::max(a, b); }
+
+/// Limits along a row of pieces that only rounding holds apart become that of its first one.
+void level(std::span<PathPiece> pieces) {
+  for (std::size_t k = 1; k < pieces.size(); ++k)
+    if (is_same(pieces[k].most, pieces[k - 1].most)) pieces[k].most = pieces[k - 1].most;
+}
 
 /// The speed of an acceleration that goes on, after `length`: what a ramp to a far higher speed has there.
 double passing(double from, double length, const Acceleration& acceleration) {
@@ -27,6 +37,7 @@ double passing(double from, double length, const Acceleration& acceleration) {
 void SpeedPlan::make(std::span<PathPiece> pieces, double start) {
   pieces_ = pieces;
   const std::size_t count = pieces.size();
+  level(pieces);
   speed_.resize(count + 1);
   speed_.front() = start;
   for (std::size_t k = 1; k < count; ++k) speed_[k] = std::min({pieces[k - 1].most, pieces[k].most, pieces[k].enter});
@@ -75,7 +86,7 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
 
 /// Nothing changes at the node: a line in two pieces is one.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
-  return speed_[node] == pieces_[node - 1].most && speed_[node] == pieces_[node].most;
+  return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }
 
 /// At its limit, if that is reached at all; where the path may pass faster than it can arrive evenly, at the speed of that.
@@ -102,9 +113,13 @@ void SpeedPlan::make_smooth() {
   for (std::size_t k = 1; k < count; ++k)
     if (!is_anchor_free(k)) order_.push_back(k);
   const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
-  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {  // backwards the same
-    return speed_[a] != speed_[b] ? speed_[a] < speed_[b] : from_end(a) < from_end(b);
-  });
+  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return speed_[a] < speed_[b]; });
+  for (auto same = order_.begin(); same != order_.end();) {  // of one speed: from both ends, so that backwards it is the same
+    auto end = std::next(same);
+    while (end != order_.end() && is_same(speed_[*end], speed_[*std::prev(end)])) ++end;
+    std::sort(same, end, [&](std::size_t a, std::size_t b) { return from_end(a) != from_end(b) ? from_end(a) < from_end(b) : a < b; });
+    same = end;
+  }
   for (const std::size_t node : order_) place_anchor(node);
   for (std::size_t first = 0, last = 1; last <= count; ++last) {
     if (!anchor_[last]) continue;

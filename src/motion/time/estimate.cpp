@@ -81,6 +81,11 @@ SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
   return spindles_[number];
 }
 
+void TimeEstimate::spindles(const Setup& setup) {
+  spindle(setup.spindle().rpm);
+  for (const auto& [number, of] : setup.spindles) spindle(of.rpm, static_cast<std::size_t>(number));
+}
+
 double& TimeEstimate::share_of(const Motion& motion) {
   return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
 }
@@ -100,13 +105,13 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
-  return longest == 0 ? 0 : longest / (*motion.detail->lead * turning_rpm());
+  return longest == 0 ? 0 : longest / (*motion.detail->lead * turning(motion).now());
 }
 
 /// By a feed, mm/rev, of a spindle that turns by where the tool is (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
   constexpr double error = 1e-9;  // relative
-  const SpindleTurning& spindle = spindles_[1];
+  const SpindleTurning& spindle = turning(motion);
   return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
 }
 
@@ -119,9 +124,9 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
     return 1 / (motion.feed * override_part);
   }
   const bool per_rev = motion.unit == FeedUnit::mm_per_rev;
-  time.feed = motion.feed * override_part * (per_rev ? feed_rpm() * spindle_part : 1);
+  time.feed = motion.feed * override_part * (per_rev ? turning(motion).now() * feed_ratio_ * spindle_part : 1);
   if (way == 0) return 0;
-  if (per_rev && spindles_[1].surface.on && curve.surface() == PathSurface::plane) {
+  if (per_rev && turning(motion).surface.on && curve.surface() == PathSurface::plane) {
     const double minutes = turning_minutes(motion, curve, motion.feed * override_part * spindle_part * feed_ratio_);
     time.feed = way / minutes;
     return minutes;
@@ -157,7 +162,7 @@ MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve, const 
   time.length = curve.length();
   double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : cutting_minutes(motion, curve, time);
   if (from != nullptr && from->space && !from->space->is_plain()) minutes = std::max(minutes, machine_minutes(motion, *from, rapid));
-  if (spindles_[1].surface.on) spindles_[1].arrive(curve.at(1));
+  if (turning(motion).surface.on) spindle_of(motion.spindle).arrive(curve.at(1));
   if (!std::isfinite(minutes)) {
     ++split_.unknown;
     return time;
@@ -189,7 +194,7 @@ void TimeEstimate::other(const Action& action) {
     feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
   } else if (std::holds_alternative<Uncouple>(action.what)) {
     feed_ratio_ = 1;
-  } else if (std::holds_alternative<ToolChange>(action.what)) {
+  } else if (const auto* change = std::get_if<ToolChange>(&action.what); change != nullptr && !change->there) {
     split_.tool_change += rates_.tool_change_s;
   }
 }

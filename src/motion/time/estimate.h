@@ -63,7 +63,9 @@ class TimeEstimate {
   /// A motion takes `longer` than its programmed time, s: the look-ahead has planned it.
   void lengthen(const Motion& motion, double longer) { share_of(motion) += longer; }
 
-  void spindle(double rpm) { spindle_of(1).rpm = rpm; }
+  void spindle(double rpm, std::size_t number = 1) { spindle_of(number).rpm = rpm; }
+  /// As the set-up says that they turn.
+  void spindles(const Setup& setup);
   const TimeSplit& split() const { return split_; }
   /// Counts from zero; how the spindles turn is kept.
   void start_over() { split_ = {}; }
@@ -71,8 +73,8 @@ class TimeEstimate {
  private:
   double& share_of(const Motion& motion);
   SpindleTurning& spindle_of(std::size_t number);
-  double turning_rpm() const { return spindles_[1].now(); }
-  double feed_rpm() const { return turning_rpm() * feed_ratio_; }
+  /// The spindle whose turns the motion's feed or thread counts (nct 11.4).
+  const SpindleTurning& turning(const Motion& motion) const { return spindles_[motion.spindle < spindles_.size() ? motion.spindle : 0]; }
   double rapid_minutes(const Curve& curve) const;
   double machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;

@@ -17,7 +17,7 @@ class Pace {
   Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle);
 
   /// All along the path the axes go as the feed counts.
-  bool is_even() const { return curve_.surface() == PathSurface::plane && !by_spindle_; }
+  bool is_even() const { return curve_.surface() == PathSurface::plane && !by_spindle_ && limits_.along != FeedAlong::turn; }
   /// Equal pieces in each of which the feed changes little.
   int pieces() const;
 

@@ -114,8 +114,9 @@ std::string planned_text(const SummaryWords& w, const char* heading, const Plann
 Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates)
     : estimate_(AxisRoles::of(axes, rotary), rates), extents_(axes, AxisRoles::of(axes, rotary)) {}
 
-void Statistics::start_with(double spindle_rpm, std::uint32_t tool) {
-  estimate_.spindle(spindle_rpm);
+void Statistics::start_with(const Setup& setup) {
+  estimate_.spindles(setup);
+  const auto tool = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   if (tool != 0) use(tool);
 }
 

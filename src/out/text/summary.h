@@ -22,8 +22,8 @@ class Statistics {
  public:
   Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
 
-  /// State of the setup's spindle and tool before the first action.
-  void start_with(double spindle_rpm, std::uint32_t tool);
+  /// The setup's spindles and tool before the first action.
+  void start_with(const Setup& setup);
 
   /// Times the steps of the run, before anybody gets them: what it has counted is part of the summary.
   TimeEstimate& clock() { return estimate_; }

@@ -242,6 +242,8 @@ void TraceWriter::write_other(const Action& action) {
 
 void TraceWriter::write(const Step& step) {
   if (const Motion* const motion = step.motion()) return write_motion(step, *motion);
+  const auto* const function = std::get_if<MachineFunction>(&step.action.what);
+  if (function != nullptr && function->by_control && !tells_ends_) return;
   if (!std::holds_alternative<FrameChange>(step.action.what)) write_other(step.action);
 }
 

@@ -21,7 +21,8 @@ class TraceWriter {
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points = {});
 
   /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
-  void set_channel(int channel) { channel_ = channel; }
+  ///   tells_ends  also of the codes that the control carries out itself (MachineFunction::by_control)
+  void set_channel(int channel, bool tells_ends = true) { channel_ = channel, tells_ends_ = tells_ends; }
   /// What it remembers of the step before: a motion after a probe's tells how far it goes.
   bool behind_probe() const { return behind_probe_; }
   void go_on_behind_probe(bool is) { behind_probe_ = is; }
@@ -63,6 +64,7 @@ class TraceWriter {
   TextBuffer out_;
   AxisRoles roles_;
   int channel_ = 0;  // 0: the only one
+  bool tells_ends_ = true;
   std::vector<std::string> keys_;
   std::vector<std::string> names_;  // "X":
   std::size_t line_room_ = 0;       // characters that a head and two positions take at most

@@ -50,7 +50,9 @@ struct Fields {
   std::string operator()(const ToolSelect& t) const {
     return "tool\"" + field("tool", t.tool) + field_if("corrector", t.corrector) + place(t.place);
   }
-  std::string operator()(const ToolChange& t) const { return "toolchange\"" + field("tool", t.tool) + place(t.place); }
+  std::string operator()(const ToolChange& t) const {
+    return "toolchange\"" + field("tool", t.tool) + place(t.place) + (t.there ? ",\"there\":true" : "");
+  }
   std::string operator()(const MachineFunction& m) const {
     return "m\"" + field("code", "M" + std::to_string(m.code)) + field("P", m.p) + field("Q", m.q) + field_if("spindle", m.spindle) +
            field("number", m.number) + field("value", m.value);

@@ -85,13 +85,15 @@ void Nct::end_interrupt(Interpreter& m, bool restore) {
 
 namespace kadr::functions {
 
-/// M96 P, M96 <file>: from now on the signal calls that program.
+/// M96 P, M96 <file>: from now on the signal calls that program. N1758 #5 SYM = 0: it is looked for beside the main program, wherever M96
+/// stands (23.4).
 Status interrupt_on(Interpreter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   if (nct::is_free(nct, call.word->code / 10, nct.settings.interrupt_on)) return nct::machine_code(m, call);
+  if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
   nct.signal_rose = false;  // INFERRED: an edge before it does not count
   if (m.block->file_name.end != 0) {
-    const auto place = nct.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
+    const auto place = nct.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, nct::Beside::main_program);
     if (!place) return fail(place.error());
     nct.state.interrupt_program = *place;
     return {};
@@ -99,8 +101,8 @@ Status interrupt_on(Interpreter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 0, 99'999'999);
   if (!number) return fail(number.error());
-  const auto place =
-      nct.settings.interrupt_in_system ? nct.programs.system(m, *number, m.where('P')) : nct.programs.by_number(m, *number, m.where('P'));
+  const auto place = nct.settings.interrupt_in_system ? nct.programs.system(m, *number, m.where('P'))
+                                                      : nct.programs.by_number(m, *number, m.where('P'), nct::Beside::main_program);
   if (!place) return fail(place.error());
   nct.state.interrupt_program = *place;
   return {};
@@ -108,6 +110,7 @@ Status interrupt_on(Interpreter& m, const Call& call) {
 
 Status interrupt_off(Interpreter& m, const Call& call) {
   if (nct::is_free(nct_of(m), call.word->code / 10, nct_of(m).settings.interrupt_off)) return nct::machine_code(m, call);
+  if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
   nct_of(m).state.interrupt_program.reset();
   return nct::abort_interrupt(m, call);
 }

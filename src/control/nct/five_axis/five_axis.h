@@ -50,6 +50,8 @@ Status finish_plane(Interpreter& m);
 void register_lead_length(Interpreter& m, double length);
 /// D: radius and corner radius for the cutting point (25.17).
 void note_lead_radius(Interpreter& m);
+/// G49 where a tip is led: only with G0 or G1 (25.14; INFERRED: in the modes of 25.17 too). alarms lead_mode
+Status may_end_lead(const Interpreter& m, const Call& call);
 /// G49, G43, G44, G43.7.
 void end_lead(Interpreter& m);
 /// G49, G69.1, G54 of a reset: nothing of chapter 25 is in force.

@@ -67,24 +67,6 @@ Result<Mat3> by_projections(const Interpreter& m, Vec3 angles) {
   return Mat3::of_columns(x, cross(z, x), z);
 }
 
-/// Three points (25.8), or two vectors (25.9): a block with one of them.
-Status take_plane_block(Interpreter& m, std::uint32_t p) {
-  PlaneBlocks& plane = frame_state(m).plane;
-  if (plane.kind != p) plane = {}, plane.kind = static_cast<std::uint8_t>(p);
-  const double q = m.has('Q') ? m.value('Q') : -1;
-  const int least = p == 2 ? 0 : 1, most = p == 2 ? 3 : 2;
-  if (q != std::round(q) || q < least || q > most) return fail(alarm(AlarmId::plane_q, m.has('Q') ? m.where('Q') : m.block->where, q));
-  const auto number = static_cast<std::size_t>(q);
-  const auto point = point_words(m);
-  if (!point) return fail(point.error());
-  if (p == 3 && number == 1 && m.has_axis_words()) plane.points[0] = *point;
-  if (p == 2) plane.points[number] = *point;
-  plane.vectors[number] = vector_words(m);
-  if (p == 2 && number == 0) plane.turn = m.value('R');
-  plane.seen = static_cast<std::uint8_t>(plane.seen | 1u << number);
-  return {};
-}
-
 Status by_points(Interpreter& m, const PlaneBlocks& plane) {
   const Vec3 along = plane.points[2] - plane.points[1], across = plane.points[3] - plane.points[1];
   const double sides = length(along) * length(across);
@@ -107,6 +89,34 @@ Status by_vectors(Interpreter& m, const PlaneBlocks& plane) {
   return {};
 }
 
+/// Number of the first point or vector that no block has given; 0: all are there.
+int missing_of(const PlaneBlocks& plane) {
+  const int count = plane.kind == 2 ? 3 : 2;
+  for (int q = 1; q <= count; ++q)
+    if ((plane.seen >> q & 1u) == 0) return q;
+  return 0;
+}
+
+/// Three points (25.8), or two vectors (25.9): a block with one of them. INFERRED: the frame is in force from the block on that gives the
+/// last one; Q0 behind it shifts and turns it.
+Status take_plane_block(Interpreter& m, std::uint32_t p) {
+  PlaneBlocks& plane = frame_state(m).plane;
+  if (plane.kind != p) plane = {}, plane.kind = static_cast<std::uint8_t>(p);
+  const double q = m.has('Q') ? m.value('Q') : -1;
+  const int least = p == 2 ? 0 : 1, most = p == 2 ? 3 : 2;
+  if (q != std::round(q) || q < least || q > most) return fail(alarm(AlarmId::plane_q, m.has('Q') ? m.where('Q') : m.block->where, q));
+  const auto number = static_cast<std::size_t>(q);
+  const auto point = point_words(m);
+  if (!point) return fail(point.error());
+  if (p == 3 && number == 1 && m.has_axis_words()) plane.points[0] = *point;
+  if (p == 2) plane.points[number] = *point;
+  plane.vectors[number] = vector_words(m);
+  if (p == 2 && number == 0) plane.turn = m.value('R');
+  plane.seen = static_cast<std::uint8_t>(plane.seen | 1u << number);
+  if (missing_of(plane) != 0) return {};
+  return p == 2 ? by_points(m, plane) : by_vectors(m, plane);
+}
+
 bool goes_on_plane(const Interpreter& m) {
   return m.has_code({Function::tilted_plane}) && m.has('P') && m.value('P') == frame_state(m).plane.kind;
 }
@@ -116,10 +126,8 @@ bool goes_on_plane(const Interpreter& m) {
 Status finish_plane(Interpreter& m) {
   if (goes_on_plane(m) || m.block->word_count == 0) return {};
   const PlaneBlocks plane = std::exchange(frame_state(m).plane, {});
-  const int count = plane.kind == 2 ? 3 : 2;
-  for (int q = 1; q <= count; ++q)
-    if ((plane.seen >> q & 1u) == 0) return fail(alarm(AlarmId::plane_points, m.block->where, double(q)));
-  return plane.kind == 2 ? by_points(m, plane) : by_vectors(m, plane);
+  if (const int q = missing_of(plane); q != 0) return fail(alarm(AlarmId::plane_points, m.block->where, double(q)));
+  return {};
 }
 
 }  // namespace kadr::nct

@@ -88,6 +88,11 @@ void note_lead_radius(Interpreter& m) {
   five.corner = offset.corner + offset.corner_wear;
 }
 
+Status may_end_lead(const Interpreter& m, const Call& call) {
+  if (!leads_tip(five_of(m).lead) || straight_mode(m)) return {};
+  return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
+}
+
 void end_lead(Interpreter& m) {
   FiveAxisState& five = five_of(m);
   five.lead = ToolLead::none;

@@ -39,9 +39,22 @@ Status work_area_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-/// G23: the zone of the parameters again.
+/// G23: the zone of the parameters again, as they are now (22.2: what has been written into them acts from here on).
 Status work_area_off(Interpreter& m, const Call&) {
-  m.emit(ZoneChange{});
+  const nct::ParameterStore& p = nct_of(m).parameters;
+  const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");
+  constexpr int takes_part = 1, outside = 0, limits = 1, before = 2;
+  ZoneChange zone{p.bit(control, limits), p.bit(control, outside), 0, {}, {}, true};
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const int number = m.def.axis_numbers[a];
+    if (p.bit(enabled, takes_part, number)) zone.axes |= AxisMask{1} << a;
+    zone.most[a] = p.value(most, number);
+    zone.least[a] = p.value(least, number);
+  }
+  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // no zone
+  m.emit(zone);
+  m.emit(ZoneChange{p.bit(control, before), false, 0, {}, {}, true});
+  if (zone.on) m.each_block = true;  // from here on the machine may refuse a motion
   nct_of(m).stops_reading = true;
   return {};
 }

@@ -59,7 +59,7 @@ class Arc {
       m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
       return straight_line();
     }
-    if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
+    if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where, letters_.first, letters_.second));
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = placed_flat(m_.position.programmed);
     to_ = placed_flat(end_);
@@ -212,7 +212,17 @@ class Arc {
     motion.turns = arc.turns;
     if (!leads_tip(nct_of(m_).state.five_axis.lead))
       motion.along = nct_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    if (turns_evenly(arc)) motion.along = FeedAlong::turn;
     return motion;
+  }
+
+  /// The radius changes although no L asks for a spiral: "not the speed along the path is constant, but the angular velocity" (4.3).
+  /// INFERRED: the feed is that at its start; not of a helix, nor of the unrolled plane of a cylinder.
+  bool turns_evenly(const PlaneArc& arc) const {
+    const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
+    const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
+    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !leads_tip(nct_of(m_).state.five_axis.lead) &&
+           radius_changes(from_, to_, arc.center);
   }
 
   /// A programmed point of the plane; mm. Not on a cylinder.

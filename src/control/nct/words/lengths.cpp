@@ -94,6 +94,8 @@ Status length_comp(Interpreter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
+  if (call.row->arg == 0) KADR_TRY(nct::may_end_lead(m, call));
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the milling offsets count again, which have no X and Y
   m.modal.turning_lengths = turning;
   nct::end_lead(m);
   if (call.row->arg == 0) {

@@ -1,0 +1,146 @@
+// What Mach3 does that no row says: the probe goes back from where it touched, and M40 opens the file of probed points (10.7.12.1). Tested
+// by tests/cases/mach3/probe.cases.
+
+#include "control/dialect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "control/files/file_writer.h"
+#include "control/interpreter.h"
+
+namespace kadr::mach3 {
+namespace {
+
+/// INFERRED: the operator is asked for the name (OpenDigFile); here it is this one, in the program memory, and it begins anew.
+constexpr std::string_view points_file = "points.txt";
+constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
+
+class Mach3 final : public Dialect {
+ public:
+  explicit Mach3(const RunLimits& limits)
+      : points_({.root = limits.files,
+                 .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
+                 .untouched = limits.untouched}) {}
+
+  bool lines_follow(const Interpreter&) const override { return true; }
+
+  void before_function(Interpreter& m, Function function) override {
+    if (function == Function::probe) begin_ = m.position.work;
+  }
+
+  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override {
+    KADR_TRY(m.note_answer(answer));
+    KADR_TRY(write_point(m));
+    double way = 0;
+    for (std::size_t a = 0; a < m.axis_count; ++a) way += (answer.at[a] - begin_[a]) * (answer.at[a] - begin_[a]);
+    way = std::sqrt(way);
+    const double part = way > 0 ? std::min(1.0, m.def.behaviour.probe_retract / way) : 0;
+    if (part == 0) return {};
+    back_.emplace();
+    back_->origin = m.origin;
+    for (std::size_t a = 0; a < m.axis_count; ++a) {
+      const double by = part * (begin_[a] - answer.at[a]);
+      if (by != 0) back_->named |= AxisMask{1} << a;
+      m.position.work[a] += by;
+      m.position.machine[a] += by;
+    }
+    m.position.programmed = m.transform.to_programmed(m.position.work);
+    return {};
+  }
+
+  /// "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid; the motion is told when the program
+  /// goes on with more than assignments.
+  void begin_block(Interpreter& m) override {
+    if (!back_ || sets_variables_only(*m.block)) return;
+    const Back back = *std::exchange(back_, std::nullopt);
+    const Origin now = std::exchange(m.origin, back.origin);
+    (void)m.straight(MotionKind::rapid, m.position.programmed, back.named);
+    m.origin = now;
+  }
+
+  /// INFERRED: M40 while the file is open leaves it open.
+  Status machine_code(Interpreter& m, const Call& call) override {
+    constexpr std::int32_t opens = 400;  // M40, in tenths
+    if (call.word->code == opens && !points_.is_open()) {
+      KADR_TRY(placed(points_.open({.path = std::string(points_file),
+                                    .shown = std::string(points_file),
+                                    .rule = emptied,
+                                    .exists = AlarmId::file_exists,
+                                    .missing = AlarmId::file_missing,
+                                    .running = {}}),
+                      call.where));
+      note();
+    }
+    return m.emit_machine_function(call);
+  }
+
+  const WrittenFiles& files_written() const override { return written_; }
+
+  std::shared_ptr<const DialectState> snapshot() const override { return std::make_shared<Memory>(begin_, back_, points_.memory()); }
+  Status restore(Interpreter&, const DialectState& from) override {
+    const auto& memory = static_cast<const Memory&>(from);
+    begin_ = memory.begin;
+    back_ = memory.back;
+    KADR_TRY(points_.remember(memory.points));
+    note();
+    return {};
+  }
+
+ private:
+  /// The way back that is still to be told.
+  struct Back {
+    Origin origin;
+    AxisMask named = 0;
+  };
+  struct Memory : DialectState {
+    Memory(const Axes& begin_now, const std::optional<Back>& back_now, files::FileWriter::Memory points_now)
+        : begin(begin_now), back(back_now), points(std::move(points_now)) {}
+    Axes begin;
+    std::optional<Back> back;
+    files::FileWriter::Memory points;
+  };
+
+  static Status placed(const Status& status, Span where) {
+    if (status) return {};
+    Alarm alarm = status.error();
+    alarm.where = where;
+    return fail(alarm);
+  }
+
+  /// X, Y, Z as #2000 to #2002 have them. INFERRED: a line each, separated by commas, four decimals.
+  Status write_point(const Interpreter& m) {
+    if (!points_.is_open()) return {};
+    std::string line;
+    constexpr std::uint32_t first = 2000, coordinates = 3;
+    for (std::uint32_t i = 0; i < coordinates; ++i) {
+      const auto value = m.variables.variable(first + i, m.probe_where);
+      if (!value) return fail(value.error());
+      line += fmt::format("{}{:.4f}", i == 0 ? "" : ",", *value);
+    }
+    KADR_TRY(placed(points_.write(line + "\n"), m.probe_where));
+    note();
+    return {};
+  }
+
+  void note() { written_ = points_.files(); }
+
+  files::FileWriter points_;
+  WrittenFiles written_;
+  Axes begin_{};  // of the probe motion, work coordinates
+  std::optional<Back> back_;
+};
+
+}  // namespace
+}  // namespace kadr::mach3
+
+namespace kadr {
+
+std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits) { return std::make_unique<mach3::Mach3>(limits); }
+
+}  // namespace kadr

@@ -1,0 +1,23 @@
+// Blocks that a switch skips, and whether the operator is asked first (spec/gost 2). For control/interpreter; tested by
+// tests/cases/gost/skip.cases.
+
+#include <algorithm>
+
+#include "control/interpreter.h"
+
+namespace kadr {
+
+/// The switch skips the block: the operator is asked whether it may, and answers before the block comes again (spec/gost 2). INFERRED:
+/// the question is the block's text.
+bool Interpreter::asks_to_skip() {
+  if (skip_answers.empty() || skips_it || !is_skipped()) return false;
+  skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];
+  emit(Message{std::string(block->text) + " ?", -1, true});
+  return again_ = true;
+}
+
+bool Interpreter::is_skipped() const {
+  return block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)] && skips_it.value_or(true);
+}
+
+}  // namespace kadr
