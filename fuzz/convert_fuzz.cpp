@@ -87,7 +87,8 @@ class Conversion {
     rules.tools_by_hand = made.tools_by_hand;
     rules.feeds_at_speed = true;
     rules.messages = one.transliterated == 0 && shows_same_messages(*from_.def, *to_.def);
-    const auto again = compare_sessions(std::move(*spec.source(spec.setup)), std::move(*spec.target(one.text, made.setup_of(one.as))), rules);
+    const auto again =
+        compare_sessions(std::move(*spec.source(spec.setup)), std::move(*spec.target(one.text, made.setup_of(one.as))), rules);
     require(again.equal() && !again.stopped_a && !again.stopped_b, "what is taken is equal, run once more");
   }
 

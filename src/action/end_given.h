@@ -7,8 +7,8 @@ namespace kadr {
 
 /// What gives the end of a motion: where the work zero is moved, only ends `by_work` move with it.
 enum class EndGiven : std::uint8_t {
-  by_work,     // work coordinates
-  by_machine,  // machine coordinates: G53
+  by_work,      // work coordinates
+  by_machine,   // machine coordinates: G53
   reference_1,  // a reference point: G28
   reference_2,  // G30, P2 to P4
   reference_3,

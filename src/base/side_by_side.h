@@ -11,8 +11,8 @@
 namespace kadr {
 
 /// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
-/// some 20 µs, in a virtual machine longer; 500 looks take about as long. More would use up the time slice of the very thread that is waited
-/// for where the machine is busy.
+/// some 20 µs, in a virtual machine longer; 500 looks take about as long. More would use up the time slice of the very thread that is
+/// waited for where the machine is busy.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done, int most_looks = 500) {
   for (int look = 0;; ++look) {
@@ -54,9 +54,9 @@ class SideBySide {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;  // and not waited for
-  bool alone_ = false;  // no thread is to be had
-  Thread thread_;       // begun with the first work
+  bool begun_ = false;                                             // and not waited for
+  bool alone_ = false;                                             // no thread is to be had
+  Thread thread_;                                                  // begun with the first work
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // by number, from 1
   std::atomic<bool> over_ = false;
 };

@@ -227,7 +227,8 @@ int check(const Options& given) {
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
   if (checked == 0 && status == ok) {  // of the files of a folder
-    complain(told("no program of a control that Kadr knows is there: --control says which it is", "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
+    complain(told("no program of a control that Kadr knows is there: --control says which it is",
+                  "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
     status = wrong_usage;
   }
   if (checked != 0) print_count(options, checked, count, report.baseline ? report.baseline->found() : 0);

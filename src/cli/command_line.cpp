@@ -37,15 +37,13 @@ namespace {
 void add_explain(CLI::App& app, Commands& c) {
   CLI::App* const explain =
       app.add_subcommand("explain", told("what a code, address, cycle or alarm means", "что значит код, адрес, цикл или ошибка"));
-  control_id(
-      explain->add_option(told("CONTROL", "УЧПУ"), c.explain.control,
-                          told("control id or NAME.toml; without it CODE is looked for in all of them",
-                               "обозначение УЧПУ или ИМЯ.toml; без него КОД ищется во всех")))
+  control_id(explain->add_option(told("CONTROL", "УЧПУ"), c.explain.control,
+                                 told("control id or NAME.toml; without it CODE is looked for in all of them",
+                                      "обозначение УЧПУ или ИМЯ.toml; без него КОД ищется во всех")))
       ->required();
-  explain->add_option(
-      told("CODE", "КОД"), c.explain.code,
-      told("G41, M3, X, L81, an alarm's id or number, words (\"cutter compensation\"), setup; left out: all codes",
-           "G41, M3, X, L81, имя или номер ошибки, слова («коррекция на радиус»), setup; без него — все коды"));
+  explain->add_option(told("CODE", "КОД"), c.explain.code,
+                      told("G41, M3, X, L81, an alarm's id or number, words (\"cutter compensation\"), setup; left out: all codes",
+                           "G41, M3, X, L81, имя или номер ошибки, слова («коррекция на радиус»), setup; без него — все коды"));
   explain->add_flag("--markdown", c.explain.markdown, told("the page of the documentation", "страница документации"));
   language_option(*explain, c.explain.lang);
   explain->footer(explain_examples());
@@ -153,7 +151,8 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
       "kadr");
   app->formatter(std::static_pointer_cast<CLI::FormatterBase>(help_formatter()));
   app->set_help_flag("-h,--help", told("print this help and exit", "вывести эту справку и закончить"));
-  app->set_version_flag("-V,--version", std::string("kadr ") + KADR_VERSION, told("print the version and exit", "вывести версию и закончить"));
+  app->set_version_flag("-V,--version", std::string("kadr ") + KADR_VERSION,
+                        told("print the version and exit", "вывести версию и закончить"));
   app->add_flag_callback(
          "--licences,--licenses", [] { throw CLI::RuntimeError(print_licences()); },
          told("print the notices of all that the program is made of and exit",

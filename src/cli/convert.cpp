@@ -169,7 +169,8 @@ class ConvertCommand {
       return a.text == b.text && a.file == b.file && a.at.file == b.at.file && a.at.line == b.at.line && a.written_text == b.written_text;
     };
     for (std::size_t i = 0; i < count; ++i) {
-      if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); })) continue;
+      if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); }))
+        continue;
       std::string ways = way_in_words(made.tries[i].as);
       for (std::size_t k = i + 1; k < count; ++k)
         if (is_same(whys[i], whys[k])) ways += told(", not ", ", не ") + std::string(way_in_words(made.tries[k].as));

@@ -126,8 +126,8 @@ class Debugger : public PartOfProgram {
   bool is_held() const {
     if (state_ == Session::State::held) return true;
     type_out("{}\n", state_ == Session::State::ended
-                           ? told("the program is over", "УП закончена")
-                           : told("stopped by an alarm: back, mdi or quit", "остановлено ошибкой: back, mdi или quit"));
+                         ? told("the program is over", "УП закончена")
+                         : told("stopped by an alarm: back, mdi or quit", "остановлено ошибкой: back, mdi или quit"));
     return false;
   }
 

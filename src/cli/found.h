@@ -1,6 +1,6 @@
 #pragma once
-// Found: what a program's run finds, as a person reads it: of each id the first warning whole, those like it counted and told in one line at
-// the end.
+// Found: what a program's run finds, as a person reads it: of each id the first warning whole, those like it counted and told in one line
+// at the end.
 
 #include <cstdint>
 #include <cstdio>

@@ -189,10 +189,9 @@ void GuessedControls::say(const std::string& file, const Neighbours& neighbours)
   const bool ru = language(options_) == Lang::ru;
   const auto& [common, shown_by, reason_en, reason_ru] = neighbours;
   if (!common.dialect.empty())
-    return complain(
-        ru ? fmt::format("{}: УЧПУ неизвестно ({}, как и {}); если это УП: --control", file, reason_ru, shown_by)
-           : fmt::format("{}: unknown, no program of a control that Kadr knows ({}, as in {}); if it is one: --control", file, reason_en,
-                         shown_by));
+    return complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}, как и {}); если это УП: --control", file, reason_ru, shown_by)
+                       : fmt::format("{}: unknown, no program of a control that Kadr knows ({}, as in {}); if it is one: --control", file,
+                                     reason_en, shown_by));
   if (options_.guesses_silently) return;
   if (shown_by.empty())
     return complain(

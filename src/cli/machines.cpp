@@ -39,7 +39,7 @@ std::string rapids_of(const MachineProfile& machine) {
 void print_list() {
   constexpr std::size_t id_width = 15, name_width = 42;
   type_out("{}{}{}\n", padded(told("id", "обозначение"), id_width), padded(told("machine", "станок"), name_width),
-             told("rapid rates, mm/min, degrees/min", "быстрые ходы, мм/мин, град/мин"));
+           told("rapid rates, mm/min, degrees/min", "быстрые ходы, мм/мин, град/мин"));
   for (const std::string& id : built_in_machines()) {
     const auto machine = load_machine(id);
     if (machine) type_out("{}{}{}\n", padded(id, id_width), padded(name_of(*machine), name_width), rapids_of(*machine));
@@ -93,14 +93,14 @@ void print_one(const MachineProfile& machine) {
   line(told("spindle start", "разгон шпинделя"), number_of(machine.spindle_start_s) + told(" s", " с"));
   line(told("corners within", "допуск на углах"), number_of(machine.tolerance) + told(" mm", " мм"));
   type_out("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
-             padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),
-             told("jerk /s³", "рывок /с³"));
+           padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),
+           told("jerk /s³", "рывок /с³"));
   for (const auto& [name, axis] : machine.axes)
     type_out("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
-               padded(number_of(axis.acceleration), column), number_of(axis.jerk));
+             padded(number_of(axis.acceleration), column), number_of(axis.jerk));
   if (machine.chains.given()) print_chains(machine);
   type_out("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
-                          "мм, у поворотных осей градусы; перемещение в координатах станка"));
+                        "мм, у поворотных осей градусы; перемещение в координатах станка"));
 }
 
 }  // namespace

@@ -69,14 +69,15 @@ std::string list(std::initializer_list<std::pair<std::string, std::string>> item
 }
 
 std::string exit_statuses() {
-  return list({{"0", told("All well: ran to its end, no error, written.", "Без ошибок: УП дошла до конца, ошибок нет, записано.")},
-               {"1", told("Stopped by an alarm, or errors found, or what was to be written is faulty.",
-                          "Остановлено ошибкой УП, найдены ошибки или записать нечего из-за ошибки.")},
-               {"2", told("Wrong usage, an unreadable file, or an output that could not be written whole.",
-                          "Неверная команда, файл не читается или вывод не записан целиком.")},
-               {"129, 130, 131, 143",
-                told("Ended by SIGHUP, Ctrl-C, SIGQUIT, SIGTERM: within 0.2 s; what is not complete is removed.",
-                     "Прервано сигналом SIGHUP, клавишами Ctrl-C, сигналом SIGQUIT, SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
+  return list(
+      {{"0", told("All well: ran to its end, no error, written.", "Без ошибок: УП дошла до конца, ошибок нет, записано.")},
+       {"1", told("Stopped by an alarm, or errors found, or what was to be written is faulty.",
+                  "Остановлено ошибкой УП, найдены ошибки или записать нечего из-за ошибки.")},
+       {"2", told("Wrong usage, an unreadable file, or an output that could not be written whole.",
+                  "Неверная команда, файл не читается или вывод не записан целиком.")},
+       {"129, 130, 131, 143",
+        told("Ended by SIGHUP, Ctrl-C, SIGQUIT, SIGTERM: within 0.2 s; what is not complete is removed.",
+             "Прервано сигналом SIGHUP, клавишами Ctrl-C, сигналом SIGQUIT, SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
 }
 
 std::string files() {

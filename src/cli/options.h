@@ -16,7 +16,7 @@ enum Exit : int { ok = 0, alarms = 1, wrong_usage = 2 };
 
 struct Options {
   std::vector<std::string> programs;
-  std::string control;  // empty: guessed
+  std::string control;     // empty: guessed
   bool remembers = false;  // the control, in the folder's .kadr.toml
   std::string machine;     // empty: generic
   std::string setup;
@@ -91,10 +91,10 @@ struct DiffOptions {
   std::string a, b;
   Options both;  // of both programs, but for
   std::string control_a, control_b, setup_a, setup_b;
-  double tolerance = 0.001;                                                 // mm
-  bool all = false;                                                         // differences; else the first ones
+  double tolerance = 0.001;                                                                        // mm
+  bool all = false;                                                                                // differences; else the first ones
   bool no_messages = false, tools_by_hand = false, feeds_at_speed = false, feeds_rounded = false;  // as kadr convert proves: CompareRules
-  std::string plot;                                                         // .svg or .png
+  std::string plot;                                                                                // .svg or .png
 };
 int diff(const DiffOptions& options);
 
@@ -121,8 +121,8 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8437;  // 0: a free one
   bool no_browser = false;
-  bool open = false;          // who does not know the token may look
-  double max_memory = 2000;   // MB, of all sessions together
+  bool open = false;         // who does not know the token may look
+  double max_memory = 2000;  // MB, of all sessions together
   std::string lang;
 };
 int serve(const ServeOptions& options);

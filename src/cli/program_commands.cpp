@@ -85,8 +85,9 @@ void program_options(CLI::App& app, Options& o) {
                                                          : told("no finding has this name: ", "нет сообщения с таким именем: ") + name;
             }),
         "ID", "ИМЯ");
-  app.add_flag("--every", o.every,
-               told("print each warning whole, however many are alike", "печатать каждое предупреждение целиком, сколько бы ни было похожих"));
+  app.add_flag(
+      "--every", o.every,
+      told("print each warning whole, however many are alike", "печатать каждое предупреждение целиком, сколько бы ни было похожих"));
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
 }
@@ -175,8 +176,7 @@ void result_options(CLI::App& run, Options& o) {
         "DIR", "ПАПКА");
   sample_options(run, o);
   picture_options(run, o);
-  run.add_flag("--json", o.json,
-               told("the summary as JSON, alone on standard output", "сводка в виде JSON, одна на стандартном выводе"));
+  run.add_flag("--json", o.json, told("the summary as JSON, alone on standard output", "сводка в виде JSON, одна на стандартном выводе"));
   run.add_flag("--why", o.why,
                told("the ten lines that lose most time against their feed, and the limit that costs it",
                     "десять строк, теряющих больше всего времени против своей подачи, и предел, из-за которого оно теряется"));

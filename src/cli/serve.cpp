@@ -63,8 +63,8 @@ void add_serve(CLI::App& app, Commands& c) {
   serve->add_flag("--open", o.open,
                   told("pages of this machine may look without the token of the printed address",
                        "страницам этой машины смотреть можно и без ключа из напечатанного адреса"));
-  number(serve->add_option("--max-memory", o.max_memory, told("of all pages together, MB", "память всех страниц вместе, МБ")), "MB", "МБ", 100,
-         1e6)
+  number(serve->add_option("--max-memory", o.max_memory, told("of all pages together, MB", "память всех страниц вместе, МБ")), "MB", "МБ",
+         100, 1e6)
       ->capture_default_str();
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
@@ -91,8 +91,9 @@ int serve(const ServeOptions& options) {
   PanelHub hub;
   constexpr double bytes_of_mb = 1e6;
   const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
-  const PageServer page{*folder, new_token(), wanted.is_open() || !options.open, options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION,
-                        &last,   &hub,        journal.get(), &memory};
+  const PageServer page{
+      *folder,       new_token(), wanted.is_open() || !options.open, options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub,
+      journal.get(), &memory};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) {
     complain(server.error());

@@ -1,5 +1,6 @@
 #pragma once
-// The end before the end: Ctrl-C, SIGTERM, a terminal that closes (SIGHUP), Ctrl-\ (SIGQUIT). Whoever works long is handed a token; whoever does not ask it in time is ended.
+// The end before the end: Ctrl-C, SIGTERM, a terminal that closes (SIGHUP), Ctrl-\ (SIGQUIT). Whoever works long is handed a token; whoever
+// does not ask it in time is ended.
 
 #include <spawn.h>
 
@@ -7,9 +8,9 @@
 
 namespace kadr::cli {
 
-/// From here on these signals ask for the end, but one that is ignored from the beginning (nohup). To be called once, before any other thread begins.
-/// A command that has not ended 0.15 s later is ended where it is: its unfinished files go away (ResultFile), the state file keeps
-/// its last whole block.
+/// From here on these signals ask for the end, but one that is ignored from the beginning (nohup). To be called once, before any other
+/// thread begins. A command that has not ended 0.15 s later is ended where it is: its unfinished files go away (ResultFile), the state file
+/// keeps its last whole block.
 void catch_interrupts();
 
 /// Asked by every long loop.

@@ -1,6 +1,6 @@
 #pragma once
-// What people read, on standard output and standard error: all of it goes through here. A message never stands behind half a bar, colours go
-// to terminals alone, and no control character of a name, a program or a word of the command line reaches a terminal.
+// What people read, on standard output and standard error: all of it goes through here. A message never stands behind half a bar, colours
+// go to terminals alone, and no control character of a name, a program or a word of the command line reaches a terminal.
 
 #include <fmt/core.h>
 

@@ -29,15 +29,15 @@ struct ComparedPiece {
 };
 
 struct CompareRules {
-  double tolerance = 0.001;      // mm; degrees of rotary axes
-  bool messages = true;          // what is shown to the operator counts
-  bool tools_by_hand = false;    // a change of the tool is the same as a stop
-  bool feeds_at_speed = false;   // a feed per revolution is the same as what it makes per minute at the speed in force
-  double feed_step = 0;          // the least increment of b's F word, mm/min or mm/rev: feeds that it cannot tell apart are the same
+  double tolerance = 0.001;     // mm; degrees of rotary axes
+  bool messages = true;         // what is shown to the operator counts
+  bool tools_by_hand = false;   // a change of the tool is the same as a stop
+  bool feeds_at_speed = false;  // a feed per revolution is the same as what it makes per minute at the speed in force
+  double feed_step = 0;         // the least increment of b's F word, mm/min or mm/rev: feeds that it cannot tell apart are the same
   std::map<std::string, double> zero_of_b{};  // mm by axis: b's control has no work zeros, the operator sets it to count from there
-  bool first_only = false;       // it is over with the first difference
-  bool times = true;             // CourseSpot::at is told
-  std::size_t most_told = 1000;  // differences that are told one by one
+  bool first_only = false;                    // it is over with the first difference
+  bool times = true;                          // CourseSpot::at is told
+  std::size_t most_told = 1000;               // differences that are told one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called as both are gone along
 };

@@ -142,8 +142,9 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   if (!table->contains("id")) return Failed(say("{}: id is missing: a file that extends another is a control of its own", file));
   if (below.lineage.size() == deepest) {
     const std::string most = std::to_string(deepest);
-    return Failed(file + ": " + told("extends the " + most + "th control below each other: no more are read",
-                                     "extends: это уже " + most + "-я система друг под другом, больше не читается"));
+    return Failed(file + ": " +
+                  told("extends the " + most + "th control below each other: no more are read",
+                       "extends: это уже " + most + "-я система друг под другом, больше не читается"));
   }
   below.lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
@@ -161,7 +162,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
-  if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>()) forget_sections(*under);
+  if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
+    forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);

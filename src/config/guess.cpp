@@ -88,8 +88,9 @@ struct Candidate {
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
     for (std::size_t i = 0; i < all.size(); ++i)  // two patterns that fit one word
-      all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
-                all.end());
+      all.erase(
+          std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
+          all.end());
     if (all.size() > most) all.resize(most);
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 is last
     return all;
@@ -137,8 +138,8 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
 
 /// The language that Kadr does not read, if one is found for sure.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
-  const auto best = std::max_element(dialects.begin(), dialects.end(),
-                                     [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
+  const auto best =
+      std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
   return best != dialects.end() && best->score() >= decisive_weight ? &*best : nullptr;
 }
 

@@ -12,14 +12,14 @@
 namespace kadr {
 
 struct Guess {
-  std::string control;               // empty: none that Kadr knows
-  std::string dialect;               // the language it is in instead, an id of controls/dialects.toml; empty: none
+  std::string control;                   // empty: none that Kadr knows
+  std::string dialect;                   // the language it is in instead, an id of controls/dialects.toml; empty: none
   std::string language_en, language_ru;  // what that is called
   std::vector<std::string> refused_by;   // controls that Kadr reads as something else than this language: a lathe's as a mill's
-  std::string reason_en;             // what in the text speaks for it, and in which lines, in their order
+  std::string reason_en;                 // what in the text speaks for it, and in which lines, in their order
   std::string reason_ru;
-  bool decisive = false;                               // what speaks for it suffices; else the guess is weak
-  std::vector<std::pair<std::string, double>> scores;  // of every control, in the order of their rows
+  bool decisive = false;                                     // what speaks for it suffices; else the guess is weak
+  std::vector<std::pair<std::string, double>> scores;        // of every control, in the order of their rows
   std::vector<std::pair<std::string, std::string>> reasons;  // of each of them: English, Russian
 
   std::vector<std::pair<std::string, double>> dialect_scores;  // of the languages, where nothing is against them

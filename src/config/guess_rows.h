@@ -29,8 +29,8 @@ struct GuessMark {
 
 /// Of one control, or one language.
 struct GuessRows {
-  std::string control;           // its id
-  std::string name_en, name_ru;  // of a language: for people
+  std::string control;                  // its id
+  std::string name_en, name_ru;         // of a language: for people
   std::vector<std::string> refused_by;  // of a language: controls that it is taken for, and that Kadr reads as something else
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;

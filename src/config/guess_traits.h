@@ -8,22 +8,22 @@
 namespace kadr {
 
 enum class TextTrait : std::uint8_t {
-  all_numbered,      // every block has its number
-  few_numbered,      // less than half
-  decimal_points,    // some number has one
-  trailing_points,   // `X10.`: nothing behind the point
-  long_integers,     // coordinates of four digits and more, and no point anywhere
-  whole_lengths,     // X10, Y-5: of one to three digits, and no length has a point
-  plus_signs,        // `X+10.`, and no code of one digit
-  two_digit_codes,   // G01, and no code of one digit; every block numbered
-  program_number,    // `%`, then O0001; not where every block is numbered, with codes of two digits only
-  percent,           // `%` stands at the beginning
-  no_percent,        // no `%` anywhere
-  no_tools,          // no T, no M6, no H
-  without_y,         // X and Z are programmed, Y never
-  u_w_words,         // U or W, and no A, B, C, Y
-  changing_power,    // S by itself, three times and more, with neither M3, M4 nor T in its block
-  feed_everywhere,   // most feed motions name their F
+  all_numbered,     // every block has its number
+  few_numbered,     // less than half
+  decimal_points,   // some number has one
+  trailing_points,  // `X10.`: nothing behind the point
+  long_integers,    // coordinates of four digits and more, and no point anywhere
+  whole_lengths,    // X10, Y-5: of one to three digits, and no length has a point
+  plus_signs,       // `X+10.`, and no code of one digit
+  two_digit_codes,  // G01, and no code of one digit; every block numbered
+  program_number,   // `%`, then O0001; not where every block is numbered, with codes of two digits only
+  percent,          // `%` stands at the beginning
+  no_percent,       // no `%` anywhere
+  no_tools,         // no T, no M6, no H
+  without_y,        // X and Z are programmed, Y never
+  u_w_words,        // U or W, and no A, B, C, Y
+  changing_power,   // S by itself, three times and more, with neither M3, M4 nor T in its block
+  feed_everywhere,  // most feed motions name their F
   count
 };
 

@@ -126,7 +126,8 @@ std::string told_insert_fault(const ToolGeometry& t) {
     if (i.width > 0 && i.lead != 0 && i.lead != 90)
       return told("lead of a grooving insert: 90, it plunges along x, or 0, along z",
                   "lead канавочной пластины: 90 — врезается по x, или 0 — по z");
-    if (t.length < t.flutes) return told("length (of the insert's side) is less than flute_length", "length (сторона пластины) меньше flute_length");
+    if (t.length < t.flutes)
+      return told("length (of the insert's side) is less than flute_length", "length (сторона пластины) меньше flute_length");
   }
   if (std::string fault = told_polygon("profile", i.profile); !fault.empty()) return fault;
   return told_polygon("holder", i.holder);

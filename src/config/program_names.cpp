@@ -12,8 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::string_view program_endings[] = {"nc",   "ngc", "tap", "txt", "iso", "prg", "nct", "gcode", "gc",  "g",   "cnc", "mpf",
-                                                "spf",  "up",  "eia", "ptp", "tape", "min", "pim", "fnc",   "sub", "mac", "fan", "hnc"};
+constexpr std::string_view program_endings[] = {"nc",  "ngc", "tap", "txt", "iso",  "prg", "nct", "gcode", "gc",  "g",   "cnc", "mpf",
+                                                "spf", "up",  "eia", "ptp", "tape", "min", "pim", "fnc",   "sub", "mac", "fan", "hnc"};
 
 /// Without the dot, in small letters; empty: none.
 std::string ending_of(std::string_view name) {
@@ -30,7 +30,7 @@ NameTells told_by_name(std::string_view name) {
   const std::string ending = ending_of(name);
   if (std::all_of(ending.begin(), ending.end(), is_digit)) return NameTells::nothing;
   return std::find(std::begin(program_endings), std::end(program_endings), ending) == std::end(program_endings) ? NameTells::other
-                                                                                                              : NameTells::program;
+                                                                                                                : NameTells::program;
 }
 
 bool is_number_name(std::string_view name) {

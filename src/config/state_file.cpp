@@ -62,9 +62,7 @@ class StateFile::Database {
 };
 
 /// The file and its log are still what their names mean: what is written into others, or into none, is lost.
-bool StateFile::Database::stands() const {
-  return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_);
-}
+bool StateFile::Database::stands() const { return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_); }
 
 /// What is wrong, and what can be done: the file is left as it is.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {

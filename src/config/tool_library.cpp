@@ -30,8 +30,9 @@ constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
                                    {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view tool_keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flute_length", "length",
-                                          "profile", "shank", "holder", "plunges",  "flute_count",  "points", "lead", "width"};
+constexpr std::string_view tool_keys[] = {"number",  "name",         "kind",   "diameter", "corner", "angle",
+                                          "tip",     "flute_length", "length", "profile",  "shank",  "holder",
+                                          "plunges", "flute_count",  "points", "lead",     "width"};
 
 /// Keys of older files, which say something else to the field (`flutes` is a length there). They are read still.
 struct OldKey {
@@ -195,7 +196,8 @@ std::string told_fault(const ToolGeometry& t) {
   for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})
     if (!is_within(size, size_range)) return told("a size must be ", "размер должен быть ") + told(size_range);
   if (!(t.diameter > 0)) return told("diameter is missing", "нет diameter");
-  if (!(t.flutes > 0)) return told("flute_length is missing: how high above its tip it cuts", "нет flute_length: на какую высоту от вершины он режет");
+  if (!(t.flutes > 0))
+    return told("flute_length is missing: how high above its tip it cuts", "нет flute_length: на какую высоту от вершины он режет");
   if (t.length < t.flutes) return told("length (stick-out) is less than flute_length", "length (вылет) меньше flute_length");
   if (const std::string end = told_end(t); !end.empty()) return end;
   for (const auto& [key, outline] : {std::pair("profile", &t.profile), std::pair("shank", &t.shank), std::pair("holder", &t.holder)})

@@ -30,9 +30,9 @@ struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const Setup& setup)>;
   using OpensText =
       std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<ByteSource> text, const Setup& setup)>;
-  Opens source;      // of the program under its own control, from that set-up
-  Setup setup;       // from which the program begins
-  OpensText target;  // of a text under the other control, from that set-up
+  Opens source;                             // of the program under its own control, from that set-up
+  Setup setup;                              // from which the program begins
+  OpensText target;                         // of a text under the other control, from that set-up
   std::shared_ptr<ByteSource> source_text;  // UTF-8, lines divided by '\n'
   const ControlDef* to = nullptr;
   bool flat = false;                        // calls, loops and cycles are written out even where the other control has them
@@ -58,14 +58,14 @@ struct ConversionTry {
   Comparison proof;                 // where it could be said
   bool differs_unstated = false;    // `proof` is of another state than the one given: something is folded in that the set-up does not state
   bool differs_elsewhere = false;   // `proof` is of a probe that touches at another place
-  bool zero_by_operator = false;    // proven where the zero of the part is set on the machine itself: one of the controls has no code for it
+  bool zero_by_operator = false;  // proven where the zero of the part is set on the machine itself: one of the controls has no code for it
   std::optional<std::uint16_t> counts_from{};  // of `plain`: the work system of all its motions
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_say && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   bool is_proven() const { return is_equal() && told_states.has_value(); }
   std::optional<std::size_t> told_states{};  // others in which it was proven; nullopt: not yet
-  std::size_t transliterated = 0;         // characters that the other control's text has not
-  std::vector<WrittenOut> written_out{};  // of `words`, in the order in which it was found
+  std::size_t transliterated = 0;            // characters that the other control's text has not
+  std::vector<WrittenOut> written_out{};     // of `words`, in the order in which it was found
 };
 
 struct Converted {

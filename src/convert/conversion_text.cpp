@@ -77,10 +77,11 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
   }
   if (one.proof.differences.empty()) return {told("interrupted", "прервано"), {}};
   const CourseDifference& first = one.proof.differences.front();
-  const std::string where = one.differs_unstated
-                                ? told("with work zeros, tool lengths, radii and reference points other than 0, which no set-up states (--setup): ",
-                                       "при нулях, вылетах, радиусах и опорных точках, не равных 0 и нигде не заданных (--setup): ")
-                                : "";
+  const std::string where =
+      one.differs_unstated
+          ? told("with work zeros, tool lengths, radii and reference points other than 0, which no set-up states (--setup): ",
+                 "при нулях, вылетах, радиусах и опорных точках, не равных 0 и нигде не заданных (--setup): ")
+          : "";
   return {where + sentence_of(first, lang), first.a.origin, first.a.file, first.b.origin.file == 0 ? first.b.origin.line : 0};
 }
 
@@ -99,10 +100,12 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
     notes.push_back(told("feed per revolution is written per minute, at the speed of the program",
                          "подача на оборот записана минутной, при частоте вращения из программы"));
   if (one.proof.feeds_rounded)
-    notes.push_back(told("feeds are rounded to what the F word of that control can say", "подачи округлены до значений, которые допускает слово F этой системы"));
+    notes.push_back(told("feeds are rounded to what the F word of that control can say",
+                         "подачи округлены до значений, которые допускает слово F этой системы"));
   if (one.told_states == std::size_t{0})
-    notes.push_back(told("taken for granted: zeros, lengths, radii and reference points that no set-up states are 0, for with others the program stops",
-                         "принято: не заданные нули, вылеты, радиусы и опорные точки равны 0, с другими программа останавливается"));
+    notes.push_back(
+        told("taken for granted: zeros, lengths, radii and reference points that no set-up states are 0, for with others the program stops",
+             "принято: не заданные нули, вылеты, радиусы и опорные точки равны 0, с другими программа останавливается"));
   if (one.zero_by_operator)
     notes.push_back(told("taken for granted: the zero of the part is set on the machine, no work zero of the program is stated",
                          "принято: нуль детали задаёт наладчик на станке, рабочий нуль программы не задан"));

@@ -17,7 +17,8 @@ constexpr std::initializer_list<Wanted> machine_codes = {
 const CodeRow* reference_code(const ControlDef& def, int point) {
   const int row = std::min(point, 2);  // G28, G30
   const CodeRow* const found = row_that_does(
-      def, {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
+      def,
+      {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
   return found != nullptr && (point <= 2 || found->function == Function::reference_return) ? found : nullptr;
 }
 

@@ -106,8 +106,8 @@ class Filler {
 
 }  // namespace
 
-std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes, const ProgramNames& names,
-                                   int count) {
+std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes,
+                                   const ProgramNames& names, int count) {
   std::vector<OpenState> states;
   for (int i = 0; i < count; ++i) states.push_back(Filler(given, def, axes, names, first_seed + std::uint32_t(i)).fill());
   return states;

@@ -1,6 +1,7 @@
 #pragma once
-// Proving: a text for another control beside the program that it is made of, each run by its own control. From the set-up that is given, then
-// from states that it leaves open (convert/open_states), and with what a probe touches at another place: a conversion must hold in all of them.
+// Proving: a text for another control beside the program that it is made of, each run by its own control. From the set-up that is given,
+// then from states that it leaves open (convert/open_states), and with what a probe touches at another place: a conversion must hold in all
+// of them.
 
 #include <cstdint>
 #include <map>

@@ -78,9 +78,7 @@ class Planned {
   std::vector<AlarmReport> reports(const Control& control) const;
 
   /// None, where the planner found no plan by an error of its own, or planned only so far as samples are wanted.
-  const PlannedTime* time() const {
-    return motion_.ended() == PlanEnd::too_slow || motion_.ended() == PlanEnd::enough ? nullptr : &time_;
-  }
+  const PlannedTime* time() const { return motion_.ended() == PlanEnd::too_slow || motion_.ended() == PlanEnd::enough ? nullptr : &time_; }
   /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
   std::string why(const Control& control, Lang lang) const;
   /// Where record_speed() was called, after finish(). Returns an error sentence.

@@ -70,7 +70,7 @@ class RunAhead {
 
   std::atomic<std::uint64_t> allowed_ = 0;  // batches that may be made in all
   std::atomic<std::uint64_t> made_ = 0;
-  std::atomic<bool> stands_ = true;  // the last batch made is the last
+  std::atomic<bool> stands_ = true;         // the last batch made is the last
   std::atomic<std::uint32_t> in_hand_ = 0;  // 1: one of the two sides runs the control
   std::atomic<bool> over_ = false;
   std::atomic<std::uint32_t> news_ = 0;  // counts what the thread may wait for

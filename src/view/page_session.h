@@ -48,10 +48,10 @@ struct PageServer {
   std::string token;    // that who may change something knows
   bool all_need_token;  // who does not know it may not even look
   Lang lang = Lang::en;
-  std::string version;              // of Kadr
-  LastOpened* last = nullptr;       // nullptr: nobody asks
-  PanelHub* hub = nullptr;          // nullptr: there are no machines
-  PanelJournal* journal = nullptr;  // of theirs; there where the hub is
+  std::string version;                  // of Kadr
+  LastOpened* last = nullptr;           // nullptr: nobody asks
+  PanelHub* hub = nullptr;              // nullptr: there are no machines
+  PanelJournal* journal = nullptr;      // of theirs; there where the hub is
   const MemoryBound* memory = nullptr;  // of all sessions together; nullptr: there is none
 };
 

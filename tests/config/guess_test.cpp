@@ -114,7 +114,8 @@ TEST(guess, of_small_samples) {
 
 TEST(guess, tells_what_it_found_and_where) {
   const Guess guess = guess_control("%\nN1 G0 X8000\nN2 L81 R0+60 R1-5000\nN3 G1 X0 ПС\n");
-  EXPECT_EQ(guess.reason_en, "line 3: R0+60, line 3: R1-5000, line 3: L81, line 4: ПС, numbers without points");  // in the order of the lines
+  EXPECT_EQ(guess.reason_en,
+            "line 3: R0+60, line 3: R1-5000, line 3: L81, line 4: ПС, numbers without points");  // in the order of the lines
   EXPECT_EQ(guess.reason_ru, "строка 3: R0+60, строка 3: R1-5000, строка 3: L81, строка 4: ПС, числа без точки");
   EXPECT_TRUE(guess.decisive);
   const Guess weak = guess_control("(a)\nG0 X1\n\nWHILE[#1 LT 2]DO1\nEND1\n");
@@ -144,9 +145,9 @@ TEST(guess, neighbours_of_another_language) {
   const CommonGuess two = common_guess({fagor, fagor, weak});
   EXPECT_EQ(two.dialect, "fagor");
   EXPECT_TRUE(may_be(weak, two, true));
-  EXPECT_FALSE(may_be(weak, two, false));                                                    // .txt beside .nc
-  EXPECT_TRUE(may_be(guess_control("N0 T2.2\nN10 G0 X1 Y2\n"), two, false));                // T2.2
-  EXPECT_FALSE(may_be(weak, common_guess({lathe, lathe, weak}), true));                      // it has Y
+  EXPECT_FALSE(may_be(weak, two, false));                                     // .txt beside .nc
+  EXPECT_TRUE(may_be(guess_control("N0 T2.2\nN10 G0 X1 Y2\n"), two, false));  // T2.2
+  EXPECT_FALSE(may_be(weak, common_guess({lathe, lathe, weak}), true));       // it has Y
 }
 
 TEST(guess, patterns) {
@@ -242,7 +243,8 @@ TEST(guess, each_row_of_a_dialect_has_a_head) {
 
 // Named by --control these refuse a lathe's program: found.md A2.
 TEST(guess, a_lathes_program_is_refused) {
-  const Guess guess = guess_control("%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n");
+  const Guess guess =
+      guess_control("%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n");
   EXPECT_EQ(guess.reason_en, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y");
   EXPECT_EQ(guess.refused_by, (std::vector<std::string>{"fanuc", "haas", "nct"}));
 }

@@ -27,7 +27,7 @@
 #define PROGMEM
 #define __flash
 #define PSTR(text) (text)
-#define pgm_read_byte_near(at) (*(const char *)(at))
+#define pgm_read_byte_near(at) (*(const char*)(at))
 #define cli()
 #define sei()
 #define _delay_ms(x)

@@ -17,7 +17,8 @@ bool reaches_the_terminal(const std::string& text, bool lines) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (lines && (byte == '\n' || byte == '\t')) continue;
     if (byte < 0x20 || byte == 0x7F) return true;
-    if (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) >= 0x80 && static_cast<unsigned char>(text[i + 1]) < 0xA0)
+    if (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
+        static_cast<unsigned char>(text[i + 1]) < 0xA0)
       return true;
     if (byte >= 0x80 && byte < 0xA0 && (i == 0 || static_cast<unsigned char>(text[i - 1]) < 0x80)) return true;
   }
@@ -44,12 +45,16 @@ TEST(SourceLine, ShowsEachControlCharacterAmongAllBytes) {
 }
 
 TEST(SourceLine, LeavesTextAsItIs) {
-  for (const std::string text : {"G1 X1 (деталь)\n", "a\tb", "→ ␛ 漢字 🙂", "", "\xC0\xF4\xF0\xE5\xE7\xE0"}) EXPECT_EQ(visible(text), text);
+  for (const std::string text : {"G1 X1 (деталь)\n", "a\tb", "→ ␛ 漢字 🙂", "", "\xC0\xF4\xF0\xE5\xE7\xE0"})
+    EXPECT_EQ(visible(text), text);
 }
 
 TEST(SourceLine, ShowsPictures) {
   EXPECT_EQ(visible("a\x1b[31m\x07"), "a␛[31m␇");
-  EXPECT_EQ(visible("a\xC2\x9B" "b\x9B"), "a\xEF\xBF\xBD" "b\xEF\xBF\xBD");
+  EXPECT_EQ(visible("a\xC2\x9B"
+                    "b\x9B"),
+            "a\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD");
   EXPECT_EQ(visible("a\u202Eb\u2069"), "a\uFFFDb\uFFFD");
   EXPECT_EQ(visible_name("a\nb\tc"), "a␊b␉c");
 }

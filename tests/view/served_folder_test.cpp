@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 TEST(ServedFolder, KindsByName) {
   using Kind = FolderEntry::Kind;
   EXPECT_EQ(kind_of_file("PART.NC"), Kind::program);
-  for (const char* const name : {"O0001", "1001", "%12", "P5.001", "sub/O7", "a.b.NGC", "part.txt"}) EXPECT_EQ(kind_of_file(name), Kind::program) << name;
+  for (const char* const name : {"O0001", "1001", "%12", "P5.001", "sub/O7", "a.b.NGC", "part.txt"})
+    EXPECT_EQ(kind_of_file(name), Kind::program) << name;
   for (const char* const name : {"X", "new.sh", "key.pem", "id_rsa", "Makefile", "a.py", "O12.sh", "ABC1", ".nc", ""})
     EXPECT_EQ(kind_of_file(name), Kind::other) << name;
   EXPECT_EQ(kind_of_file("shop.json"), Kind::setup);

@@ -10,8 +10,8 @@ namespace kadr::grbl {
 
 /// The words of an arc, in the plane, mm.
 struct ArcWords {
-  Vec2 from, to;                  // programmed coordinates
-  Single2 single_from{}, single_to{};  // machine coordinates
+  Vec2 from, to;                                       // programmed coordinates
+  Single2 single_from{}, single_to{};                  // machine coordinates
   bool same_point = false, single_same_point = false;  // of all three axes
   bool by_radius = false;
   double radius = 0;

@@ -13,12 +13,12 @@ namespace kadr::grbl {
 
 /// $x: what the program's meaning depends on (10).
 struct Settings {
-  bool soft_limits = false;  // $20
-  bool homing = false;       // $22
-  double speed_most = 1000;  // $30, rev/min
-  double speed_least = 0;    // $31
+  bool soft_limits = false;      // $20
+  bool homing = false;           // $22
+  double speed_most = 1000;      // $30, rev/min
+  double speed_least = 0;        // $31
   double arc_tolerance = 0.002;  // $12, mm
-  Axes travel{};             // $130 to $132, mm
+  Axes travel{};                 // $130 to $132, mm
 };
 
 /// What a block changes and an alarm in it brings back.

@@ -20,11 +20,11 @@ using Single2 = std::array<float, 2>;
 struct SingleArc {
   enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // error:34, error:33
   Answer answer = Answer::moves;
-  Vec2 offset;        // of the centre, which is rounded, from the start, mm
-  double turns = 0;   // swept angle / 360, positive
-  int segments = 0;   // 0: straight to the end point
-  float radius = 0;   // mm, as the segments are counted by
-  float other = 0;    // mm: radius at the end; half of the chord where R is too small
+  Vec2 offset;       // of the centre, which is rounded, from the start, mm
+  double turns = 0;  // swept angle / 360, positive
+  int segments = 0;  // 0: straight to the end point
+  float radius = 0;  // mm, as the segments are counted by
+  float other = 0;   // mm: radius at the end; half of the chord where R is too small
 };
 
 /// By I, J, K. `tolerance`: $12, mm.

@@ -85,9 +85,8 @@ void Singles::note(const Interpreter& m, const CheckedBlock& block, double tool_
       zeros[row].take(a, m.tables.zeros[row][a], by_position ? zero - tool(a) : zero);
     });
   } else if (block.non_modal == 920) {
-    each_word([&](std::size_t a, float v) {
-      shift.take(a, m.set_position[a], position.single[a] - zeros[system].single[a] - v - tool(a));
-    });
+    each_word(
+        [&](std::size_t a, float v) { shift.take(a, m.set_position[a], position.single[a] - zeros[system].single[a] - v - tool(a)); });
   } else if (block.non_modal == 281 || block.non_modal == 301) {
     reference[block.non_modal == 281 ? 1 : 2] = position;
   } else if (block.non_modal == 280 || block.non_modal == 300) {

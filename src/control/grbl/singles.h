@@ -30,11 +30,11 @@ struct SinglePoint {
 };
 
 struct Singles {
-  SinglePoint position, shift;               // machine coordinates; G92
-  std::array<SinglePoint, 7> zeros;          // G54 to G59 from 1 on
-  std::array<SinglePoint, 3> reference;      // G28.1, G30.1: 1, 2
+  SinglePoint position, shift;           // machine coordinates; G92
+  std::array<SinglePoint, 7> zeros;      // G54 to G59 from 1 on
+  std::array<SinglePoint, 3> reference;  // G28.1, G30.1: 1, 2
   double exact_length = 0;
-  float length = 0;                          // G43.1
+  float length = 0;  // G43.1
   /// The last words of lines that nobody has asked about: they are read when somebody does.
   struct Unread {
     std::array<char, 15> text{};

@@ -332,7 +332,8 @@ Status tool_length(Interpreter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   if (call.row->arg == 1) {
     const bool words = m.has_axis_words() && control.codes.motion < 0;
-    if (m.has('H') && m.has_axis_words()) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
+    if (m.has('H') && m.has_axis_words())
+      return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
     if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
     if (words) {  // 2.9.3: added to what is in force
       Axes more{};

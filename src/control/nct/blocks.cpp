@@ -18,7 +18,6 @@
 namespace kadr::nct {
 namespace {
 
-
 /// Words that an earlier run of the same block took away are there again.
 void give_back(Interpreter& m) {
   if (!m.block->altered) return;

@@ -69,7 +69,8 @@ class Compiler : public StepWriter {
   /// The number that the steps from `first` on give is the program's own: names have numbers too, and it is none of them.
   Status own_number(std::size_t begin, std::size_t first) {
     if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
-    const bool is_small = block_.code.size() == first + 1 && block_.code[first].op == Op::number && !VariableNames::is_named(block_.code[first].number);
+    const bool is_small =
+        block_.code.size() == first + 1 && block_.code[first].op == Op::number && !VariableNames::is_named(block_.code[first].number);
     return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
   }
 

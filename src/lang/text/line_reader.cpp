@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t window_bytes = 256 * 1024;
 /// A line is looked for in so much; blanks and CRs before its end may stand beyond the length that is allowed.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-constexpr std::size_t first_read = 16 * 1024;           // after a jump: a subprogram is short; doubled at each further read
+constexpr std::size_t first_read = 16 * 1024;  // after a jump: a subprogram is short; doubled at each further read
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 

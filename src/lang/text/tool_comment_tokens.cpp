@@ -38,8 +38,8 @@ constexpr std::array<Alike, 17> sign_spellings = {{
 std::string with_signs_made_alike(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
-    const auto* const found =
-        std::find_if(sign_spellings.begin(), sign_spellings.end(), [&](const Alike& a) { return text.substr(i, a.written.size()) == a.written; });
+    const auto* const found = std::find_if(sign_spellings.begin(), sign_spellings.end(),
+                                           [&](const Alike& a) { return text.substr(i, a.written.size()) == a.written; });
     out += found == sign_spellings.end() ? text.substr(i, 1) : found->meant;
     i += found == sign_spellings.end() ? 1 : found->written.size();
   }

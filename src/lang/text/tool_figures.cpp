@@ -177,7 +177,8 @@ void FigureMarker::mark_beside_words() {
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece& word = all_[i];
     if (!word.is_word()) continue;
-    const WordSays known = means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_behind | degrees;
+    const WordSays known =
+        means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_behind | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // S2000, Z-.5, H7
@@ -356,7 +357,8 @@ void FigureMarker::mark_clauses() {
 std::vector<CommentToken> with_letters_divided(std::vector<CommentToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string& word = tokens[i].text;
-    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != no_meaning) continue;
+    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != no_meaning)
+      continue;
     const std::size_t letter = is_high(word.back()) ? 2 : 1;  // bytes
     if (word.size() <= letter || !meaning_of(word.substr(0, word.size() - letter)).is(tool)) continue;
     CommentToken last{Is::word, word.substr(word.size() - letter)};

@@ -41,7 +41,7 @@ enum class WordSays : std::uint64_t {
   times = bit(22),         // X: 1/2 X 82 DEG
   other_before = bit(23),  // the figure before it is no size of a tool: 4 FLUTES
   other_behind = bit(24),  // … the one behind it: LENGTH 4.0
-  is_numbered = bit(25),      // a number behind it is its own: OP 10, PART NO. 7
+  is_numbered = bit(25),   // a number behind it is its own: OP 10, PART NO. 7
   // of what the comment speaks of
   another = bit(26),      // what follows is another thing's: FOR, WITH
   ends_phrase = bit(27),  // no name of a tool goes on behind it: AND, OF, IS

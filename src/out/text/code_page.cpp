@@ -121,7 +121,8 @@ std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTex
     const auto id = static_cast<AlarmId>(i);
     const std::string& pattern = texts.pattern(id, Lang::en);
     const std::string_view first = std::string_view(pattern).substr(0, pattern.find_first_of(" ,"));
-    if (first.size() == what.size() && std::equal(first.begin(), first.end(), what.begin(), [](char a, char b) { return to_upper(a) == to_upper(b); }))
+    if (first.size() == what.size() &&
+        std::equal(first.begin(), first.end(), what.begin(), [](char a, char b) { return to_upper(a) == to_upper(b); }))
       text = text.value_or("") + alarm_text_of(def, texts, id, lang);
   }
   return text;
@@ -141,16 +142,18 @@ std::string small_letters(std::string_view text) {
 }
 
 /// Words of manuals for one thing: whoever asks by one of them means the others.
-constexpr std::string_view same_words[][3] = {{"cutter", "radius", "contour"}, {"canned", "drilling", "cycle"},   {"fixture", "work zero", "work system"},
-                                              {"home", "reference", ""},       {"pause", "dwell", ""},            {"фреза", "радиус", "эквидистант"},
-                                              {"выдержка", "пауза", ""},       {"сверление", "цикл", ""}};
+constexpr std::string_view same_words[][3] = {
+    {"cutter", "radius", "contour"}, {"canned", "drilling", "cycle"}, {"fixture", "work zero", "work system"},
+    {"home", "reference", ""},       {"pause", "dwell", ""},          {"фреза", "радиус", "эквидистант"},
+    {"выдержка", "пауза", ""},       {"сверление", "цикл", ""}};
 
 /// A word, or one that means the same, within the text; both in small letters.
 bool has_word(const std::string& text, const std::string& word) {
   if (text.find(word) != std::string::npos) return true;
   for (const auto& group : same_words)
     if (std::find(std::begin(group), std::end(group), word) != std::end(group))
-      return std::any_of(std::begin(group), std::end(group), [&](std::string_view one) { return !one.empty() && text.find(one) != std::string::npos; });
+      return std::any_of(std::begin(group), std::end(group),
+                         [&](std::string_view one) { return !one.empty() && text.find(one) != std::string::npos; });
   return false;
 }
 

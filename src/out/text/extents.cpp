@@ -138,8 +138,8 @@ std::vector<std::string> RunExtents::texts(Of of, const std::vector<std::string>
   for (const Row& row : rows(of, names)) {
     std::string& text = texts.emplace_back(row.system.empty() ? "" : row.system + "  ");
     for (const AxisRange& axis : row.axes)
-      text += (&axis == &row.axes.front() ? "" : "   ") + range_text(axis.name, axis.least, axis.most, axis.rotary ? LengthUnit::mm : unit()) +
-              (axis.rotary ? "°" : "");
+      text += (&axis == &row.axes.front() ? "" : "   ") +
+              range_text(axis.name, axis.least, axis.most, axis.rotary ? LengthUnit::mm : unit()) + (axis.rotary ? "°" : "");
   }
   return texts;
 }

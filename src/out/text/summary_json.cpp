@@ -31,7 +31,7 @@ Json extents_json(const Statistics& statistics, RunExtents::Of of) {
 }
 
 Json time_json(const TimeSplit& t, TimeBasis basis) {
-  return {{"all", figure(t.total())},   {"cutting", figure(t.cutting)},         {"rapid", figure(t.rapid)},
+  return {{"all", figure(t.total())}, {"cutting", figure(t.cutting)},         {"rapid", figure(t.rapid)},
           {"dwell", figure(t.dwell)}, {"tool_change", figure(t.tool_change)}, {"basis", word_of(basis)}};
 }
 
@@ -83,7 +83,11 @@ std::string summary_json(const RunSummary& run) {
     const double busy = planned_counts ? channel.planned->total() : channel.statistics->time().total();
     longest = std::max(longest, busy + channel.waited);
   }
-  const Json all = {{"program", run.program}, {"control", run.control}, {"complete", run.complete}, {"machining_time", figure(longest)}, {"channels", channels}};
+  const Json all = {{"program", run.program},
+                    {"control", run.control},
+                    {"complete", run.complete},
+                    {"machining_time", figure(longest)},
+                    {"channels", channels}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -67,7 +67,8 @@ std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& co
   const bool pecks = (used >> ('Q' - 'A') & 1u) != 0, shifts = (used >> ('K' - 'A') & 1u) != 0;
   if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, "number of repetitions", "число повторений"};
   if (letter == 'Q' && shifts && def.behaviour.shifts_by_q)
-    return Meaning{code.function, letter, length, "shift of the oriented tool, positive", "смещение ориентированного инструмента, положительное"};
+    return Meaning{code.function, letter, length, "shift of the oriented tool, positive",
+                   "смещение ориентированного инструмента, положительное"};
   if (!pecks || !def.behaviour.pecks_by_ijk) return std::nullopt;
   switch (letter) {
     case 'I': return Meaning{code.function, letter, length, "depth of the first peck, without Q", "глубина первого прохода, без Q"};

@@ -66,8 +66,8 @@ class MillSummary {
   const char* mm() const { return word("mm", "мм"); }
   void line(const char* en, const char* russian, std::string value) { lines_.push_back({word(en, russian), std::move(value)}); }
 
-  /// INFERRED, spec/correctors 4 names the four kinds only: half-open has its walls in one stretch of the outline; combined has walls and open
-  /// sides by turns, or walls around islands in an outline with open sides.
+  /// INFERRED, spec/correctors 4 names the four kinds only: half-open has its walls in one stretch of the outline; combined has walls and
+  /// open sides by turns, or walls around islands in an outline with open sides.
   std::string zone_text() const {
     std::size_t islands = 0, walls = 0, open = 0, stretches = 0;
     for (const area::Zone& zone : milled_.shape.zones) {

@@ -159,7 +159,7 @@ void log(const std::vector<Zone>& found, const Job& job) {
 /// found.md A20: beside a wall that ends at an open side the tool cuts from where its centre is outside the zone.
 TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
   const Edges triangle{{{0, 0}, {60, 0}}, {{60, 0}, {0, 22}, 0, true}, {{0, 22}, {0, 0}}};
-  const Edges step{{{0, 0}, {40, 0}},   {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
+  const Edges step{{{0, 0}, {40, 0}},    {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
                    {{48, 24}, {40, 24}}, {{40, 24}, {40, 40}}, {{40, 40}, {0, 40}},  {{0, 40}, {0, 0}}};
   const Edges narrow{{{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // less than the tool's diameter
   for (const Edges& edges : {triangle, step, narrow})

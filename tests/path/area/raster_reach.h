@@ -1,6 +1,6 @@
 #pragma once
-// RasterReach: what a path leaves of a zone although the tool could cut it, found point by point on a grid, with distances to exact lines and
-// arcs. It shares no polygon, offset or field with the milling that it judges.
+// RasterReach: what a path leaves of a zone although the tool could cut it, found point by point on a grid, with distances to exact lines
+// and arcs. It shares no polygon, offset or field with the milling that it judges.
 
 #include <algorithm>
 #include <cmath>
