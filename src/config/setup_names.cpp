@@ -181,7 +181,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       return std::any_of(def_->parameters.begin(), def_->parameters.end(), [&](const ParameterRow& row) { return row.name == key->name; });
     }
     case SetupNames::place: return names_place(name);
-    case SetupNames::signal:
+    case SetupNames::signal: return among(all(kind)) || ((def_ == nullptr || all_axes_.empty()) && !axis_signal(name).axis.empty());
     case SetupNames::shift: return among(all(kind));
     default: {
       const auto [least, most] = numbers(kind);

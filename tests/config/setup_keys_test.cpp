@@ -114,7 +114,7 @@ TEST(setup_keys, what_the_controls_have) {
       {"haas",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
         H::probe, H::diameters, H::machine_axes}},
-      {"gost", {H::nothing, H::work_offsets, H::diameters}},
+      {"gost", {H::nothing, H::work_offsets, H::diameters, H::skip_question}},
       {"correctors", {H::nothing, H::correctors}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,

@@ -146,7 +146,7 @@ TEST(summary, threads_cut) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
   Counting run(names, 0, {});
   Statistics& s = run.s;
-  Setup setup;
+  kadr::Setup setup;
   setup.tool = 1;
   setup.spindles[1].rpm = 100;
   s.start_with(setup);
