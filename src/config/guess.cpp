@@ -249,12 +249,13 @@ std::vector<std::string> candidates_of(const Guess& guess) {
   auto ranked = guess.scores;
   std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
   for (const auto& [id, score] : ranked)
-    if (score + near >= ranked[0].second && ids.size() < most) ids.push_back(id);
+    if (score + near >= ranked[0].second && ids.size() < most && (score > 0 || id == usual_control)) ids.push_back(id);
   return ids;
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
   constexpr double of_faults = near + 1;  // a clean reading wins over one with faults
+  if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;  // it tells nothing
   for (const auto& [id, count] : faults)
     for (auto& [control, score] : guess.scores)
       if (control == id && count > 0) score -= of_faults;

@@ -44,11 +44,11 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
 ///   returns  an error sentence; empty: it is not
 std::string refused_by_control(std::string_view sample, std::string_view control, bool ru);
 
-/// The weak guess, after a trial: controls that find faults in it stand behind those that find none.
-///   candidates  those that may still be meant, the best first: not more than the trial is worth
+/// Which controls of a weak guess may be meant, the best first: something speaks for each, and not more than a trial is worth.
 std::vector<std::string> candidates_of(const Guess& guess);
 
-/// `faults`: of each of candidates_of(), how many alarms the reading of its beginning gave.
+/// A control that finds faults in the program stands behind those that find none; where all do, nothing changes.
+///   faults  of each of candidates_of(), how many alarms the reading of its beginning gave
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults);
 
 /// What guesses of programs lying together agree in.

@@ -241,6 +241,20 @@ TEST(guess, each_row_of_a_dialect_has_a_head) {
           << rows.control << ": " << mark.pattern;
 }
 
+// A trial: who reads it without a fault stands before who does not; where nobody does, it tells nothing, and no control comes up of which
+// nothing speaks.
+TEST(guess, trial) {
+  Guess guess = guess_control("G0 X10 Z5\nG1 X20 F100\nM30\n");
+  ASSERT_EQ(guess.control, "grbl");
+  const std::vector<std::string> candidates = candidates_of(guess);
+  EXPECT_EQ(candidates, (std::vector<std::string>{"grbl", "mach3", "nct"}));
+  take_trial(guess, {{"grbl", 1}, {"mach3", 2}, {"nct", 1}});
+  EXPECT_EQ(guess.control, "grbl");
+  take_trial(guess, {{"grbl", 1}, {"mach3", 2}, {"nct", 0}});
+  EXPECT_EQ(guess.control, "nct");
+  EXPECT_EQ(candidates_of(guess_control("G154 P3\nG0 X1.\n")), std::vector<std::string>());  // decisive
+}
+
 // Named by --control these refuse a lathe's program: found.md A2.
 TEST(guess, a_lathes_program_is_refused) {
   const Guess guess =
