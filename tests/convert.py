@@ -17,8 +17,10 @@ from conversions import pairs
 from conversions.pairs import CONTROLS, EXAMPLES, run
 from page_client.client import expect, result
 
-# Proven so far, of all: fewer is a step back. The others are refused (docs/commands/convert.md).
-LEAST_PROVEN = 208
+# Proven so far, of all: fewer is a step back. The others are refused (docs/commands/convert.md). S12000 of two Grbl examples has no room in S of
+# the 2С42 and GOST; before, the speed cut by $30 was written. A lathe's program (gost/shaft_turning) is none
+# for a Fanuc or a Haas mill.
+LEAST_PROVEN = 203
 
 
 def every_pair(kadr, folder, given):

@@ -73,7 +73,6 @@ COMMANDS = [
     ({'a.nc': LATHE}, ['a.nc', '--control', 'HAAS-VF'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
     ({'.kadr.toml': 'control = "fanuc"\n', 'a.nc': LATHE}, ['a.nc'], 2, 'of fanuc Kadr reads milling programs alone', 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'haas'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
-    ({'a.nc': LATHE}, ['a.nc', '--control', 'nct'], 2, 'of nct Kadr reads milling programs alone', 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc', '--lang', 'ru'], 2, 'программа токарного станка, строка 3: G99', 'Ошибок'),
     ({'a.nc': LATHE, 'mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n'}, ['a.nc', '--control', 'mine.toml'], 0,
      '1 program checked', "lathe's"),

@@ -170,7 +170,7 @@ def main():
         (folder / 'link.txt').symlink_to('../outside.txt')
         for name in ('cover.txt', 'groove.txt', 'lever.dxf'):
             (folder / name).write_bytes((EXAMPLES / name).read_bytes())
-        server = Server(kadr, folder)
+        server = Server(kadr, folder, '--open')
         page = Page(server)
         page.ask('hello', token=server.token, lang='en')
         before = sorted(p.name for p in folder.iterdir())

@@ -15,6 +15,7 @@
 #include "cli/terminal.h"
 #include "compare/comparison_text.h"
 #include "config/control_file.h"
+#include "config/guess.h"
 #include "config/told.h"
 #include "convert/conversion_text.h"
 #include "lang/text/text_spool.h"
@@ -111,6 +112,12 @@ class ConvertCommand {
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
+    if (const std::string why = refused_by_control(beginning_of(one), o_.to, language(o_.run) == Lang::ru); !why.empty()) {
+      complain(told("not converted: Kadr would not read it as a program of that control",
+                    "не переведено: Kadr не прочёл бы это как УП этой системы"));
+      say(fmt::format("  {}\n", why));
+      return alarms;
+    }
     if (!outputs_.open()) return wrong_usage;
     if (const Status written = write(one, unproven.has_value()); !written) {
       complain(of_target->sentence(written.error(), language(o_.run)));
@@ -127,6 +134,17 @@ class ConvertCommand {
     explain(one, sides);
     tell_whys(made, *made.taken, sides);
     return ok;
+  }
+
+  /// As much as a guess looks at.
+  static std::string beginning_of(const ConversionTry& one) {
+    constexpr std::size_t looked_at = std::size_t{256} << 10;  // bytes
+    std::string text;
+    (void)each_piece(*one.text, [&](std::string_view piece) -> Status {
+      if (text.size() < looked_at) text += piece.substr(0, looked_at - text.size());
+      return {};
+    });
+    return text;
   }
 
   /// The program, in its letters.

@@ -77,6 +77,8 @@ void Course::shift(const Axes& by) {
 }
 
 void Course::take(const Step& step) {
+  // The machine is told of calls and ends; what the control itself does then comes as actions of their own.
+  if (const auto* const told = std::get_if<MachineFunction>(&step.action.what); told != nullptr && told->by_control) return;
   end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
   if (const std::uint32_t block = step.action.origin.number; block != end_.origin.number) before_block_ = state_;
   end_.origin = step.action.origin;
@@ -110,7 +112,7 @@ void Course::take_switch(const Step& step) {
     if (!messages_) ++passed_messages_;
     else take_act(step, Kind::message, message->number, message->text);
   } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
-    if (!function->by_control) take_function(step, function->code);
+    take_function(step, function->code);
   } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
     take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
   } else if (const auto* const frame = std::get_if<FrameChange>(&what)) {

@@ -94,12 +94,21 @@ def for_nobody(kadr):
     return begins()
 
 
+def least_to_begin(kadr):
+    """Megabytes of address space with which the program says its version: with less its libraries are not there, and main() is not reached."""
+    def begins(megabytes):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+        return subprocess.run([kadr.program, '--version'], capture_output=True, preexec_fn=limit).returncode == 0
+    return next(megabytes for megabytes in range(10, 200) if begins(megabytes))
+
+
 def memory(kadr):
     """From hardly enough to begin with to enough for most."""
     if kadr.sanitized:
         return harness.skipped('little memory: a program with a sanitizer has no limit of address space')
+    least = least_to_begin(kadr)
     for command, program, words, outputs in of_each(kadr, 2):
-        for megabytes in (20, 24, 30, 40, 60, 80, 120, 200):
+        for megabytes in (least, least + 3, least + 9, 40, 60, 80, 120, 200):
             _, faults = kadr.observed(words, outputs, [(resource.RLIMIT_AS, megabytes << 20)])
             yield f'{command} {program} {megabytes} MB', faults
             clear(kadr.folder)
