@@ -140,9 +140,9 @@ class ConvertCommand {
   static std::string beginning_of(const ConversionTry& one) {
     constexpr std::size_t looked_at = std::size_t{256} << 10;  // bytes
     std::string text;
-    (void)each_piece(*one.text, [&](std::string_view piece) -> Status {
-      if (text.size() < looked_at) text += piece.substr(0, looked_at - text.size());
-      return {};
+    (void)each_piece(*one.text, [&](std::string_view piece) {
+      text += piece.substr(0, looked_at - text.size());
+      return text.size() < looked_at;
     });
     return text;
   }
