@@ -178,7 +178,7 @@ class Checker:
         return self.faults
 
     def descends(self, do, end, level, down, flat):
-        if do != 'rapid' and down <= flat * self.slope * 1.02 + 1.2 * self.increment:
+        if do != 'rapid' and down <= flat * self.slope + 1e-6:
             return
         if any(math.dist(end, hole) < 0.002 for hole in self.holes) or not self.stock.left_under(end, level):
             return

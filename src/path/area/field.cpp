@@ -74,11 +74,13 @@ class Fields {
       field.zone = area_;
       field.reach = recovered(part, carriers(beyond));
       field.reach_area = flattened(field.reach, chord);
+      if (field.reach.empty()) continue;
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
+      if (field.work.empty()) field.work = field.reach;  // the tool cuts here from beyond an open side alone
       field.work_area = flattened(field.work, chord);
-      if (field.reach.empty() || field.work.empty()) continue;
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
-      field.wanted = common(grown(field.work_area, job_.radius, chord), area_);
+      field.wanted = common(grown(field.reach_area, job_.radius, chord), area_);
+      if (field.wanted.empty()) continue;
       fields.push_back(std::move(field));
     }
     return fields;

@@ -11,7 +11,7 @@ namespace kadr::area {
 struct Field {
   std::vector<Edges> reach;  // loops around where the centre may be, exact
   Polygons reach_area;
-  std::vector<Edges> work;  // the same with less overrun: where passes are needed
+  std::vector<Edges> work;  // the same with less overrun: what the scheme covers; the rest of `wanted` is cut along `reach`
   Polygons work_area;
   Room roomy;   // reach, a little larger: what may be moved in
   Edges walls;  // of the zone

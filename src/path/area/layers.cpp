@@ -116,7 +116,12 @@ class Layers {
     }
   }
 
+  /// Sideways from ground that is cut on this level, or down a hole.
   void enter_by_hole(Vec2 start, bool again) {
+    if (const auto beside = again ? cut_beside(start) : std::nullopt) {
+      descend(*beside, again);
+      return cut({{*beside, start}});
+    }
     Vec2 hole = start;
     std::optional<Edges> way;
     if (job_.hole && contains(field_->roomy.area(), *job_.hole)) {
@@ -175,19 +180,31 @@ class Layers {
     const Vec2 start = path.front().from;
     approach(start, again);
     go(MoveKind::plunge, {start.x, start.y, ground_});
-    const Polygon& corners = ramp->corners;
-    const double drop = ground_ - level_;
-    double gone = 0;
-    for (int i = 0; i < ramp->times; ++i)
+    down_ramp(*ramp);
+    go(MoveKind::plunge, {start.x, start.y, level_});
+  }
+
+  /// As many strokes or turns as it takes. Every corner stands on a level that the control's Z word can say, and none lies so deep that
+  /// the motion to it is steeper than the job's ramp once its words are rounded.
+  void down_ramp(const Ramp& ramp) {
+    const Polygon& corners = ramp.corners;
+    const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
+    const int most = 4 * ramp.times + 4;  // corners so near to each other that rounding takes all: the last ones are as steep as they are
+    double gone = 0, z = ground_;
+    for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)
       for (std::size_t k = 1; k < corners.size(); ++k) {
-        const bool back = !ramp->round && i % 2 == 1;
+        const bool back = !ramp.round && i % 2 == 1;
         const Vec2 a = back ? corners[corners.size() - k] : corners[k - 1];
         const Vec2 b = back ? corners[corners.size() - 1 - k] : corners[k];
         gone += length(b - a);
-        go(MoveKind::plunge, {b.x, b.y, ground_ - drop * std::min(1.0, gone / ramp->along)});
+        const double even = ground_ - drop * std::min(1.0, gone / ramp.along);
+        z = step > 0 ? std::max({level_, sayable(even), sayable(z - std::max(0.0, length(b - a) - 2 * step) * slope)}) : even;
+        go(MoveKind::plunge, {b.x, b.y, z});
       }
-    go(MoveKind::plunge, {start.x, start.y, level_});
   }
+
+  /// The level itself or the next higher one that a Z word says.
+  double sayable(double z) const { return job_.level_step * std::ceil(z / job_.level_step - tol::tangential); }
 
   /// Nothing is left under the tool at that point.
   bool cleared(Vec2 point) const {
@@ -203,6 +220,18 @@ class Layers {
     const Polygons left =
         less(common({disk}, field_->zone), swept_all(near, job_.radius + tol::area_cusp, rough, Watch{job_.watch.stop, {}}));
     return area_of(left) < tol::area_cusp * job_.radius;
+  }
+
+  /// The nearest point where the tool has been on this level and from which it can go straight to `start`.
+  std::optional<Vec2> cut_beside(Vec2 start) const {
+    std::vector<Vec2> points;
+    for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));
+    std::sort(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return length(a - start) < length(b - start); });
+    for (const Vec2 p : points) {
+      if (length(p - start) > 4 * job_.radius) break;
+      if (holds(*field_, {{p, start}})) return p;
+    }
+    return std::nullopt;
   }
 
   /// A point beside the material from which the tool can go straight to `start`.

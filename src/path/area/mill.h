@@ -43,14 +43,15 @@ struct Watch {
 struct Job {
   double radius = 5;  // of the tool
   double allowance = 0;
-  double step = 5;       // from pass to pass
-  double top = 0;        // level of the material
-  double depth = 1;      // below it
-  double layer = 1;      // depth of a pass, at most
-  double clearance = 5;  // above the top: where the tool moves freely
-  double overrun = 2;    // of the tool's edge beyond open sides
-  double angle = 0;      // of the rows to X, degrees
-  double ramp_deg = 3;   // slope of the ramp
+  double step = 5;        // from pass to pass
+  double top = 0;         // level of the material
+  double depth = 1;       // below it
+  double layer = 1;       // depth of a pass, at most
+  double clearance = 5;   // above the top: where the tool moves freely
+  double overrun = 2;     // of the tool's edge beyond open sides
+  double angle = 0;       // of the rows to X, degrees
+  double ramp_deg = 3;    // slope of the ramp
+  double level_step = 0;  // mm: the least increment of the control's Z word; 0: any level can be said
   Scheme scheme = Scheme::spiral_out;
   Direction direction = Direction::ccw;
   Plunge plunge = Plunge::ramp;

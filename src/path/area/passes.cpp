@@ -42,12 +42,13 @@ Edges begun_at(const Edges& ring, std::size_t edge, double part) {
   return path;
 }
 
-/// What lies within the work area is crossed along its length; what lies beyond it, at a wall, is reached from the boundary near it.
+/// What lies within the work area is crossed along its length. What the centre cannot go to, at a wall, is cut from the nearest points
+/// that it can go to: those on the boundary of the reach, which beside an open side goes on beyond the work area.
 Passes rest_passes(const Field& field, const Job& job, const Passes& done) {
   Polygons paths, rims;
   for (const Pass& pass : done) paths.push_back(flattened(pass.path, tol::area_chord));
   Carriers carriers;
-  for (const Edges& loop : field.work) {
+  for (const Edges& loop : field.reach) {
     carriers.add(loop, 0);
     rims.push_back(flattened(loop, tol::area_chord));
     rims.back().push_back(rims.back().front());

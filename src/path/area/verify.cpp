@@ -48,11 +48,20 @@ class Check {
     allowed_ = joined(allowed_, joined(area, swept(open, job_.radius + job_.overrun, tol::area_chord)));
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
-    for (const Field& field : fields_of(zone, job_)) {
-      outcome_.out_of_reach -= area_of(common(field.wanted, left));
-      wanted_ = joined(wanted_, field.wanted);
-    }
-    outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach);
+    Polygons wanted = reachable(area, open, walls);
+    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // a slot as wide as the tool
+    outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
+    wanted_ = joined(wanted_, wanted);
+  }
+
+  /// What a tool in the zone or beyond its open sides cuts of the zone without coming too near to a wall. No field is asked: the path is
+  /// made from the fields, and what they forget is to be found here. Places that are wider than the tool by less than the tolerance of the
+  /// walls do not count.
+  Polygons reachable(const Polygons& area, const Polygons& open, const Polygons& walls) const {
+    const double off_walls = job_.radius + job_.allowance + tol::area_wall;
+    Polygons centres = joined(area, swept(open, job_.radius, verified_chord));
+    if (!walls.empty()) centres = less(centres, swept(walls, off_walls, tol::area_chord));
+    return common(area, grown(centres, job_.radius, verified_chord));
   }
 
   void fault(const Alarm& alarm) {

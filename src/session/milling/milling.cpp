@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "out/program/words.h"
 #include "session/program_moves.h"
 
 namespace kadr {
@@ -66,6 +67,7 @@ tl::expected<Milled, ContourFault> milled(const MillWish& wish, std::string_view
   auto job = mill_job(wish);
   if (!job) return contour_fault(0, job.error());
   job->watch = watch;
+  job->level_step = Words(def, 'Z').increment();
   auto shape = shape_to_mill(wish, drawing);
   if (!shape) return tl::unexpected(shape.error());
   auto path = path_over(*shape, *job);

@@ -10,6 +10,7 @@
 
 #include "base/tolerance.h"
 #include "path/area/random_zone.h"
+#include "path/area/raster_reach.h"
 #include "path/area/verify.h"
 
 namespace kadr::area::mill_test {
@@ -143,6 +144,50 @@ TEST(Mill, ARestBesideAnArcAroundACorner) {
   EXPECT_NEAR(path->outcome.nearest_wall, path->outcome.wanted, tol::area_wall / 4);
 }
 
+constexpr double most_left = 0.05;  // mm²
+
+/// A side of a drawing as text: from, to, bulge, open.
+void log(const std::vector<Zone>& found, const Job& job) {
+  RC_LOG() << "radius " << job.radius << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme)
+           << " plunge " << int(job.plunge) << " angle " << job.angle << '\n';
+  for (const Zone& zone : found)
+    for (const Edges& loop : zone.loops)
+      for (const Edge& e : loop)
+        RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
+}
+
+/// found.md A20: beside a wall that ends at an open side the tool cuts from where its centre is outside the zone.
+TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
+  const Edges triangle{{{0, 0}, {60, 0}}, {{60, 0}, {0, 22}, 0, true}, {{0, 22}, {0, 0}}};
+  const Edges step{{{0, 0}, {40, 0}},    {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
+                   {{48, 24}, {40, 24}}, {{40, 24}, {40, 40}}, {{40, 40}, {0, 40}},  {{0, 40}, {0, 0}}};
+  const Edges narrow{{{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // less than the tool's diameter
+  for (const Edges& edges : {triangle, step, narrow})
+    for (const Scheme scheme : all_schemes)
+      for (const double tool_part : {0.5, 1.0, 1.4}) {
+        Job job;
+        job.scheme = scheme;
+        job.step = tool_part * job.radius;
+        const std::vector<Zone> found = zones(edges);
+        const auto path = verified_path(found, job);
+        ASSERT_TRUE(path) << int(scheme) << ' ' << name_of(path.error().id);
+        EXPECT_LE(RasterReach(found, job).left(path->path.moves, tol::area_cusp), most_left) << int(scheme) << ' ' << job.step;
+      }
+}
+
+/// The grid sees what is left where the path is cut short, so that it can fail.
+TEST(Mill, TheGridSeesAnUncutRest) {
+  const std::vector<Zone> pocket = zones(rectangle(60, 40));
+  const auto path = area_path(pocket, Job());
+  ASSERT_TRUE(path);
+  const RasterReach raster(pocket, Job());
+  EXPECT_NEAR(raster.reachable(), 60 * 40 - (4 - pi) * 25, 0.04 * 200 + 2);  // the grid leaves out what is reached by less than its margin
+  std::vector<Move> moves = path->moves;
+  EXPECT_EQ(raster.left(moves, tol::area_cusp), 0);
+  moves.resize(moves.size() / 2);
+  EXPECT_GT(raster.left(moves, tol::area_cusp), 100);
+}
+
 RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
   const std::vector<Zone> found = zones(test::random_drawing(*rc::gen::inRange(0, 2) == 0));
   RC_PRE(!found.empty());
@@ -156,15 +201,17 @@ RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
   job.angle = *rc::gen::element(0, 30, 90);
   job.depth = 2, job.layer = *rc::gen::element(1, 2);
   const auto path = verified_path(found, job);
-  if (path || path.error().id == AlarmId::tool_does_not_fit) return;
-  RC_LOG() << name_of(path.error().id) << ' ' << path.error().args[0].number() << ' ' << path.error().args[1].number() << "\nradius "
-           << job.radius << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme) << " plunge "
-           << int(job.plunge) << " angle " << job.angle << '\n';
-  for (const Zone& zone : found)
-    for (const Edges& loop : zone.loops)
-      for (const Edge& e : loop)
-        RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
-  RC_FAIL("not verified");
+  const RasterReach raster(found, job);
+  if (path) {
+    const double left = raster.left(path->path.moves, tol::area_cusp);
+    if (left <= most_left) return;
+    log(found, job);
+    RC_FAIL("left: " + std::to_string(left) + " mm²");
+  }
+  const double reachable = raster.reachable();
+  if (path.error().id == AlarmId::tool_does_not_fit && reachable <= most_left) return;
+  log(found, job);
+  RC_FAIL(std::string(name_of(path.error().id)) + ", reachable: " + std::to_string(reachable) + " mm²");
 }
 
 }  // namespace
