@@ -160,7 +160,8 @@ bool Looks::stopped(const AlarmReport& report) {
     const bool in_space = frame_ && frame_->placement.space;  // an ending is told in the work system, whatever frame is programmed in
     const Axes work = in_space ? frame_->placement.space->in_system(stand_.work) : stand_.work;
     const bool frame_is_known = frame_ || shop_.plain_frames;  // not where it began in the middle
-    require((!frame_is_known || near(after.position, work)) && near(after.machine_position, stand_.machine),
+    // Behind a refused motion the check goes on from where that motion leads to.
+    require(alarms_ > 1 || ((!frame_is_known || near(after.position, work)) && near(after.machine_position, stand_.machine)),
             "after an alarm the control stands where the motions led");
     if (before_is_kept_ && report.alarm.id != AlarmId::call_too_deep)
       same_state(before_block_, after);  // an interrupt macro may nest too deep

@@ -1,6 +1,8 @@
 // control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). A faulty block,
 // passed over, must be as if it had not been written: the blocks after it, which show all of the state, act the same.
 
+#include <fmt/format.h>
+
 #include "choices.h"
 #include "control/random_path.h"
 #include "control/scene.h"
@@ -27,16 +29,19 @@ const std::string shows_mach3 =
     "G92.3\nX7\nM3 M7\nM5 M9\nG15 G50 G69\n"
     "G0 X7 Y1\nG90 G2 X8 Y1 I0.5\nG83 X5 Y6 Z-3 R1 Q1\nX7\nG80\nG0 X1 Y2 Z3\n";
 
+/// What a faulty motion may leave to those behind it, stated anew.
+const std::string anew = "G90 G91.1 G17 G21 G0 X0 Y0 Z0\n";
+
 TEST(alarm_on_mach3, leaves_everything_as_it_was) {
   const std::string start = "G21 F100 #1=3 #2=4\nG43 H1\nG10 L1 P3 Z7\n";
   const Scene scenes[] = {
-      {"mach3", start + "G1 X1 Y1\n", shows_mach3},
-      {"mach3", start + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows_mach3},
-      {"mach3", start + "G1 X1\nG68 A1 B2 R30\nG51 X-1 Y1\nG1 X2\n", "X6\nY20\nG68 I1 R10\n" + shows_mach3},
-      {"mach3", start + "G92 X5\nG1 X2\n", "G92 X6\nX7\nG92.1\n" + shows_mach3},
-      {"mach3", start + "G81 X1 Y1 Z-1 R2\n", "X2\nX3 R3\n" + shows_mach3},
-      {"mach3", start + "G83 X1 Y1 Z-1 R2 Q0.7\n", "X2\nX3 Q1\n" + shows_mach3},
-      {"mach3", start + "G20 G93\nG0 X1\n", "G94 F3 G1 X2\n" + shows_mach3},
+      {"mach3", start + "G1 X1 Y1\n", shows_mach3, anew},
+      {"mach3", start + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows_mach3, anew},
+      {"mach3", start + "G1 X1\nG68 A1 B2 R30\nG51 X-1 Y1\nG1 X2\n", "X6\nY20\nG68 I1 R10\n" + shows_mach3, anew},
+      {"mach3", start + "G92 X5\nG1 X2\n", "G92 X6\nX7\nG92.1\n" + shows_mach3, anew},
+      {"mach3", start + "G81 X1 Y1 Z-1 R2\n", "G81 X2 Z-1 R2\nX3 R3\n" + shows_mach3, anew},
+      {"mach3", start + "G83 X1 Y1 Z-1 R2 Q0.7\n", "G83 X2 Z-1 R2 Q0.7\nX3 Q1\n" + shows_mach3, anew},
+      {"mach3", start + "G20 G93\nG0 X1\n", "G94 F3 G1 X2\n" + shows_mach3, anew},
   };
   const char* faults[] = {
       "#1=7 G1 X1 Y",
@@ -108,10 +113,10 @@ const std::string shows_2c42 =
 TEST(alarm_on_2c42, leaves_everything_as_it_was) {
   const std::string start = "%\nN1 G1 X1000 Y2000 F300 D1 R0+60 R1-5000 R2+2000 R3+900\nN2 G43 Z100\n";
   const Scene scenes[] = {
-      {"s2c42", start, shows_2c42},
-      {"s2c42", start + "N3 G91 G18\n", "N800 X500\nN801 G17\n" + shows_2c42},
-      {"s2c42", start + "N3 G54 X5000\nN4 G92 X1000\n", "N800 X500\n" + shows_2c42},
-      {"s2c42", start + "N3 H2\nN4 X1000\n", "N800 G91 X500 M20\nN801 G90\n" + shows_2c42},
+      {"s2c42", start, shows_2c42, "N700 G90 G17 G0 X0 Y0 Z0\n"},
+      {"s2c42", start + "N3 G91 G18\n", "N800 X500\nN801 G17\n" + shows_2c42, "N700 G90 G17 G0 X0 Y0 Z0\n"},
+      {"s2c42", start + "N3 G54 X5000\nN4 G92 X1000\n", "N800 X500\n" + shows_2c42, "N700 G90 G17 G0 X0 Y0 Z0\n"},
+      {"s2c42", start + "N3 H2\nN4 X1000\n", "N800 G91 X500 M20\nN801 G90\n" + shows_2c42, "N700 G90 G17 G0 X0 Y0 Z0\n"},
   };
   const char* faults[] = {
       "N5 R1+5 G1 Z+R9",
@@ -153,7 +158,8 @@ TEST(alarm_on_2c42, leaves_everything_as_it_was) {
 
 TEST(alarm_on_correctors, leaves_what_correctors_have_added) {
   const Scene scene{"correctors", "% LF\nN1 G91 G17 LF\nN2 G01 X10. L17 F100 LF\n",
-                    "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n"};
+                    "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n",
+                    "N3 G90 G17 G01 X0. Y0. LF\nN3 G91 LF\n"};
   kadr::Setup s;
   s.correctors = {{17, 2.5}, {18, 1}};
   for (const char* fault :
@@ -177,7 +183,8 @@ RC_GTEST_PROP(alarm, at_any_block_leaves_what_was_before_and_the_rest_goes_on, (
   Writer writer({Dimensions::mixed}, &choose);
   const std::size_t place = choose.below(path.size() + 1);
   const std::string fault = std::string(choose.of(faults)) + "\n";
-  std::string before = "G21 F100\n", after;
+  const Axes at = place == 0 ? Axes{} : path[place - 1].to;
+  std::string before = "G21 F100\n", after = fmt::format("G90 G91.1 G17 G21 G0 X{:.9f} Y{:.9f} Z{:.9f}\n", at[0], at[1], at[2]);
   for (std::size_t i = 0; i < path.size(); ++i) (i < place ? before : after) += writer.block(path[i]);
   const auto cut = run("mach3", before);
   const auto plain = run("mach3", before + after);

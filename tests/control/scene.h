@@ -1,5 +1,6 @@
 #pragma once
-// For the tests of alarms: a faulty block, passed over, must be as if it had not been written.
+// For the tests of alarms. A faulty block leaves everything as it was. Where the check goes on behind it, only the modes of its motion and
+// the place that it leads to remain (Interpreter::go_on), which later blocks are written for: once they are stated anew, nothing is left.
 
 #include <algorithm>
 #include <string>
@@ -9,17 +10,19 @@
 namespace kadr::test {
 
 /// Some state to be lost, the faulty block, and blocks that show the state.
+///   anew  blocks between them that state the modes of motions and the place; they stand in the run without the faulty block too
 struct Scene {
   const char* control;
-  std::string before, after;
+  std::string before, after, anew = {};
 };
 
 /// What the faulty block has left behind; empty: nothing.
 inline std::string differences(const Scene& scene, const std::string& fault, const kadr::Setup& setup) {
-  const auto plain = run(scene.control, scene.before + scene.after, setup);
-  const auto faulty = run(scene.control, scene.before + fault + "\n" + scene.after, setup, OnAlarm::go_on);
+  const std::string after = scene.anew + scene.after;
+  const auto plain = run(scene.control, scene.before + after, setup);
+  const auto faulty = run(scene.control, scene.before + fault + "\n" + after, setup, OnAlarm::go_on);
   const auto cut = run(scene.control, scene.before, setup);
-  const auto stopped = run(scene.control, scene.before + fault + "\n" + scene.after, setup);
+  const auto stopped = run(scene.control, scene.before + fault + "\n" + after, setup);
   if (!plain.alarms.empty()) return "the scene itself: " + plain.first_alarm() + " in line " + std::to_string(plain.alarms[0].origin.line);
   if (faulty.alarms.empty()) return "no alarm";
   const auto faulty_line = static_cast<std::uint32_t>(std::count(scene.before.begin(), scene.before.end(), '\n') + 1);

@@ -88,8 +88,12 @@ void note_lead_radius(Interpreter& m) {
   five.corner = offset.corner + offset.corner_wear;
 }
 
+/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block; a G49 that moves nothing ends the lead in any mode.
 Status may_end_lead(const Interpreter& m, const Call& call) {
   if (!leads_tip(five_of(m).lead) || straight_mode(m)) return {};
+  const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
+  const bool moves = m.has_axis_words() || m.has('I') || m.has('J') || m.has('K') || m.has('R');
+  if (!arc_named && !moves) return {};
   return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
 }
 
