@@ -115,7 +115,7 @@ def parts(bench):
     _, part = bench.trace('--from', '4', '--to', '4')
     check('one line', [a['line'] for a in part[:-1]] == [4], part)
     _, part = bench.trace('--to', '3')
-    check('to: the calls of the line too', [a['line'] for a in part[:-1]] == [12, 13] or [a['line'] for a in part[:-1]] == [1, 12, 13], part)
+    check('to: the calls of the line too', [a['line'] for a in part[:-1] if a['do'] != 'm'] in ([12, 13], [1, 12, 13]), part)
     for options, status, text in ((('--from', '0'), 2, 'LINE'), (('--from', 'x'), 2, 'LINE'), (('--from', '5:0'), 2, 'LINE'),
                                   (('--to', '-3'), 2, 'LINE'), (('--from', '999'), 2, 'not reached'), (('--from', '12:9'), 2, 'comes 3 times')):
         done = bench.run('run', *options)

@@ -13,7 +13,7 @@ from harness import expect
 COUNT = 20
 LOUD = 'O1\nT1 M6\nS500 M3\n' + ''.join(f'G0 X{n}. C5.\n' for n in range(1, COUNT + 1)) + 'M30\n'   # a mill without an axis C
 FAULTY = 'O1\nG0 X1. C5.\nG777\nG778\nM30\n'
-HEAD = 'warning word_passed_over'
+HEAD = 'warning axis_passed_over'
 
 
 class Kadr(harness.Kadr):
@@ -29,7 +29,7 @@ def check_each_is_printed_once(kadr):
         said = kadr.told(*command, 'p.nc')
         expect(said.count(HEAD) == 1, f'{command}: {said}')
         more = [line for line in said.splitlines() if 'more like the one above' in line]
-        expect(len(more) == 1 and f'word_passed_over: {COUNT - 1} more' in more[0] and 'in lines 5, 6, 7, 8, 9, 10, 11, 12, …' in more[0], f'{command}: {said}')
+        expect(len(more) == 1 and f'axis_passed_over: {COUNT - 1} more' in more[0] and 'in lines 5, 6, 7, 8, 9, 10, 11, 12, …' in more[0], f'{command}: {said}')
 
 
 def check_the_count_is_of_all(kadr):
@@ -37,7 +37,7 @@ def check_the_count_is_of_all(kadr):
     done = kadr.run('check', 'p.nc', '--control', 'fanuc')
     expect(f'0 errors, {COUNT} warnings' in done.stdout, done.stdout)
     listed = json.loads(kadr.run('check', 'p.nc', '--control', 'fanuc', '--format', 'json').stdout)
-    expect(sum(one['id'] == 'word_passed_over' for one in listed) == COUNT, 'a list for programs has them all')
+    expect(sum(one['id'] == 'axis_passed_over' for one in listed) == COUNT, 'a list for programs has them all')
 
 
 def check_every(kadr):
@@ -49,12 +49,12 @@ def check_every(kadr):
 
 def check_disable(kadr):
     kadr.file('p.nc', LOUD)
-    kadr.file('quiet.json', json.dumps({'disable': ['word_passed_over']}))
-    for more in (('--disable', 'word_passed_over'), ('--setup', 'quiet.json')):
+    kadr.file('quiet.json', json.dumps({'disable': ['axis_passed_over']}))
+    for more in (('--disable', 'axis_passed_over'), ('--setup', 'quiet.json')):
         for command in (('run', '-q'), ('check',), ('report', '--out', 'p.html')):
             said = kadr.told(*command, 'p.nc', *more)
-            expect('word_passed_over' not in said, f'{command} {more}: {said}')
-    done = kadr.run('check', 'p.nc', '--control', 'fanuc', '--disable', 'word_passed_over')
+            expect('axis_passed_over' not in said, f'{command} {more}: {said}')
+    done = kadr.run('check', 'p.nc', '--control', 'fanuc', '--disable', 'axis_passed_over')
     expect('0 errors, 0 warnings' in done.stdout, done.stdout)
 
 
@@ -66,8 +66,8 @@ def check_an_alarm_is_always_told(kadr):
 
 def check_a_name_that_none_has(kadr):
     kadr.file('p.nc', LOUD)
-    kadr.file('wrong.json', json.dumps({'disable': ['word_passed']}))
-    expect('word_passed' in kadr.told('check', 'p.nc', '--disable', 'word_passed', expected=2), 'an option that names none is refused')
+    kadr.file('wrong.json', json.dumps({'disable': ['axis_passed']}))
+    expect('axis_passed' in kadr.told('check', 'p.nc', '--disable', 'axis_passed', expected=2), 'an option that names none is refused')
     expect('disable' in kadr.told('check', 'p.nc', '--setup', 'wrong.json', expected=2), 'a set-up that names none is refused')
 
 

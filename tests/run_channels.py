@@ -160,8 +160,7 @@ def check_setups(kadr):
     """What a set-up cannot have: the program's own channel again, axes that are none, events that are never seen."""
     def on(code):
         return {'events': [{'when': {'code': code}, 'do': 'start'}]}
-    for setup, words in (({'channels': {'1': {'program': ''}}}, 'channel 1'), ({'channels': {'2': {'axes': ['Q']}}}, 'channel 2: '),
-                         (on('M30'), 'M30'), (on('G4'), 'G4')):
+    for setup, words in (({'channels': {'1': {'program': ''}}}, 'channel 1'), ({'channels': {'2': {'axes': ['Q']}}}, 'channel 2: '), (on('G4'), 'G4')):
         kadr.lay_out({1: 'M30'}, **setup)
         done = kadr.nct('run', 'main.nct')
         if done.returncode != 2 or words not in done.stderr:

@@ -57,7 +57,7 @@ CONTROLS = {
     'format of a word': GOST + '[address]\nX = { format = "+0" }\n',
     'format with a sign': GOST + '[address]\nX = { format = "-043" }\n',
     'end of block': GOST + '[grammar]\nend_of_block = "star"\n',
-    'long parameters': GOST + '[grammar]\nlong_parameters = "RPEQ"\n',
+    'long parameters': GOST + '[grammar]\nlong_parameters = "RPe"\n',
     'parameters in': GOST + '[grammar]\nparameters_in = "xyz"\n',
     'most codes': GOST + '[grammar]\nmost_codes = 3\n',
     'most codes of': GOST + '[grammar]\nmost_codes = { GM = 3 }\n',

@@ -81,7 +81,7 @@ def main():
         for name, text in FILES.items():
             (Path(folder) / name).write_text(text)
         (Path(folder) / 'sub').mkdir()
-        server = Server(given.kadr, folder)
+        server = Server(given.kadr, folder, '--open')
         for round_number in range(given.rounds):
             said = []
             try:
@@ -91,7 +91,7 @@ def main():
                 time.sleep(0.2)
             if server.process.poll() is not None:
                 expect(False, f'round {round_number} (seed {given.seed}): the server is gone, status {server.process.poll()}')
-                server = Server(given.kadr, folder)
+                server = Server(given.kadr, folder, '--open')
         expect('entries' in one_ask(server), 'the server still stands')
         server.end()
     return result()

@@ -93,6 +93,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
   now->block_open = block_open;
   now->again = again_;
   now->stopped = stopped_;
+  if (stopped_) now->report = report;
   now->exact = block_exact;
   now->machine_coordinates = block_machine_coordinates;
   now->axes_taken = block_axes_taken;
@@ -115,6 +116,7 @@ void Interpreter::go_on_in_block(const BlockMemory& then) {
   block_open = then.block_open;
   again_ = then.again;
   stopped_ = then.stopped;
+  if (stopped_) report = then.report;
   block_exact = then.exact;
   block_machine_coordinates = then.machine_coordinates;
   block_axes_taken = then.axes_taken;

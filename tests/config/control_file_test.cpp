@@ -79,10 +79,11 @@ TEST_P(BuiltIn, rows_refer_to_groups_cycles_and_words_that_exist) {
 }
 
 TEST_P(BuiltIn, rows_say_what_they_are_in_both_languages_and_where_it_stands) {
+  const bool extends_another = def.id == "fanuc" || def.id == "haas";  // sections of the manual of the NCT are none of theirs
   for (const CodeRow& row : def.codes) {
     EXPECT_NE(row.text.en, "") << row.code;
     EXPECT_NE(row.text.ru, "") << row.code;
-    EXPECT_NE(row.manual, "") << row.code;
+    EXPECT_TRUE(extends_another || !row.manual.empty()) << row.code;
   }
 }
 

@@ -92,6 +92,17 @@ inline std::vector<std::string> exactly(const std::vector<Action>& actions) {
   return all;
 }
 
+/// Of a code that the control carries out itself, the machine is only told (nct 13.1).
+inline bool is_told(const Action& action) {
+  const auto* const function = std::get_if<MachineFunction>(&action.what);
+  return function != nullptr && function->by_control;
+}
+
+inline std::vector<Action> untold(std::vector<Action> actions) {
+  std::erase_if(actions, is_told);
+  return actions;
+}
+
 /// State that an alarm must not change, as one text: position, variables, codes in force.
 inline std::string exactly(const Ending& e) {
   std::string text;

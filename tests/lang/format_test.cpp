@@ -55,7 +55,8 @@ TEST(word_format, both_signs_mean_signed) {
   EXPECT_FALSE(parsed("±33").drop_zeros);
 }
 
-TEST(word_format, star_is_passed_over) { EXPECT_EQ(parsed("*2").whole_digits, 2); }
+// T*2 of the 2С42: two digits, and one before them that marks the tool in the spindle.
+TEST(word_format, star_is_a_digit_of_its_own) { EXPECT_EQ(parsed("*2").whole_digits, 3); }
 
 TEST(word_format, point_is_as_told) {
   EXPECT_TRUE(parsed("+053", true).point);
@@ -117,7 +118,7 @@ TEST(descriptor, of_2c42) {
   EXPECT_FALSE(g.word('L').drop_zeros);  // L0801: zeros are not dropped
   EXPECT_TRUE(g.word('H').drop_zeros);
   EXPECT_FALSE(g.word('E').sign);
-  EXPECT_EQ(g.word('T').whole_digits, 2);
+  EXPECT_EQ(g.word('T').whole_digits, 3);  // T*2: one more marks the tool in the spindle
 }
 
 TEST(descriptor, blanks_are_free) {

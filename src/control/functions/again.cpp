@@ -39,6 +39,7 @@ bool Interpreter::may_have_steered() const {
 /// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
 void Interpreter::go_on() {
   stopped_ = false;
+  motion_run_.end();
   if (dialect) dialect->note_fault(*this, may_have_steered());
   keep_from_faulty_block();
   damaged = false;
@@ -107,8 +108,8 @@ void Interpreter::stand_where_meant() {
     const FunctionTraits& traits = traits_of(def.codes[static_cast<std::size_t>(row)].function);
     return traits.is(function_fact::plain_motion) || !traits.takes_axes();
   });
-  const bool moves = modal.motion == MotionMode::rapid || modal.motion == MotionMode::linear || modal.motion == MotionMode::arc_cw ||
-                     modal.motion == MotionMode::arc_ccw;
+  const std::int16_t row = modal.motion_row;
+  const bool moves = row >= 0 && traits_of(def.codes[static_cast<std::size_t>(row)].function).is(function_fact::plain_motion);
   Axes to;
   AxisMask by_words = 0;
   const bool is_known = !unread && is_plain && moves && !modal.polar && modal.surface == PathSurface::plane && frames.is_plain() &&

@@ -380,7 +380,7 @@ TEST(macro_arguments, are_no_codes_of_the_block) {
   const auto r = run("nct", "G65 P300 M3 S500 T7 F20 H2.5 D-0.5\nG65 S100 M30 P300\n" + shows_locals());
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_TRUE(r.motions().empty());
-  for (const Action& a : r.actions) EXPECT_TRUE(std::holds_alternative<FrameChange>(a.what));
+  for (const Action& a : r.actions) EXPECT_TRUE(std::holds_alternative<FrameChange>(a.what) || is_told(a));
   EXPECT_EQ(variable_of(r.ending, 113), 30);
   EXPECT_EQ(variable_of(r.ending, 119), 100);
   const auto signs = run("nct", "#1=0.4\nG65 P300 H2.5 D#1 F-3 T-1.5\n" + shows_locals());
@@ -409,7 +409,7 @@ RC_GTEST_PROP(macro_calls, do_what_the_body_does_inline, ()) {
   const auto written = run("nct", set + body + shown + "M30\n");
   if (called.first_alarm() != written.first_alarm())
     RC_FAIL(call + "\n" + body + "gave '" + called.first_alarm() + "', inline '" + written.first_alarm() + "'");
-  if (exactly(called.actions) != exactly(written.actions)) RC_FAIL(call + "\n" + body + "does something else inline");
+  if (exactly(untold(called.actions)) != exactly(untold(written.actions))) RC_FAIL(call + "\n" + body + "does something else inline");
   for (int n = 101; called.alarms.empty() && n <= 105; ++n)
     if (!same_value(variable_of(called.ending, n), variable_of(written.ending, n))) RC_FAIL(call + "\n" + body + "has other values inline");
 }
