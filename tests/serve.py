@@ -342,6 +342,21 @@ def extents(server, folder):
     expect(done['state'] == 'stopped' and [a['problem']['line'] for a in alarms] == [3], 'the alarm that stops it is told')
 
 
+def remembered(server):
+    """A .kadr.toml names the control before a guess does; what is wrong in one is told."""
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    opened, done = page.open('shop/part.nc')
+    expect(opened['control']['id'] == 'gost' and not opened['control']['guessed'], f'the folder remembers: {opened["control"]}')
+    opened, done = page.open('shop/below/part.ngc')
+    expect(opened['control']['id'] == 'linuxcnc', f'a folder below, by its pattern: {opened["control"]}')
+    opened, done = page.open('shop/part.nc', control='mach3')
+    expect(opened['control']['id'] == 'mach3', 'a control that is named counts before it')
+    answer = page.ask('open', file='wrong/part.nc')
+    expect('.kadr.toml' in str(answer.get('error')), f'a wrong one is told: {str(answer)[:200]}')
+    expect('error' in page.ask('open', file='shop/.kadr.toml', control='gost'), 'it is no program')
+
+
 def endless(server):
     """An endless program is stopped at once; other sessions go on meanwhile."""
     page = Page(server)
@@ -373,8 +388,13 @@ def main():
         (folder / 'sublink').symlink_to(above)
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
+        for name, text in (('shop', 'control = "gost"\n[control_for]\n"*.ngc" = "linuxcnc"\n'), ('wrong', 'control = \n')):
+            (folder / name / 'below').mkdir(parents=True)
+            (folder / name / '.kadr.toml').write_text(text)
+            (folder / name / 'part.nc').write_text(PROGRAM)
+            (folder / name / 'below' / 'part.ngc').write_text(PROGRAM)
         server = Server(kadr, folder, '--open')
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: the_part(kadr, server, folder), lambda: endless(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: the_part(kadr, server, folder), lambda: remembered(server), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')

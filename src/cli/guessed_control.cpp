@@ -11,8 +11,10 @@
 #include <system_error>
 
 #include "cli/program_files.h"
-#include "cli/remembered_control.h"
+#include "config/program_names.h"
 #include "config/read_file.h"
+#include "config/remembered_control.h"
+#include "config/told.h"
 #include "config/toml_tools.h"
 #include "lang/text/utf16.h"
 #include "session/guess_trial.h"
@@ -110,6 +112,15 @@ void say_guess(const Options& options, const std::string& file, const Guess& gue
                             guess.reason_en, then));
 }
 
+/// --remember.
+bool remembers(const Options& options, const std::string& file) {
+  const bool can = !options.control.empty() && file != "-";
+  const std::string error = can ? remember_control(options.control, file)
+                                : std::string(told("--remember: --control says what", "--remember: что запомнить, скажет --control"));
+  if (!error.empty()) complain(error);
+  return error.empty();
+}
+
 }  // namespace
 
 std::string named_control(const Options& options, const std::string& file) {
@@ -117,7 +128,9 @@ std::string named_control(const Options& options, const std::string& file) {
     const std::size_t equals = rule.rfind('=');
     if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
   }
-  return options.control.empty() ? remembered_control(file) : options.control;
+  if (!options.control.empty() || file == "-") return options.control;
+  static RememberedControls remembered(complain);
+  return remembered.of(file);
 }
 
 std::optional<std::string> control_of(const Options& options, const std::string& file) { return GuessedControls(options, {file}).of(file); }
@@ -126,7 +139,7 @@ GuessedControls::GuessedControls(const Options& options, const std::vector<std::
   std::map<std::string, std::vector<std::string>> of_folder;
   std::set<std::string> remembering;
   for (const std::string& file : files) {
-    if (options.remembers && remembering.insert(folder_of(file)).second && !remember_control(options, file)) forgotten_.insert(file);
+    if (options.remembers && remembering.insert(folder_of(file)).second && !remembers(options, file)) forgotten_.insert(file);
     if (!named_control(options, file).empty()) continue;
     take(file, whole_sample);
     if (guesses_.contains(file)) of_folder[folder_of(file)].push_back(file);

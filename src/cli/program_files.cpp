@@ -2,8 +2,6 @@
 
 #include "cli/program_files.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -80,12 +78,6 @@ class Search {
 }  // namespace
 
 bool has_program_name(const std::string& path) { return told_by_name(path) != NameTells::other; }
-
-bool is_like(const std::string& path, const std::string& pattern) {
-  const std::size_t slash = path.rfind('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  return ::fnmatch(pattern.c_str(), path.c_str(), 0) == 0 || ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-}
 
 ProgramFiles program_files(const std::vector<std::string>& names, const std::vector<std::string>& exclude) {
   ProgramFiles found;

@@ -24,7 +24,4 @@ ProgramFiles program_files(const std::vector<std::string>& names, const std::vec
 /// Its ending is one that programs have, or it has none.
 bool has_program_name(const std::string& path);
 
-/// `path` or its last part is like the pattern.
-bool is_like(const std::string& path, const std::string& pattern);
-
 }  // namespace kadr::cli

@@ -3,9 +3,10 @@
 
 #include "config/program_names.h"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <iterator>
-#include <string>
 
 #include "base/ascii.h"
 
@@ -40,6 +41,12 @@ bool is_number_name(std::string_view name) {
   if (first > most_letters || first == name.size()) return false;
   const bool letters = std::all_of(name.begin(), name.begin() + std::ptrdiff_t(first), [](char c) { return is_letter(c) || c == '%'; });
   return letters && name.find_first_not_of("0123456789.", first) == std::string_view::npos;
+}
+
+bool is_like(const std::string& path, const std::string& pattern) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return ::fnmatch(pattern.c_str(), path.c_str(), 0) == 0 || ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
 }  // namespace kadr

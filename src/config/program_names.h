@@ -1,6 +1,7 @@
 #pragma once
 // Which files are part programs by their names.
 
+#include <string>
 #include <string_view>
 
 namespace kadr {
@@ -11,5 +12,8 @@ NameTells told_by_name(std::string_view name);
 
 /// A name without an ending that a control gives: a number, with a letter or two before it (O1001, 1001, %12, P5.001).
 bool is_number_name(std::string_view name);
+
+/// `path` or its last part is like the pattern of a shell (fnmatch(3)).
+bool is_like(const std::string& path, const std::string& pattern);
 
 }  // namespace kadr

@@ -19,7 +19,7 @@ struct BlockMemory {
   EllipseRun ellipse_run;
   std::shared_ptr<const Running> running;
   bool block_open = false, again = false, stopped = false;
-  AlarmReport report;  // of a control that has stopped
+  AlarmReport report;                                                   // of a control that has stopped
   bool exact = false, machine_coordinates = false, axes_taken = false;  // of Interpreter
 };
 

@@ -9,6 +9,7 @@
 
 #include "config/control_file.h"
 #include "config/read_file.h"
+#include "config/remembered_control.h"
 #include "config/told.h"
 #include "lang/text/several_programs.h"
 #include "machine/plc.h"
@@ -95,6 +96,11 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   std::string control = wish.control;
   if (const std::string why = refused_by_control(*beginning, control, wish.lang == Lang::ru); !why.empty())
     return wrong(fmt::format("{}: {}", wish.path, why));
+  if (control.empty()) {
+    std::string wrong_memory;
+    control = RememberedControls([&](const std::string& why) { wrong_memory = why; }, wish.door).of(wish.path);
+    if (!wrong_memory.empty()) return wrong(wrong_memory);
+  }
   if (control.empty()) {
     opened.guess = guess_control(*beginning, called(wish.path));
     try_guess(*opened.guess, *beginning);

@@ -26,6 +26,7 @@
 #include "config/guess.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
+#include "config/remembered_control.h"
 #include "config/told.h"
 #include "out/text/source_line.h"
 
@@ -66,6 +67,12 @@ bool is_hidden(std::string_view name) {
     begin = end + 1;
   }
   return false;
+}
+
+/// The .kadr.toml of a folder that is not hidden.
+bool is_memory(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.filename() == remembering_file && (!path.has_parent_path() || !is_hidden(path.parent_path().string()));
 }
 
 /// In small letters.
@@ -234,7 +241,7 @@ std::optional<std::string> ServedFolder::beneath(const std::string& path) const 
 
 int ServedFolder::open_for_reading(const std::string& path) const {
   const auto name = beneath(path);
-  if (!name || is_hidden(*name)) {
+  if (!name || (is_hidden(*name) && !is_memory(*name))) {
     errno = EACCES;
     return -1;
   }

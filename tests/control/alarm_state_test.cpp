@@ -158,8 +158,7 @@ TEST(alarm_on_2c42, leaves_everything_as_it_was) {
 
 TEST(alarm_on_correctors, leaves_what_correctors_have_added) {
   const Scene scene{"correctors", "% LF\nN1 G91 G17 LF\nN2 G01 X10. L17 F100 LF\n",
-                    "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n",
-                    "N3 G90 G17 G01 X0. Y0. LF\nN3 G91 LF\n"};
+                    "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n", "N3 G90 G17 G01 X0. Y0. LF\nN3 G91 LF\n"};
   kadr::Setup s;
   s.correctors = {{17, 2.5}, {18, 1}};
   for (const char* fault :

@@ -31,9 +31,9 @@ export async function real(kadr, examples) {
     );
   let child,
     address = "";
-  const start = (port) =>
+  const start = (port, ...more) =>
     new Promise((yes, no) => {
-      child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], {
+      child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port), ...more], {
         stdio: ["ignore", "pipe", "inherit"],
       });
       let said = "";
@@ -56,12 +56,12 @@ export async function real(kadr, examples) {
     address: () => address,
     prepare: (page) => page_from(page, process.env.DIST),
     path: ["cut", "plate.nc"],
-    line: "N60 G1 Z0",
+    line: "N60 G777 Z0",
     before: "N60 G1 Z0 F400",
     change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"),
     lose: stop,
     regain: async () => {
-      address = (await start(Number(port)))[1];
+      address = (await start(Number(port), "--open"))[1]; // it has another token: a page that was open may only look
     },
     close: async () => {
       await stop();
