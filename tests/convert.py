@@ -29,8 +29,24 @@ def every_pair(kadr, folder, given):
     for one in made:
         expect(one.right(), f'{one.name()}: {one.outcome} {one.said[:300]}')
     proven = [one for one in made if one.proven()]
+    if given.table:
+        print('\n'.join(table(made)))
+    if given.every == 1:
+        rows = '\n'.join(re.findall(r'^\| [^|]* (\|.*)$', '\n'.join(table(made)), re.M))
+        for page in ('docs/commands/convert.md', 'docs/ru/commands/convert.md'):
+            told = '\n'.join(re.findall(r'^\| [^|]* (\|.*)$', (EXAMPLES.parent / page).read_text(encoding='utf-8'), re.M))
+            expect(rows in told, f'{page}: its table is another one than --table prints')
     expect(len(proven) >= (LEAST_PROVEN if given.every == 1 else LEAST_PROVEN // given.every // 2), f'proven: {len(proven)} of {len(made)}')
     return proven
+
+
+def table(made):
+    """As docs/commands/convert.md has it: proven of all, from each control to each."""
+    counts = collections.Counter((one.control, one.to, one.proven()) for one in made)
+    yield f'{sum(one.proven() for one in made)} of {len(made)} proven, {sum("word by word" in one.outcome for one in made)} word by word'
+    for control in CONTROLS:
+        cells = [f'{counts[control, to, True]}/{counts[control, to, True] + counts[control, to, False]}' if to != control else '' for to in CONTROLS]
+        yield f'| {control} | ' + ' | '.join(cells) + ' |'
 
 
 def again(kadr, proven, given):
@@ -248,6 +264,7 @@ def main():
     options.add_argument('--again', type=int, default=40, help='held against their sources by kadr diff')
     options.add_argument('--seed', type=int, default=7)
     options.add_argument('--jobs', type=int, default=2)
+    options.add_argument('--table', action='store_true', help='prints the table of docs/commands/convert.md')
     given = options.parse_args()
     random.seed(given.seed)
     with tempfile.TemporaryDirectory() as name:
