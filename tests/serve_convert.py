@@ -16,7 +16,7 @@ from page_client.client import Page, Server, expect, result
 
 EXAMPLES = Path(__file__).resolve().parent.parent / 'examples'
 FLANGE = {'file': 'flange.nc', 'control': 's2c42', 'setup': 'flange.json', 'to': 'mach3'}
-CIRCLE = {'file': 'bolt_circle.tap', 'control': 'mach3', 'setup': 'bolt_circle.json', 'to': 'gost'}
+CIRCLE = {'file': 'bolt_circle.tap', 'control': 'mach3', 'setup': 'bolt_circle.json', 'to': 'correctors'}
 LOCAL = {'file': 'local_subprogram.nc', 'control': 'haas', 'setup': 'local_subprogram.json', 'to': 'nct'}
 TAPS = {'file': 'flange_taps.nc', 'control': 'fanuc', 'setup': 'flange_taps.json', 'to': 'haas'}
 PROBE = {'file': 'probe_hole.tap', 'control': 'mach3', 'setup': 'probe_hole.json', 'to': 's2c42'}
