@@ -19,6 +19,8 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
     deviation the greatest number in off.ply, mm within a hundredth
     refused   the beginning of the complaint; nothing is cut, the exit status is 2
+    told      what stderr says: a list of its parts
+    resolution   mm (default 0.5); "chosen": by the program. tools = "guess", stock = "guess": as they stand
     args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines], the id of one, or the text of its file
     bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
@@ -66,8 +68,9 @@ def cut(kadr, folder, case, tools, threads, machines={}, part_is_there=False):
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
     stock = str(write(folder / 'blank.stl', case['stock'].lstrip('\n'))) if case.get('stock_file') else case['stock']
-    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', stock, '--tools', str(folder / 'tools.toml'),
-             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads),
+    shapes = 'guess' if case.get('tools') == 'guess' else str(folder / 'tools.toml')
+    cell = [] if case.get('resolution') == 'chosen' else ['--resolution', str(case.get('resolution', 0.5))]
+    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', stock, '--tools', shapes, *cell, '--json', '-', '--lang', 'en', '--threads', str(threads),
              '--blocks', str(folder / 'blocks.csv')]
     for name, text in case.get('files', {}).items():
         write(folder / name, text.lstrip('\n'))
@@ -189,6 +192,9 @@ def faults_of(case, run, folder, table=None):
     if 'window' in case:
         yield from window_faults(case['window'], result['window'])
     yield from mesh_faults(case, result, folder)
+    for part in case.get('told', []):
+        if part not in run.stderr:
+            yield f'does not say {part!r}: {run.stderr.strip()[:400]}'
     stops = case.get('stops')
     if stops and f'alarm {stops}:' not in run.stderr:
         yield f'does not stop by {stops}: {run.stderr.strip()[:200]}'

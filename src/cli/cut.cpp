@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/cut_guess.h"
 #include "cli/cut_job.h"
 #include "cli/cut_meshes.h"
 #include "cli/drive.h"
@@ -36,7 +37,7 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   Outputs outputs(language(options.run));
   outputs.reads(job.file);
   outputs.reads(job.setup_file);
-  outputs.reads(options.tools);
+  if (options.tools != guess_word) outputs.reads(options.tools);
   if (options.run.control.ends_with(".toml")) outputs.reads(options.run.control);
   if (options.run.machine.ends_with(".toml")) outputs.reads(options.run.machine);
   outputs.writes("--out", options.out);
@@ -122,6 +123,7 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
+  if (const std::string note = told_too_coarse(result, language(options.run)); !note.empty()) say(note + "\n");
   if (!write_results(options, job, outputs, {surface, held, run, stock}, result)) return interrupted() ? interrupted_status() : wrong_usage;
   const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
@@ -156,9 +158,11 @@ int cut(const CutOptions& given) {
   CutOptions options = given;
   CutJob cut_job;
   std::optional<Mesh> part;
-  if (!can_write(options) || !find_cut_job(options, cut_job, part)) return wrong_usage;
+  if (!can_write(options)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
-  if (!job || !find_system(options, *job, cut_job.system)) return wrong_usage;
+  if (!job || !guess_blank_and_tools(options, *job, cut_job.tools) || !find_cut_job(options, cut_job, part))
+    return interrupted() ? interrupted_status() : wrong_usage;
+  if (!find_system(options, *job, cut_job.system)) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
   auto program = outputs.check() ? open_program(*job) : std::nullopt;
   const auto drive = program ? drive_of(options.run) : nullptr;

@@ -51,16 +51,21 @@ void window_options(CLI::App& app, CutOptions& o) {
 }  // namespace
 
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
-  CLI::Option* const stock =
-      takes(app.add_option(
-                "--stock", o.stock,
-                told("the blank, mm in the work system of the first cut: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
-                     "заготовка, мм в системе координат первого реза: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf")),
-            "BODY", "ТЕЛО");
-  CLI::Option* const tools =
-      takes_file(app.add_option("--tools", o.tools,
-                                told("what the tools look like: a file .toml, or a library of LinuxCNC, CAMotics, FreeCAD, Fusion",
-                                     "вид инструментов: файл .toml или библиотека LinuxCNC, CAMotics, FreeCAD, Fusion")));
+  CLI::Option* const stock = takes(
+      app.add_option(
+          "--stock", o.stock,
+          told("the blank, mm in the work system of the first cut: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf; "
+               "guess: by "
+               "where the program cuts, which is told",
+               "заготовка, мм в системе координат первого реза: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf; guess: по "
+               "тому, где режет УП, об этом сообщается")),
+      "BODY", "ТЕЛО");
+  CLI::Option* const tools = takes_file(app.add_option(
+      "--tools", o.tools,
+      told("what the tools look like: a file .toml, or a library of LinuxCNC, CAMotics, FreeCAD, Fusion; guess: by the program's "
+           "comments and the set-up, which is told",
+           "вид инструментов: файл .toml или библиотека LinuxCNC, CAMotics, FreeCAD, Fusion; guess: по комментариям "
+           "УП и наладке, об этом сообщается")));
   takes(
       app.add_option("--fixture", o.fixtures,
                      told("a body never to be cut, as --stock; repeated", "тело, которое нельзя задевать, как у --stock; можно повторять"))

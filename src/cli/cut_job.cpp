@@ -8,6 +8,7 @@
 #include <charconv>
 #include <thread>
 
+#include "cli/cut_guess.h"
 #include "cli/terminal.h"
 #include "config/setup_names.h"
 #include "config/told.h"
@@ -112,6 +113,19 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   return false;
 }
 
+/// Before the material: they help to choose the cell. Those that are guessed are there; complains.
+bool find_tools(const CutOptions& options, CutJob& job) {
+  if (options.tools == guess_word) return true;
+  auto tools = load_tools(options.tools);
+  if (!tools) {
+    complain(tools.error());
+    return false;
+  }
+  for (const std::string& note : tools->notes) say(note + "\n");
+  job.tools = std::move(*tools);
+  return true;
+}
+
 }  // namespace
 
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
@@ -121,14 +135,7 @@ bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
     return false;
   }
   job.until = *until;
-  if (!find_part(options, part) || !find_material(options, part, job)) return false;
-  auto tools = load_tools(options.tools);
-  if (!tools) {
-    complain(tools.error());
-    return false;
-  }
-  for (const std::string& note : tools->notes) say(note + "\n");
-  job.tools = std::move(*tools);
+  if (!find_tools(options, job) || !find_part(options, part) || !find_material(options, part, job)) return false;
   job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
   job.wants_coolant = options.coolant;
   job.keeps_rates = options.run.colour == "load";

@@ -49,6 +49,16 @@ std::string told_old(const OldKey& key) {
   return told(old + " is called " + now + " now; it is read as before", old + " теперь называется " + now + "; читается по-прежнему");
 }
 
+std::string told_assumed(const std::vector<std::uint32_t>& tools) {
+  std::string numbers;
+  for (const std::uint32_t number : tools) numbers += (numbers.empty() ? "T" : ", T") + std::to_string(number);
+  return numbers +
+         told(
+             ": neither flute_length nor length is given; taken are 3 and 5 diameters, of a drill 8 and 10: holder and shank are not "
+             "watched well",
+             ": не указаны ни flute_length, ни length; взяты 3 и 5 диаметров, у сверла 8 и 10: за хвостовиком и патроном следят плохо");
+}
+
 /// The key under which the row has it.
 std::string_view key_in(const toml::table& row, std::string_view now) {
   for (const OldKey& k : old_keys)
@@ -179,6 +189,16 @@ const ToolGeometry* ToolLibrary::find(std::uint32_t number) const {
   return tools.size() == 1 && tools.front().number == 0 ? &tools.front() : nullptr;
 }
 
+bool assume_heights(ToolGeometry& t) {
+  constexpr double flutes_share = 3, length_share = 5, drill_flutes_share = 8, drill_length_share = 10;  // what most catalogues have
+  const bool is_known = t.flutes != 0 || t.length != 0 || !t.profile.empty() || !t.shank.empty() || t.kind == ToolKind::turning;
+  if (is_known || !(t.diameter > 0)) return false;
+  const bool drills = t.kind == ToolKind::drill;
+  t.flutes = t.diameter * (drills ? drill_flutes_share : flutes_share);
+  t.length = t.diameter * (drills ? drill_length_share : length_share);
+  return true;
+}
+
 void complete(ToolGeometry& t) {
   if (t.kind == ToolKind::form && !t.profile.empty()) {
     if (t.flutes == 0) t.flutes = t.profile.back().height;
@@ -228,6 +248,7 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   if (!done) return Failed(done.error());
   tool.name = toml_tools::value_or<std::string>(row, "name", "");
   tool.plunges = toml_tools::value_or(row, "plunges", true);
+  (void)assume_heights(tool);
   complete(tool);
   if (const std::string fault = told_fault(tool); !fault.empty())
     return Failed(place(file, row, "number") + told("tool ", "инструмент ") + std::to_string(tool.number) + ": " + fault);
@@ -256,16 +277,22 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
                   told("a tools file has [[tool]] tables, 1 to 10000", "в файле инструментов таблицы [[tool]], от 1 до 10000"));
   ToolLibrary library;
   std::set<std::string_view> old;
+  std::vector<std::uint32_t> assumed;
   for (const toml::node& row : *rows) {
     if (!row.is_table()) return Failed(place(file, row) + told("tool: write [[tool]]", "tool: пишите [[tool]]"));
     auto tool = tool_of(file, *row.as_table());
     if (!tool) return Failed(tool.error());
+    ToolGeometry said = *tool;
+    for (const std::string_view key : {"flute_length", "length"})
+      if (!row.as_table()->contains(key_in(*row.as_table(), key))) (key == "length" ? said.length : said.flutes) = 0;
+    if (assume_heights(said)) assumed.push_back(tool->number);
     if (const Done added = add_tool(file, *row.as_table(), std::move(*tool), library); !added) return Failed(added.error());
     for (const OldKey& k : old_keys)
       if (row.as_table()->contains(k.old)) old.insert(k.old);
   }
   for (const OldKey& k : old_keys)
     if (old.contains(k.old)) library.notes.push_back(file + ": " + told_old(k));
+  if (!assumed.empty()) library.notes.push_back(file + ": " + told_assumed(assumed));
   return library;
 }
 

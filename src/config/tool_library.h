@@ -29,6 +29,10 @@ struct ToolLibrary {
 /// Why it has no shape, told: "diameter is missing"; empty: it has one.
 std::string told_fault(const ToolGeometry& tool);
 
+/// Flute length and stick-out as most tools of that diameter have them, where neither is given: 3 and 5 diameters, of drills 8 and 10.
+///   returns  they are assumed now
+bool assume_heights(ToolGeometry& tool);
+
 /// What was not given is what follows from the rest: flutes as long as the tool, a tool as long as its flutes.
 void complete(ToolGeometry& tool);
 

@@ -95,8 +95,9 @@ struct CutResult {
   std::optional<PartResult> part;   // if one was wanted; of a window what lies in it
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;        // findings beyond those that are kept
-  std::vector<ThreadCut> threads;  // in the order of the program
+  std::size_t not_told = 0;                    // findings beyond those that are kept
+  std::vector<std::uint32_t> finer_than_cell;  // numbers of tools thinner than two cells, of the window if there is one
+  std::vector<ThreadCut> threads;              // in the order of the program
 };
 
 }  // namespace kadr

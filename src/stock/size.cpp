@@ -10,8 +10,9 @@
 namespace kadr {
 namespace {
 
-constexpr double cells_along = 400;
-constexpr double finest = 1e-3;  // mm
+constexpr double cells_along = 400, most_cells_along = 1600;
+constexpr double cells_in_tool = 4;
+constexpr double least_cell = 1e-3;  // mm
 
 /// 1, 2.5 or 5 times a power of ten, not below.
 double round_up(double value) {
@@ -29,9 +30,12 @@ double bytes_of_bricks(const Box3& box, double cell) {
   return count * double(sizeof(Brick) + 64);  // its place among the others
 }
 
-double cell_for(const Box3& box, double most_bytes) {
+double cell_for(const Box3& box, double most_bytes, double finest) {
   const Vec3 size = box.most - box.least;
-  double cell = round_up(std::max(std::max({size.x, size.y, size.z}) / cells_along, finest));
+  const double longest = std::max({size.x, size.y, size.z});
+  double wanted = longest / cells_along;
+  if (finest > 0) wanted = std::min(wanted, std::max(finest / cells_in_tool, longest / most_cells_along));
+  double cell = round_up(std::max(wanted, least_cell));
   while (bytes_of_bricks(box, cell) > most_bytes && cell < 1e6) cell = round_up(cell * 1.01);
   return cell;
 }

@@ -10,6 +10,7 @@
 
 #include "config/told.h"
 #include "out/text/alarm_print.h"
+#include "out/text/cut_text.h"
 #include "session/cutting/body_watch.h"
 #include "session/cutting/cut_cells.h"
 #include "session/cutting/cut_setup.h"
@@ -136,6 +137,8 @@ tl::expected<void, std::string> PartRun::carry_out() {
   const Surface surface = surface_of(run_->cutting().stock());
   if (stop_.asked()) return fault();
   result_ = run_->named(cut_figures(run_->cutting(), job_, surface, nullptr));
+  if (const std::string note = told_too_coarse(result_, told_lang()); !note.empty())
+    notes_.push_back(note);
   return {};
 }
 

@@ -16,8 +16,6 @@
 namespace kadr {
 namespace {
 
-constexpr double flutes_share = 3, length_share = 5;  // of the diameter, where nobody has said them: what most catalogues have
-constexpr double drill_flutes_share = 8, drill_length_share = 10;
 constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees, of most
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
@@ -55,12 +53,6 @@ bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   return !kind.empty();
 }
 
-void add_heights(ToolGeometry& t) {
-  const bool drills = t.kind == ToolKind::drill;
-  t.flutes = t.diameter * (drills ? drill_flutes_share : flutes_share);
-  t.length = t.diameter * (drills ? drill_length_share : length_share);
-}
-
 ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std::uint32_t number) {
   ProposedTool made;
   made.tool.number = number;
@@ -68,7 +60,7 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
   const Use* const called = first_use(run, UseKind::tool, [&](const Use& u) { return u.number == number; });
   const auto comment = comments.of(number, called == nullptr || called->origin.file != 0 ? 0 : called->origin.line);
   const bool has_kind = comment && take_comment(*comment, made);
-  if (made.tool.diameter > 0) add_heights(made.tool);
+  (void)assume_heights(made.tool);
   made.known = has_kind && told_fault(made.tool).empty();
   if (made.known) made.from += told("; flutes and length as most have them", "; высота зубьев и вылет обычные");
   return made;

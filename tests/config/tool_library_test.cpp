@@ -63,10 +63,21 @@ TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
   EXPECT_EQ(form.diameter, 8);
 }
 
+TEST(ToolLibrary, HeightsThatAreNotGivenAreThoseOfMost) {
+  const auto flat = tools_of_toml("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\n", "t.toml");
+  ASSERT_TRUE(flat) << flat.error();
+  EXPECT_EQ(flat->tools[0].flutes, 18);
+  EXPECT_EQ(flat->tools[0].length, 30);
+  ASSERT_EQ(flat->notes.size(), 1U);
+  EXPECT_THAT(flat->notes[0], HasSubstr("t.toml: T1: neither flute_length nor length is given"));
+  EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"drill\", diameter = 6, angle = 118}]", "t")).length, 60);
+  const auto half = tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, length = 40}]", "t");
+  EXPECT_TRUE(half->notes.empty());
+}
+
 TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("tools.toml:2:"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("diameter is missing"));
-  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\n"), HasSubstr("flute_length is missing"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"mill\"\n"), HasSubstr("flat, ball, bull"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"drill\"\ndiameter = 6\nflutes = 20\n"), HasSubstr("118"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiametr = 6\n"), HasSubstr("'diameter'?"));

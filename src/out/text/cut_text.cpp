@@ -186,6 +186,21 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
+std::string told_too_coarse(const CutResult& r, Lang lang) {
+  if (r.finer_than_cell.empty()) return {};
+  std::string tools;
+  for (const std::uint32_t number : r.finer_than_cell) tools += fmt::format("{}T{}", tools.empty() ? "" : ", ", number);
+  const double cell = r.window ? r.window->cell : r.cell;
+  return lang == Lang::ru ? fmt::format(
+                                "{} тоньше двух шагов сетки ({:g} мм): снятое ими почти не видно и не измерено; поможет меньший "
+                                "--resolution или --window",
+                                tools, cell)
+                          : fmt::format(
+                                "{}: thinner than two cells ({:g} mm): what they cut is hardly seen, and not measured; a smaller "
+                                "--resolution, or --window, shows it",
+                                tools, cell);
+}
+
 ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnings) {
   ordered_json json{{"stock", rounded(r.stock)},
                     {"left", rounded(r.left)},
@@ -211,6 +226,7 @@ ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnin
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};
   if (r.simplified)
     json["simplified"] = {{"exact", r.simplified->exact}, {"triangles", r.simplified->triangles}, {"off", r.simplified->off}};
+  if (!r.finer_than_cell.empty()) json["finer_than_cell"] = r.finer_than_cell;
   if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
   return json;
 }

@@ -12,6 +12,9 @@ namespace kadr {
 /// In a line: "removed 82581.4 mm³, cell 0.25 mm"; of the window, if there is one.
 std::string cut_caption(const CutResult& result, Lang lang);
 
+/// Which tools are too thin for the cells; empty: none is.
+std::string told_too_coarse(const CutResult& result, Lang lang);
+
 std::string cut_summary(const CutResult& result, Lang lang);
 
 /// One object. `alarms`, `warnings`: of the program itself, the findings not among them.

@@ -3,6 +3,7 @@
 #include "session/cutting/cut_cells.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stock/blank/blank_window.h"
 #include "stock/mesh/mesh_within.h"
@@ -13,6 +14,40 @@ namespace {
 
 constexpr double share_for_material = 0.5;  // of the memory; the rest is for the surface
 constexpr double share_of_cell = 0.02;      // volume error of the surface for each mm² of it, in cells: docs/stock.md
+constexpr double cells_to_see = 2;          // across a tool
+constexpr std::size_t tools_of_a_job = 24;  // a file with more is a library: most of it the program does not cut with
+
+/// The diameter of the thinnest tool of a job, mm; 0: not known.
+double finest_of(const ToolLibrary& tools) {
+  double finest = 0;
+  if (tools.tools.size() > tools_of_a_job) return finest;
+  for (const ToolGeometry& tool : tools.tools)
+    if (tool.kind != ToolKind::turning && tool.diameter > 0 && (finest == 0 || tool.diameter < finest)) finest = tool.diameter;
+  return finest;
+}
+
+/// What of the surface may be off: of a box only what has been cut, for its faces are exact.
+Mesh uncertain_part(const Surface& surface, const Blank& blank) {
+  constexpr double same_volume = 1e-9;
+  const Vec3 size = blank.box().most - blank.box().least;
+  if (std::fabs(blank.volume() - size.x * size.y * size.z) > same_volume * blank.volume()) return surface;
+  Mesh cut;
+  cut.points = surface.points;
+  for (std::size_t t = 0; t < surface.triangles.size(); t += 3)
+    if (std::any_of(&surface.triangles[t], &surface.triangles[t] + 3, [&](auto point) { return surface.made_by[point] != of_blank; }))
+      cut.triangles.insert(cut.triangles.end(), {surface.triangles[t], surface.triangles[t + 1], surface.triangles[t + 2]});
+  return cut;
+}
+
+/// The tools that have cut and are thinner than two cells: what they cut is hardly seen. By their numbers.
+std::vector<std::uint32_t> tools_finer_than_cells(const Stock& stock) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t i = 0; i < stock.tools(); ++i) {
+    const ToolGeometry& tool = stock.tool(i).geometry;
+    if (tool.kind != ToolKind::turning && tool.diameter < cells_to_see * stock.lattice().cell()) numbers.push_back(tool.number);
+  }
+  return numbers;
+}
 
 }  // namespace
 
@@ -25,14 +60,14 @@ double bytes_of_meshes(const CutJob& job) {
 bool find_cells(double resolution, const std::optional<Box3>& window, double most_bytes, CutJob& job) {
   const double most = std::max(most_bytes * share_for_material - bytes_of_meshes(job), 0.0);
   if (!window) {
-    job.cell = resolution > 0 ? resolution : cell_for(job.blank->box(), most);
+    job.cell = resolution > 0 ? resolution : cell_for(job.blank->box(), most, finest_of(job.tools));
     return true;
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
   // A whole that is finer than its window helps nobody; half of the memory each.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
-  job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2), job.cell);
+  job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;
 }
 
@@ -60,15 +95,23 @@ PartComparison hold_against(const CutJob& job, const Stock& stock, const Surface
   return compare(stock, surface, part, &faces);
 }
 
-double error_of_volume(const Stock& stock, const Mesh& surface) { return share_of_cell * stock.lattice().cell() * area_of(surface); }
-
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window) {
-  const double left = volume_of(whole), area = area_of(whole);
-  if (window == nullptr) return cutting.result(left, share_of_cell * job.cell * area);
-  const MeshWithin coarse = mesh_within(whole, job.window->box());
-  WindowResult fine{job.window->volume(), volume_of(*window), share_of_cell * job.window_cell * area_of(*window), job.window_cell};
-  CutResult result = cutting.result(left - coarse.volume + fine.left, share_of_cell * job.cell * (area - coarse.area) + fine.error_bound);
+  const double left = volume_of(whole);
+  const Mesh uncertain = uncertain_part(whole, *job.blank);
+  const double area = area_of(uncertain);
+  CutResult result;
+  if (window == nullptr) {
+    result = cutting.result(left, share_of_cell * job.cell * area);
+    result.finer_than_cell = tools_finer_than_cells(cutting.stock());
+    return result;
+  }
+  const Box3 box = job.window->box();
+  const double of_window = area_of(uncertain_part(*window, *job.window));
+  WindowResult fine{job.window->volume(), volume_of(*window), share_of_cell * job.window_cell * of_window, job.window_cell};
+  const double beside = area - mesh_within(uncertain, box).area;
+  result = cutting.result(left - mesh_within(whole, box).volume + fine.left, share_of_cell * job.cell * beside + fine.error_bound);
   result.window = fine;
+  result.finer_than_cell = tools_finer_than_cells(*cutting.window());
   return result;
 }
 

@@ -12,6 +12,7 @@ namespace kadr {
 double bytes_of_meshes(const CutJob& job);
 
 /// The cells of the whole and of its window: what is asked for is that of the window, or of the whole where there is none.
+///   job         its tools are there: a few, which is what one job has, decide with the blank how fine that is
 ///   resolution  mm; 0: as fine as is reasonable and fits
 ///   most_bytes  that the material may take
 ///   returns     false: the window lies beside the blank
@@ -25,9 +26,6 @@ bool part_meets_window(const CutJob& job, const Mesh& part);
 
 /// What was cut, in the window if there is one, against the part.
 PartComparison hold_against(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part);
-
-/// mm³ by which the volume inside the surface of a stock may be off.
-double error_of_volume(const Stock& stock, const Mesh& surface);
 
 /// Volumes by the surface; `window`: of what was cut there.
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window);

@@ -1,0 +1,82 @@
+// Guesses of kadr cut. For cli/cut; tests/run_cut.py.
+
+#include "cli/cut_guess.h"
+
+#include <fmt/core.h>
+
+#include "cli/terminal.h"
+#include "config/told.h"
+#include "view/proposals.h"
+#include "view/stock_guess.h"
+
+namespace kadr::cli {
+namespace {
+
+OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
+  OpenedProgram opened;
+  opened.path = job.file;
+  opened.def = job.def;
+  opened.texts = std::make_shared<const AlarmTexts>(job.texts());
+  opened.machine = job.profile;
+  opened.setup = job.setup;
+  opened.stated = job.stated;
+  opened.encoding = job.encoding;
+  opened.number = job.program;
+  opened.limits = limits;
+  return opened;
+}
+
+bool take_stock(const StockGuess& guess, const ProgramRun& run, std::string& stock) {
+  const Vec3 zero = run.path().zero();
+  stock = guess.text(zero, is_turning(run) && guess.is_flat(zero));
+  if (stock.empty()) complain(told("--stock guess: the program cuts nothing", "--stock guess: УП ничего не режет"));
+  else say(fmt::format("--stock {}: {}\n", stock, told("guessed by where the program cuts", "угадана по тому, где режет УП")));
+  return !stock.empty();
+}
+
+bool take_tools(const ProgramRun& run, ToolLibrary& tools) {
+  std::string unknown;
+  for (const ProposedTool& proposed : proposed_tools(run, nullptr)) {
+    const ToolGeometry& tool = proposed.tool;
+    if (!proposed.known) {
+      unknown += fmt::format("{}T{}", unknown.empty() ? "" : ", ", tool.number);
+      continue;
+    }
+    tools.tools.push_back(tool);
+    say(fmt::format("T{}: {}, {:g} {}; {}: {}\n", tool.number, name_of(tool.kind), tool.diameter, told("mm", "мм"),
+                    told("guessed", "угадан"), proposed.from));
+  }
+  if (!unknown.empty())
+    complain(fmt::format("--tools guess: {}: {}", unknown,
+                         told("neither the program's comments nor the set-up tell its shape; write it to a tools file (kadr setup --tools "
+                              "begins one)",
+                              "ни комментарии УП, ни наладка не говорят о форме; опишите её в файле инструментов (kadr setup --tools его "
+                              "начинает)")));
+  return unknown.empty();
+}
+
+}  // namespace
+
+bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& tools) {
+  const bool stock = options.stock == guess_word, shapes = options.tools == guess_word;
+  if (!stock && !shapes) return true;
+  if (job.file == "-") {
+    complain(told("guess: a program from standard input cannot be read twice", "guess: УП со стандартного ввода нельзя прочитать дважды"));
+    return false;
+  }
+  auto run = ProgramRun::make(opened_of(job, options.run.limits), options.run.limits.stop);
+  if (!run) {
+    complain(run.error());
+    return false;
+  }
+  StockGuess guess;
+  (*run)->on_piece = [&guess](const ViewPiece& piece, std::uint32_t channel) {
+    if (channel == 0) guess.take(piece);
+  };
+  (*run)->carry_out();
+  if (options.run.limits.stop.asked()) return false;
+  const bool has_stock = !stock || take_stock(guess, **run, options.stock);
+  return (!shapes || take_tools(**run, tools)) && has_stock;
+}
+
+}  // namespace kadr::cli
