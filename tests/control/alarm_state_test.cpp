@@ -172,6 +172,16 @@ TEST(alarm, emits_nothing_of_its_block) {
   EXPECT_EQ(r.actions.size(), 2u);  // the frame at the start, G0
 }
 
+// One fault, one alarm: blocks behind it have the feed that was forgotten. With inverse time feed each is to have its own.
+TEST(alarm, a_missing_feed_is_told_once) {
+  for (const char* const control : {"grbl", "linuxcnc", "fanuc"}) {
+    const auto once = run(control, "G21 G90\nG0 X0 Y0\nG1 X1\nY1\nX0\nG1 X5 F100\nX0\nM2\n", {}, OnAlarm::go_on);
+    ASSERT_EQ(once.alarms.size(), 1U) << control;
+    EXPECT_EQ(once.alarms[0].origin.line, 3U) << control;
+  }
+  EXPECT_EQ(run("grbl", "G21 G90\nG93\nG1 X1\nY1\nM2\n", {}, OnAlarm::go_on).alarms.size(), 2U);
+}
+
 // ---- a fault at any block of any path
 
 RC_GTEST_PROP(alarm, at_any_block_leaves_what_was_before_and_the_rest_goes_on, ()) {

@@ -135,9 +135,11 @@ void Interpreter::keep_from_faulty_block() {
   const AlarmId id = report.alarm.id;
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
                        id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
-  if (const Word* const f = block->find('F'); f != nullptr && !(modal.feed_known && modal.feed > 0)) {
+  const Word* const f = block->find('F');
+  const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;  // there each block needs its own
+  if ((f != nullptr || is_missed) && !(modal.feed_known && modal.feed > 0)) {
     modal.feed_known = true;
-    modal.feed = f->value > 0 ? f->value : 1;
+    modal.feed = f != nullptr && f->value > 0 ? f->value : 1;
   }
   keep_modes_of_faulty_block();
   stand_where_meant();
