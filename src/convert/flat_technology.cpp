@@ -186,7 +186,8 @@ Status FlatProgram::rounding(const Motion& motion) {
   if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
-  return tolerance_ > 0 ? blocks_.word('P', tolerance_) : Status();
+  constexpr int more = 3;  // digits, where P may have any number of them: 0.000001 mm
+  return tolerance_ > 0 ? blocks_.word('P', tolerance_, more) : Status();
 }
 
 /// G62, G63 and back: in the block of the motion.
