@@ -30,6 +30,16 @@ bool is_block(std::string_view line, const Grammar& grammar) {
   return lex_block(text, 0, false, grammar, *block).has_value();
 }
 
+/// What stands there once lines that are comments and nothing else are passed over; empty: nothing.
+std::string_view behind_comments(std::string_view sample, std::size_t& at) {
+  std::string_view line = first_line(sample, at);
+  while (!line.empty() && line[line.find_first_not_of(" \t\r")] == '(' && line[line.find_last_not_of(" \t\r")] == ')') {
+    at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
+    line = first_line(sample, at);
+  }
+  return line;
+}
+
 }  // namespace
 
 bool has_sign(std::string_view line) {
@@ -42,6 +52,11 @@ ProgramFrame frame_of(std::string_view sample, const Grammar& grammar) {
   const std::string_view first = first_line(sample, at);
   if (first.empty()) return {};
   if (has_sign(first)) return {0, at};
+  std::size_t sign = at;
+  if (has_sign(behind_comments(sample, sign))) {
+    std::size_t behind = std::min(sample.find('\n', sign), sample.size() - 1) + 1;
+    return first_line(sample, behind).empty() ? ProgramFrame() : ProgramFrame{sign, sign};
+  }
   if (is_block(first, grammar)) return {};
   while (at < sample.size()) {
     at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
