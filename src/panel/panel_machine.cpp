@@ -18,7 +18,8 @@ using Failed = tl::unexpected<std::string>;
 constexpr auto look_every = std::chrono::milliseconds(4);    // after the stretch under way
 constexpr double seen_share = 1e-6;                          // of the planned speed
 constexpr auto seen_within = std::chrono::milliseconds(20);  // axes that hardly can brake
-constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy: what was asked is done when it comes to it
+constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy, and what was asked is not done
+constexpr auto done_within = std::chrono::seconds(60);       // what has begun
 
 /// Who asks for the state next sees what came of it.
 template <class Is>
@@ -38,8 +39,10 @@ void PanelMachine::switch_off() {
   thread_.wait();
 }
 
+/// Three answers: it is done, with what came of it; it is refused, and will not happen; it has begun, and goes on.
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
+  std::uint64_t number = 0;
   {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(told("the machine is off", "станок выключен"));
@@ -47,12 +50,19 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
                         tell_here_in(lang);  // of whoever asks
                         return what();
                       },
-                      {}});
+                      {},
+                      number = ++asked_count_});
     answer = asked_.back().answer.get_future();
   }
   wakes_.notify_all();
   if (answer.wait_for(answers_within) == std::future_status::ready) return answer.get();
-  return Failed(told("the control is busy with a block", "УЧПУ занято кадром"));
+  {
+    const std::lock_guard hold(lock_);
+    if (std::erase_if(asked_, [&](const Asked& one) { return one.number == number; }) != 0)
+      return Failed(told("the control is busy with a block: not done", "УЧПУ занято кадром: не выполнено"));
+  }
+  if (answer.wait_for(done_within) == std::future_status::ready) return answer.get();
+  return Failed(told("it has begun and is not over yet", "начато и ещё не закончено"));
 }
 
 void PanelMachine::carry_out_asked() {

@@ -240,6 +240,7 @@ class PanelMachine {
   struct Asked {
     std::function<Answer()> what;
     std::promise<Answer> answer;
+    std::uint64_t number = 0;
   };
 
   PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands)
@@ -343,6 +344,7 @@ class PanelMachine {
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;
+  std::uint64_t asked_count_ = 0;
   std::atomic<bool> ends_{false};
   std::mutex off_lock_;
   PanelState shown_;

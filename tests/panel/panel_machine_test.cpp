@@ -2,6 +2,9 @@
 
 #include "panel/panel_machine.h"
 
+#include <atomic>
+#include <thread>
+
 #include "panel/a_panel.h"
 
 namespace kadr::panel_machine_test {
@@ -49,6 +52,23 @@ TEST(PanelMachine, RunsAgainFromWhereItStands) {
     ASSERT_TRUE(panel.until([&](const PanelState& s) { return s.mode == PanelMode::ended && s.sample.machine[0] > 10 * i - 1e-9; }));
     expect_at(panel, {10. * i, 0, 0});
   }
+}
+
+/// A control that is busy refuses after two seconds, and what it has refused it does not do later.
+TEST(PanelMachine, WhatIsRefusedNeverHappens) {
+  std::atomic<bool> is_busy{false};
+  PanelKeeper keeper;
+  keeper.tables = [&](const kadr::Setup&, const kadr::Setup&) {
+    if (!is_busy.exchange(true)) std::this_thread::sleep_for(5s);
+    return std::string();
+  };
+  const APanel panel("G21 G90\nG0 X1\nM30\n", "mach3", {}, keeper);
+  ASSERT_TRUE(panel->enter("G10 L1 P3 R1"));
+  ASSERT_TRUE(panel.until([&](const PanelState&) { return is_busy.load(); }));
+  EXPECT_FALSE(panel->set_single(true));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == 1; }));
+  EXPECT_FALSE(panel->state().single);
+  EXPECT_TRUE(panel->set_single(true));
 }
 
 TEST(PanelMachine, GoesBlockByBlock) {
