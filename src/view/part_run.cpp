@@ -137,8 +137,7 @@ tl::expected<void, std::string> PartRun::carry_out() {
   const Surface surface = surface_of(run_->cutting().stock());
   if (stop_.asked()) return fault();
   result_ = run_->named(cut_figures(run_->cutting(), job_, surface, nullptr));
-  if (const std::string note = told_too_coarse(result_, told_lang()); !note.empty())
-    notes_.push_back(note);
+  if (const std::string note = told_too_coarse(result_, told_lang()); !note.empty()) notes_.push_back(note);
   return {};
 }
 
