@@ -107,10 +107,9 @@ class PlaceWriter {
   }
   FlatBefore in_force() const {
     FlatBefore modes;
-    for (const InForce& one : control_.in_force()) {
-      if (one.kind != InForce::Kind::code) continue;
+    for (const std::string& code : control_.state_now().modal) {  // without the variables, of which there may be thousands
       for (const CodeRow& row : session_.def().codes) {
-        if (row.code != one.code) continue;
+        if (row.code != code) continue;
         modes.incremental = modes.incremental || row.function == Function::incremental;
         modes.inch = modes.inch || row.function == Function::inch;
         modes.exact = modes.exact || row.function == Function::exact_stop_mode;
