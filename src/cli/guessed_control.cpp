@@ -176,11 +176,11 @@ void GuessedControls::take_folder(const std::string& folder, const std::vector<s
   std::vector<Guess> guesses;
   for (const std::string& file : files) guesses.push_back(guesses_[file]);
   Neighbours found{common_guess(guesses), {}, {}, {}};
-  const auto& [control, dialect] = found.common;
-  if (control.empty() && dialect.empty()) return;
+  const CommonGuess& common = found.common;
+  if (common.control.empty() && common.dialect.empty()) return;
   const auto shows = std::find_if(files.begin(), files.end(), [&](const std::string& file) {
     const Guess& guess = guesses_[file];
-    return guess.decisive && guess.control == control && guess.dialect == dialect;
+    return guess.decisive && guess.control == common.control && guess.dialect == common.dialect;
   });
   if (shows != files.end()) found.file = *shows, found.reason_en = guesses_[*shows].reason_en, found.reason_ru = guesses_[*shows].reason_ru;
   folders_[folder] = found;

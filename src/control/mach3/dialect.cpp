@@ -42,7 +42,7 @@ class Mach3 final : public Dialect {
     way = std::sqrt(way);
     const double part = way > 0 ? std::min(1.0, m.def.behaviour.probe_retract / way) : 0;
     if (part == 0) return {};
-    back_.emplace();
+    back_ = Back{};
     back_->origin = m.origin;
     for (std::size_t a = 0; a < m.axis_count; ++a) {
       const double by = part * (begin_[a] - answer.at[a]);
