@@ -367,7 +367,7 @@ def check_alarms(table):
         check_text({"en": row.get("hint_en", ""), "ru": row.get("hint_ru", "")}, f"{where} hint", manual=False)
         check(not re.search(r"\bN\d{4}\b", " ".join(str(text) for text in row.values())),
               f"{where}: names a parameter of one control; that text stands in the control's file")
-        check(row.get("severity", "alarm") in ("alarm", "warning", "note"), f"{where}: severity")
+        check(row.get("severity", "alarm") in ("alarm", "warning", "note", "advice"), f"{where}: severity")
         args = row.get("args", -1)
         check(0 <= args <= 3, f"{where}: args 0 to 3")
         for key in ("en", "ru"):

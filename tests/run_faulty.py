@@ -15,7 +15,8 @@ Beside each program NAME.nc (NAME.tape: rows of a punched tape) stands NAME.expe
     exit: 1                          default: 1 with a fault, 0 without
     # …                              a remark
 
-The note not_stated (offsets that stand in no set-up) counts only where it is expected; tests/setup_command.py holds it.
+The note not_stated (offsets that stand in no set-up) and advice count only where they are expected; tests/setup_command.py and
+tests/checklist.py hold them.
 
 Each program is checked twice: --format json gives the findings, --format text must show the same lines, each with its source
 line and a caret under the place, and the count. An unknown key, a folder without programs, a file without its neighbour fail.
@@ -34,7 +35,7 @@ from harness import Failure
 ROOT = Path(__file__).resolve().parent / 'faulty'
 CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
 PROGRAMS = ('.nc', '.tape')
-FAULT = re.compile(r'(\d+):(\d+) (warning |note )?([a-z0-9_]+)')
+FAULT = re.compile(r'(\d+):(\d+) (warning |note |advice )?([a-z0-9_]+)')
 
 
 class Expected:
@@ -90,6 +91,8 @@ def check_json(expected, program_control, status, out, err):
         raise Failure(f'stdout is not JSON: {out[:120]!r} {err[:160]!r}') from None
     if not any(name == 'not_stated' for _, _, _, name in expected.findings):  # of programs without a set-up: only where it is the topic
         findings = [f for f in findings if f['id'] != 'not_stated']
+    advised = {name for _, _, severity, name in expected.findings if severity == 'advice'}
+    findings = [f for f in findings if f['severity'] != 'advice' or f['id'] in advised]
     got = [(f['line'], f['column'], f['severity'], f['id']) for f in findings]
     if got != expected.findings:
         raise Failure(f'expected {shown(expected.findings)}\n      got      {shown(got)}')
@@ -128,8 +131,8 @@ def check_text(program, expected, findings, status, out, err):
         at += 1
     plural = lambda n: '' if n == 1 else 's'
     warnings = sum(f['severity'] == 'warning' for f in findings)
-    count = f'1 program checked: {expected.faults} error{plural(expected.faults)}, {warnings} warning{plural(warnings)}.'
-    if out.strip() != count:
+    count = f'1 program checked: {expected.faults} error{plural(expected.faults)}, {warnings} warning{plural(warnings)}'
+    if not re.fullmatch(re.escape(count) + r'(, \d+ advices?)?\.', out.strip()):
         raise Failure(f'--format text: count expected {count!r}, got {out.strip()!r}')
 
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "action/end_given.h"
+#include "action/origin.h"
 #include "action/placement.h"
 #include "action/surface_speed.h"
 #include "base/alarm.h"
@@ -18,20 +19,6 @@
 #include "base/vec.h"
 
 namespace kadr {
-
-/// Where an action comes from: the innermost block of the user's program.
-struct Origin {
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;  // counted from 1, in characters
-  std::uint32_t block = 0;   // N…
-  bool has_block = false;
-  bool main_block = false;        // ':' instead of N
-  std::uint8_t block_digits = 0;  // as written, zeros included
-  std::uint8_t depth = 0;         // calls around it
-  std::uint16_t file = 0;         // that the line stands in: 0 the program, others: Control::file_name()
-  std::uint16_t calls = 0;        // by which it came to be carried out: Control::calls_of(); 0: none, or nobody watches
-  std::uint32_t number = 0;       // of the block in the run, in the order of execution: Control::state_of()
-};
 
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
 enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
@@ -186,6 +173,9 @@ struct MotionModes {
   std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
   std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches
+  bool of_cycle = false;                         // a drilling cycle has made it
+  std::uint16_t length_offset = 0;               // row of the offset table whose length is in force; 0: none
+  std::uint16_t radius_offset = 0;               // … whose radius, where the tool is on a side of the path; 0: none
   bool as_programmed = false;                    // its end is what the program's words say: told where frames in space may be (nct 25)
   double tool_radius = 0;                        // mm, at its end
   double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)

@@ -19,6 +19,16 @@ bool continues_character(char byte) { return (static_cast<unsigned char>(byte) &
 
 std::string_view name_of(AlarmId id) { return names[static_cast<std::size_t>(id)]; }
 
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::alarm: return "alarm";
+    case Severity::warning: return "warning";
+    case Severity::note: return "note";
+    case Severity::advice: break;
+  }
+  return "advice";
+}
+
 AlarmId alarm_named(std::string_view name) {
   const auto* found = std::find(std::begin(names), std::end(names), name);
   return static_cast<AlarmId>(found - std::begin(names));

@@ -27,8 +27,11 @@ std::string_view name_of(AlarmId id);
 /// The id of that name; no_alarm: there is none.
 AlarmId alarm_named(std::string_view name);
 
-/// A note is what a user wants to know, but nothing is wrong: it does not count.
-enum class Severity : std::uint8_t { alarm, warning, note };
+/// A note is what a user wants to know, but nothing is wrong: it does not count. Advice is what no control would stop at, but a shop would
+/// not run (docs/checklist.md): it counts by itself.
+enum class Severity : std::uint8_t { alarm, warning, note, advice };
+/// As programs read it: "alarm", "warning", "note", "advice".
+std::string_view name_of(Severity severity);
 
 /// One argument of an alarm's text: a number, or a short piece of text (longer ones are cut, at a whole character).
 class AlarmArg {
@@ -75,6 +78,12 @@ template <class... Args>
 Alarm note(AlarmId id, Span where, Args... args) {
   static_assert(sizeof...(Args) <= 3);
   return {id, Severity::note, sizeof...(Args), where, {AlarmArg(args)...}};
+}
+
+template <class... Args>
+Alarm advice(AlarmId id, Span where, Args... args) {
+  static_assert(sizeof...(Args) <= 3);
+  return {id, Severity::advice, sizeof...(Args), where, {AlarmArg(args)...}};
 }
 
 }  // namespace kadr

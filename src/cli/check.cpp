@@ -17,12 +17,13 @@
 #include "cli/stop.h"
 #include "cli/sub_file.h"
 #include "cli/terminal.h"
-#include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "lang/text/utf16.h"
 #include "out/text/alarm_print.h"
 #include "out/text/baseline.h"
+#include "session/checklist/checklist.h"
+#include "session/unstated.h"
 
 namespace kadr::cli {
 namespace {
@@ -59,13 +60,19 @@ class Collector {
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     Finding finding = finding_of(report, job_.texts(), lang_);
     if (to_.baseline && to_.baseline->has(finding)) return true;
-    if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
+    switch (report.alarm.severity) {
+      case Severity::alarm: ++faults; break;
+      case Severity::warning: ++warnings; break;
+      case Severity::advice: ++advices; break;
+      case Severity::note: break;
+    }
     to_.add(report, std::move(finding), found_);
     return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
   }
 
   std::size_t faults = 0;
   std::size_t warnings = 0;
+  std::size_t advices = 0;
   bool one_pass = false;
   bool only_subprograms = false;  // nobody runs the file: it needs no end
   bool clean() const { return faults == 0 && (!strict_ || warnings == 0); }
@@ -84,7 +91,7 @@ class Collector {
 enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
 
 struct Count {
-  std::size_t faults = 0, warnings = 0;
+  std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
 /// What is found goes to the collector of its channel.
@@ -106,6 +113,7 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
   const std::shared_ptr<ByteSource> text = job.def->grammar.o_words && job.file != "-" ? open_text(job.file).source : nullptr;
   const bool only_subprograms = text && holds_only_subprograms(LineReader(text));
   std::deque<Collector> collectors;
+  std::deque<Checklist> checklists;
   Found found(job.texts(), language(options), report.text, options.every);
   session->together().stop_together = false;
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -114,15 +122,20 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
     collectors.back().one_pass = one_pass;
     collectors.back().only_subprograms = only_subprograms;
     session->outlets(i) = outlets_of(collectors.back(), progress);
+    checklists.emplace_back(*session, i).attach();
   }
   if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
   (void)session->run();
   bool clean = true;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!interrupted()) channels[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
-    if (const auto note = i == session->own() ? unstated(*channels[i].control, job) : std::nullopt) (void)collectors[i].take(*note);
+    // Where a block was refused, what follows it is not what the program means: its errors come first.
+    if (!interrupted() && collectors[i].faults == 0 && !only_subprograms)
+      for (AlarmReport& advice : checklists[i].reports(stop_token())) (void)collectors[i].take(std::move(advice));
+    if (const auto note = i == session->own() ? unstated(*channels[i].control, *job.def, job.setup, job.stated) : std::nullopt) (void)collectors[i].take(*note);
     count.faults += collectors[i].faults;
     count.warnings += collectors[i].warnings;
+    count.advices += collectors[i].advices;
     clean = clean && collectors[i].clean();
   }
   if (report.text != nullptr) found.finish();
@@ -149,13 +162,15 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
 /// "3 programs checked: 1 error, 0 warnings."
 void print_count(const Options& options, std::size_t files, Count count, std::size_t known) {
   if (options.format != "text" || options.quiet) return;
-  const auto [faults, warnings] = count;
+  const auto [faults, warnings, advices] = count;
   const auto many = [](std::size_t n) { return n == 1 ? "" : "s"; };
   if (language(options) == Lang::ru) {
-    type_out("Проверено программ: {}. Ошибок: {}, предупреждений: {}.", files, faults, warnings);
+    type_out("Проверено программ: {}. Ошибок: {}, предупреждений: {}", files, faults, warnings);
+    type_out("{}", advices == 0 ? "." : fmt::format(", советов: {}.", advices));
     if (known != 0) type_out(" Уже известных пропущено: {}.", known);
   } else {
-    type_out("{} program{} checked: {} error{}, {} warning{}.", files, many(files), faults, many(faults), warnings, many(warnings));
+    type_out("{} program{} checked: {} error{}, {} warning{}", files, many(files), faults, many(faults), warnings, many(warnings));
+    type_out("{}", advices == 0 ? "." : fmt::format(", {} advice{}.", advices, many(advices)));
     if (known != 0) type_out(" {} known finding{} left out.", known, many(known));
   }
   type_out("\n");
@@ -195,6 +210,7 @@ void write_findings(std::FILE* to, const Options& options, const Report& report,
 }  // namespace
 
 int check(const Options& given) {
+  if (!given.explained.empty()) return explain({given.explained, {}, given.lang});
   Options options = given;
   options.guesses_silently = options.quiet;
   ProgramFiles programs = program_files(options.programs, options.exclude);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/options.h"
 #include "cli/terminal.h"
 #include "config/control_file.h"
@@ -52,10 +54,11 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   return text;
 }
 
-/// What every built-in control says of a code, an alarm or words.
+/// What every built-in control says of a code, an alarm or words; what several say alike once.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
-  bool any = false;
-  for (const std::string& id : built_in_controls()) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // and by which
+  const std::vector<std::string> all = built_in_controls();
+  for (const std::string& id : all) {
     const auto def = load_control(id);
     if (!def) continue;
     const auto texts = AlarmTexts::load(&*def);
@@ -63,11 +66,15 @@ int explain_everywhere(const std::string& what, const std::string& refusal, Lang
     auto text = explain_code(*def, *texts, what, lang);
     if (!text) text = explain_words(*def, *texts, what, lang);
     if (!text) continue;
-    const bool is_named = text->starts_with(id + " ") || text->starts_with(id + ":");
-    type_out("{}{}", is_named ? std::string() : id + ": ", *text);
-    any = true;
+    const auto same = std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == *text; });
+    if (same != said.end()) same->second.push_back(id);
+    else said.push_back({*text, {id}});
   }
-  if (any) return ok;
+  for (const auto& [text, ids] : said) {
+    const bool is_named = text.starts_with(ids.front() + " ") || text.starts_with(ids.front() + ":");
+    type_out("{}{}", is_named || ids.size() == all.size() ? std::string() : fmt::format("{}: ", fmt::join(ids, ", ")), text);
+  }
+  if (!said.empty()) return ok;
   complain(refusal);
   return wrong_usage;
 }

@@ -43,6 +43,7 @@ struct Options {
   std::vector<std::string> control_for;  // PATTERN=ID
   bool guesses_silently = false;         // which control: nothing is said of it
   bool strict = false;                   // warnings count as errors
+  std::string explained;                 // a finding's id: what it means, instead of a check
   bool every = false;                    // each finding is printed whole, however many are alike
   std::vector<std::string> disabled;     // ids of warnings and notes that are not told
   std::vector<int> skip;                 // switches that are on

@@ -211,8 +211,8 @@ void add_debug(CLI::App& app, Commands& c) {
 void add_check(CLI::App& app, Commands& c) {
   Options& o = c.options;
   CLI::App* const check = app.add_subcommand("check", told("find every fault of programs", "найти все ошибки программ"));
-  check->add_option(told("PROGRAM", "УП"), o.programs, told("programs and folders of programs", "программы и папки с программами"))
-      ->required();
+  CLI::Option* const programs =
+      check->add_option(told("PROGRAM", "УП"), o.programs, told("programs and folders of programs", "программы и папки с программами"));
   program_options(*check, o);
   memory_option(*check, o);
   one_of(check->add_option("--format", o.format, told("of what is found", "вид перечня найденного")), {"text", "json", "sarif"})
@@ -231,6 +231,16 @@ void add_check(CLI::App& app, Commands& c) {
                           told("the control of the files that are like the pattern; may be repeated",
                                "УЧПУ для файлов, похожих на образец; можно повторять")),
         "PATTERN=ID", "ОБРАЗЕЦ=УЧПУ");
+  CLI::Option* const explained = takes(check->add_option("--explain", o.explained,
+                                                         told("what a finding means and what to do about it, by its id",
+                                                              "что значит сообщение и что с ним делать, по имени"))
+                                           ->check([](const std::string& name) {
+                                             return alarm_named(name) != no_alarm ? std::string() : told("no finding has this name: ", "нет сообщения с таким именем: ") + name;
+                                           }),
+                                       "ID", "ИМЯ");
+  check->callback([programs, explained] {
+    if (programs->count() == 0 && explained->count() == 0) throw CLI::RequiredError(programs->get_name());
+  });
   check->add_flag("--strict", o.strict, told("warnings count as errors", "считать предупреждения ошибками"));
   check->footer(check_examples());
 }

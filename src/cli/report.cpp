@@ -14,7 +14,6 @@
 #include "cli/report_files.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "out/text/cut_text.h"
@@ -94,7 +93,6 @@ class ReportRun {
     };
     run_->on_contour = [this](const ViewPiece& piece) { contour_.push_back(piece); };
     run_->carry_out();
-    if (const auto note = unstated(run_->control(), job_)) take(*note, 0);
     found_.finish();
     erase_bar();
   }

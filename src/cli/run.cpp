@@ -16,7 +16,6 @@
 #include "cli/state.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "cli/unstated.h"
 #include "cli/written_files.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
@@ -26,6 +25,7 @@
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "out/text/summary_json.h"
+#include "session/unstated.h"
 
 namespace kadr::cli {
 namespace {
@@ -188,7 +188,7 @@ class RunCommand {
   void tell_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
-      if (const auto note = unstated(*channel.control, job_)) found_.tell(*note);
+      if (const auto note = unstated(*channel.control, *job_.def, job_.setup, job_.stated)) found_.tell(*note);
     }
   }
 

@@ -14,13 +14,13 @@
 #include "cli/outputs.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
 #include "lang/text/tool_comment.h"
 #include "out/program/setup_template.h"
 #include "out/program/tools_template.h"
 #include "session/tool_proposals.h"
+#include "session/used_key.h"
 
 namespace kadr::cli {
 namespace {

@@ -153,6 +153,8 @@ class Interpreter : public ControlState, public RunMemory {
   /// Position after a motion; the axes not named stay where they are.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
+  /// The row of the offset table whose length is in force; 0: none.
+  std::uint16_t length_row() const;
   /// The same where the modes are known: to where the tool is to stand now.
   Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);

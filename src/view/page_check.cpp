@@ -1,6 +1,7 @@
 // Questions about a text: check, explain. For view/page_session; tested by tests/serve.py.
 
 #include "out/text/line_words.h"
+#include "session/checklist/checklist.h"
 #include "view/page_inside.h"
 
 namespace kadr {
@@ -24,9 +25,11 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   PageJson problems = PageJson::array();
   std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>> seen;
   std::size_t again = 0;
+  bool alarms = false;
   const auto take = [&](const AlarmReport& report) {
     if (report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done) return true;
     if (!seen.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again < most_again;
+    alarms = alarms || report.alarm.severity == Severity::alarm;
     problems.push_back(problem(report));
     return report.alarm.id != AlarmId::interrupted && problems.size() < most_problems;
   };
@@ -34,9 +37,13 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   outlets.warning = [&](const AlarmReport& report) { (void)take(report); };
   outlets.alarm = take;
   outlets.stop = token();
+  Checklist checklist(**session, (*session)->own());
+  checklist.attach();
   (*session)->control().set_waiting(Control::Waiting::pass);
   (void)(*session)->run();
   if (!stops) (*session)->control().check_uncalled([&](const AlarmReport& report) { (void)take(report); });
+  if (!stops && !alarms)
+    for (const AlarmReport& report : checklist.reports(token())) (void)take(report);
   return PageJson{{"problems", std::move(problems)}};
 }
 

@@ -121,7 +121,7 @@ PageJson files_json(const FolderList& list) {
 }
 
 PageJson problem_json(const Finding& f, std::uint16_t file, const std::optional<QuickFix>& fix) {
-  const char* const severity = f.severity == Severity::alarm ? "alarm" : f.severity == Severity::warning ? "warning" : "note";
+  const std::string_view severity = name_of(f.severity);
   PageJson json = {
       {"id", name_of(f.id)}, {"severity", severity}, {"number", f.number},         {"text", f.text},   {"hint", f.hint},  {"file", file},
       {"line", f.line},      {"column", f.column},   {"end_column", f.end_column}, {"block", f.block}, {"calls", f.calls}};

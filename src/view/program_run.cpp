@@ -8,6 +8,7 @@
 #include "config/rapid_way.h"
 #include "config/told.h"
 #include "out/text/alarm_print.h"
+#include "session/unstated.h"
 
 namespace kadr {
 namespace {
@@ -59,7 +60,11 @@ void ProgramRun::attach() {
     tell(report, 0);
     return false;
   };
-  outlets.programmed = [this](const Action& action) { take_programmed(action); };
+  checklist_ = std::make_unique<Checklist>(*session_, session_->own());
+  outlets.programmed = [this](const Action& action) {
+    take_programmed(action);
+    checklist_->take(action);
+  };
   outlets.clock = &statistics_->clock();
   outlets.stop = stop_;
   outlets.works_long = true;
@@ -134,6 +139,14 @@ void ProgramRun::tell_contour() {
   contour_.reset();
 }
 
+/// What check tells when the run is over. It has no time of its own: nothing happens at it.
+void ProgramRun::tell_what_is_left() {
+  if (end_ == End::cancelled || !on_alarm) return;
+  if (end_ == End::ended)
+    for (const AlarmReport& report : checklist_->reports(stop_)) on_alarm(report, seconds_, 0);
+  if (const auto note = unstated(control(), *opened_.def, opened_.setup, opened_.stated)) on_alarm(*note, seconds_, 0);
+}
+
 void ProgramRun::add_mark(TimeMark mark) {
   if (marks_.size() < most_marks) marks_.push_back(std::move(mark));
 }
@@ -183,6 +196,7 @@ void ProgramRun::carry_out() {
   record_->flush();
   for (const Other& other : others_) other.record->flush();
   tell_contour();
+  tell_what_is_left();
   add_mark({seconds_, TimeMark::Kind::end, 0, {}, 0});
 }
 

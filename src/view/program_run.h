@@ -9,6 +9,7 @@
 
 #include "motion/time/steps.h"
 #include "out/text/summary.h"
+#include "session/checklist/checklist.h"
 #include "view/opening.h"
 #include "view/path_record.h"
 #include "view/progress_clock.h"
@@ -68,6 +69,7 @@ class ProgramRun {
   void take(const Step& step, double longer);
   void take_programmed(const Action& action);
   void tell_contour();
+  void tell_what_is_left();
   void mark(const Step& step, double at);
   void add_mark(TimeMark mark);
   void keep_checkpoint();
@@ -87,6 +89,7 @@ class ProgramRun {
   std::unique_ptr<PathRecord> record_;
   std::unique_ptr<PathRecord> contour_;  // where compensation acts; its times come at the end
   std::unique_ptr<Steps> programmed_;    // follows the position as there is no compensation
+  std::unique_ptr<Checklist> checklist_;
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;

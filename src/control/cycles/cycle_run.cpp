@@ -167,6 +167,7 @@ Status CycleRun::line(Interpreter& m, MotionKind kind, AxisMask named) {
   m.place_plainly(named);
   Motion& motion = m.add_motion(kind, named);
   motion.in_hole = work_;
+  motion.of_cycle = true;
   if (kind == MotionKind::feed) m.set_feed(motion);
   return {};
 }

@@ -48,6 +48,12 @@ Motion& Interpreter::next_motion() {
   return motion;
 }
 
+std::uint16_t Interpreter::length_row() const {
+  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 takes the number away, and there is no sign
+  if (modal.length_sign == 0 && !ends_with_its_number) return 0;
+  return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
+}
+
 Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   Motion& motion = next_motion();
   motion.kind = kind;
@@ -76,6 +82,9 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.turns = 0;
   motion.center = {};
   motion.inch = modal.inch;
+  motion.of_cycle = false;
+  motion.length_offset = length_row();
+  motion.radius_offset = modal.radius_side == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(modal.offset_number);
   motion.as_programmed = false;
   motion.system = has_fixtures ? static_cast<std::uint16_t>(modal.fixture) : modal.work_zero;
   if (dialect) dialect->note_motion(*this, motion);

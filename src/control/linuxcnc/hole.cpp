@@ -23,7 +23,7 @@ class Drilling final : public RunningValue<Drilling> {
   Result<bool> next(Interpreter& m) override {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
-      KADR_TRY(go_on(m));
+      KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
       if (m.each_block) break;  // somebody looks at the holes
     }
     return done_ < h_.repeats;

@@ -17,16 +17,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* severity_word(Severity severity, Lang lang) {
-  if (severity == Severity::note) return lang == Lang::ru ? "примечание" : "note";
-  if (severity == Severity::warning) return lang == Lang::ru ? "предупреждение" : "warning";
-  return lang == Lang::ru ? "ошибка" : "alarm";
+std::string_view severity_word(Severity severity, Lang lang) {
+  if (lang == Lang::en) return name_of(severity);
+  if (severity == Severity::note) return "примечание";
+  if (severity == Severity::advice) return "совет";
+  return severity == Severity::warning ? "предупреждение" : "ошибка";
+}
+
+/// SARIF 2.1.0, 3.27.10; it has no word for advice.
+const char* sarif_level(Severity severity) {
+  if (severity == Severity::alarm) return "error";
+  return severity == Severity::warning ? "warning" : "note";
 }
 
 constexpr const char* green = "32";
 
 const char* colour_of(Severity severity) {
   if (severity == Severity::note) return "1;36";  // bold cyan
+  if (severity == Severity::advice) return "1;35";  // bold magenta
   return severity == Severity::warning ? "1;33" : "1;31";
 }
 
@@ -77,7 +85,7 @@ Json result_json(const Finding& finding, std::size_t rule) {
   const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(finding.file)}}}, {"region", region}}}};
   Json result = {{"ruleId", name_of(finding.id)},
                  {"ruleIndex", rule},
-                 {"level", finding.severity == Severity::alarm ? "error" : severity_word(finding.severity, Lang::en)},
+                 {"level", sarif_level(finding.severity)},
                  {"message", {{"text", finding.text}}},
                  {"locations", Json::array({place})}};
   if (const AlarmReport::Line& other = finding.other; other.number != 0) {
@@ -144,7 +152,7 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
 
 std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang, Colours colours) {
   const Finding f = shown(finding_of(report, texts, lang));
-  const std::string word = coloured(severity_word(f.severity, lang), colour_of(f.severity), colours);
+  const std::string word = coloured(std::string(severity_word(f.severity, lang)), colour_of(f.severity), colours);
   std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, word, name_of(f.id), f.text);
   if (!f.number.empty()) text += fmt::format(" [{}]", f.number);
   text += '\n';
@@ -162,7 +170,7 @@ std::string findings_json(const std::vector<Finding>& findings) {
                    {"line", f.line},
                    {"column", f.column},
                    {"end_column", f.end_column},
-                   {"severity", severity_word(f.severity, Lang::en)},
+                   {"severity", name_of(f.severity)},
                    {"id", name_of(f.id)},
                    {"number", f.number.empty() ? Json() : Json(f.number)},
                    {"text", f.text},

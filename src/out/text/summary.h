@@ -34,7 +34,7 @@ class Statistics {
   ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) {
-    if (severity != Severity::note) ++(severity == Severity::alarm ? alarms_ : warnings_);
+    if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
   /// How the work systems are called, by Motion::system; needed where the run has used several.

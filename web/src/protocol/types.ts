@@ -54,7 +54,7 @@ export interface Opened {
   bounds?: Bounds;
 }
 
-export type Severity = "alarm" | "warning" | "note";
+export type Severity = "alarm" | "warning" | "advice" | "note";
 export interface Fix {
   text: string;
   line: number;

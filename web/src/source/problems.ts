@@ -48,7 +48,7 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
 }
 
 function diagnostics(state: EditorState, problems: Problem[], view: EditorView): Diagnostic[] {
-  const severities = { alarm: "error", warning: "warning", note: "info" } as const;
+  const severities = { alarm: "error", warning: "warning", advice: "info", note: "info" } as const;
   return problems
     .filter((p) => p.line >= 1 && p.line <= state.doc.lines)
     .slice(0, 2000)

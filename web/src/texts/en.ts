@@ -168,6 +168,7 @@ export const en = {
   problems: "Problems",
   alarm: "Alarm",
   warning: "Warning",
+  advice: "Advice",
   note: "Note",
   no_problems: "No problems found.",
   summary: "Summary",

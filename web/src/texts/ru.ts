@@ -170,6 +170,7 @@ export const ru: Record<TextKey, string> = {
   problems: "Ошибки",
   alarm: "Ошибка",
   warning: "Предупреждение",
+  advice: "Совет",
   note: "Замечание",
   no_problems: "Ошибок нет.",
   summary: "Сводка",

@@ -23,6 +23,7 @@ const paths = {
   more: "M6 3l5 5-5 5",
   alarm: "!M5 1h6l4 4v6l-4 4H5l-4-4V5ZM7 4v5h2V4ZM7 10.5v2h2v-2Z",
   warning: "!M8 1.5 15.5 14.5H.5ZM7.2 6v4.5h1.6V6ZM7.2 11.7v1.6h1.6v-1.6Z",
+  advice: "!M8 1a5 5 0 0 0-3 9v2h6v-2a5 5 0 0 0-3-9ZM5.5 13h5v1.2h-5Z",
   note: "!M8 1a7 7 0 1 0 0 14A7 7 0 0 0 8 1ZM7.2 4v1.7h1.6V4ZM7.2 7v5h1.6V7Z",
 };
 export type IconName = keyof typeof paths;

@@ -5,7 +5,7 @@ import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { icon } from "./icons";
 
-const grave = { alarm: 0, warning: 1, note: 2 } as const;
+const grave = { alarm: 0, warning: 1, advice: 2, note: 3 } as const;
 
 export interface Group {
   id: string;

@@ -1,6 +1,6 @@
-// What the program has used of a set-up and no set-up states. For the rest of cli.
+// What the program has used of a set-up and no set-up states. For cli and view; tested by tests/setup_command.py.
 
-#include "cli/unstated.h"
+#include "session/unstated.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 #include "config/told.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
 bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>& stated) {
@@ -20,8 +20,8 @@ bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>&
 
 }  // namespace
 
-std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
-  const std::vector<AlarmId>& disabled = job.setup.disabled;
+std::optional<AlarmReport> unstated(const Control& control, const ControlDef& def, const Setup& setup, const std::set<std::string>& stated) {
+  const std::vector<AlarmId>& disabled = setup.disabled;
   if (std::find(disabled.begin(), disabled.end(), AlarmId::not_stated) != disabled.end()) return std::nullopt;
   const auto counts = [](UseKind kind) {
     return kind == UseKind::length || kind == UseKind::radius || kind == UseKind::work_zero || kind == UseKind::corrector ||
@@ -29,14 +29,14 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
   };
   const Use* first = nullptr;
   std::string list;
-  std::set<std::string> told;
+  std::set<std::string> words;
   for (const Use& use : control.use().all()) {
     if (!counts(use.kind) || !use.zero) continue;
-    const UsedKey used = used_key(use, *job.def);
-    if (is_stated(use, used, job.stated)) continue;
+    const UsedKey used = used_key(use, def);
+    if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
-    if (!told.insert(used.word).second) continue;  // D of the 2С42: length and radius
-    const std::string vacant = use.kind == UseKind::variable ? kadr::told(", vacant", ", не определена") : std::string();
+    if (!words.insert(used.word).second) continue;  // D of the 2С42: length and radius
+    const std::string vacant = use.kind == UseKind::variable ? told(", vacant", ", не определена") : std::string();
     list += fmt::format("{}{} ({}{})", list.empty() ? "" : ", ", used.word, use.origin.line, vacant);
   }
   if (first == nullptr) return std::nullopt;
@@ -53,4 +53,4 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
   return report;
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

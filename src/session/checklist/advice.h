@@ -1,0 +1,56 @@
+#pragma once
+// Advice: what no control stops at, but a shop would not run (docs/checklist.md). What the watches of this folder collect.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "action/action.h"
+#include "action/tool_position.h"
+
+namespace kadr {
+
+struct Advice {
+  Alarm alarm;
+  Origin origin;
+  char address = 0;  // the word of the block that it is about; 0: the whole block
+};
+
+/// In the order of the run; no more than a reader would look at.
+class Advices {
+ public:
+  /// `args` as controls/alarms.toml says.
+  template <class... Args>
+  void add(AlarmId id, const Origin& origin, char address, Args... args) {
+    if (all_.size() < most) all_.push_back({advice(id, {}, AlarmArg(args)...), origin, address});
+  }
+  void add(const Advice& one) {
+    if (all_.size() < most) all_.push_back(one);
+  }
+  const std::vector<Advice>& all() const { return all_; }
+
+ private:
+  static constexpr std::size_t most = 1000;
+  std::vector<Advice> all_;
+};
+
+/// The tool cuts, as far as its motion says: it moves at feed. Probing, homing and standing still do not.
+inline bool is_cut(const Motion& motion) {
+  return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline || motion.kind == MotionKind::thread;
+}
+
+/// What of a motion's ends the watches look at, work coordinates, mm. Where the control has no such axis: 0.
+struct Ends {
+  Vec3 from, to;
+  Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) {
+    const auto at = [&](const Axes& axes, std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(roles.xyz[i])]; };
+    from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};
+    to = {at(motion.to, 0), at(motion.to, 1), at(motion.to, 2)};
+  }
+  bool sideways() const { return std::hypot(to.x - from.x, to.y - from.y) > least_way; }
+  bool down() const { return to.z < from.z - least_way; }
+  static constexpr double least_way = 1e-6;  // mm
+};
+
+}  // namespace kadr

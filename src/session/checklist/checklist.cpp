@@ -1,0 +1,106 @@
+// The checklist. For cli/check, view; tested by tests/checklist.py.
+
+#include "session/checklist/checklist.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "base/ascii.h"
+#include "config/setup_names.h"
+
+namespace kadr {
+namespace {
+
+/// Of the spindle's gears, rev/min; 0: the set-up states none.
+double most_rpm_of(const Setup& setup) {
+  double most = 0;
+  for (const auto& [number, spindle] : setup.spindles)
+    for (const auto& [least_of_gear, most_of_gear] : spindle.ranges) most = std::max(most, most_of_gear);
+  return most;
+}
+
+/// The word of that address outside comments; the whole line where there is none.
+Span place_of(const std::string& line, char address) {
+  const auto whole = Span{0, static_cast<std::uint32_t>(line.size())};
+  if (address == 0) return whole;
+  bool comment = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '(') comment = true;
+    if (line[i] == ')') comment = false;
+    if (line[i] == ';') break;
+    if (comment || std::toupper(static_cast<unsigned char>(line[i])) != address) continue;
+    std::size_t end = i + 1;
+    while (end < line.size() && (std::string_view("+-.#[]").find(line[end]) != std::string_view::npos || is_digit(line[end]))) ++end;
+    if (end > i + 1) return {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)};
+  }
+  return whole;
+}
+
+}  // namespace
+
+Checklist::Checklist(Session& session, std::size_t channel)
+    : session_(session),
+      channel_(channel),
+      roles_(AxisRoles::of(session.channels()[channel].control->axes(), session.channels()[channel].control->rotary())),
+      steps_(roles_, session.stand(channel)),
+      feeds_(most_rpm_of(session.channels()[channel].setup)) {}
+
+void Checklist::attach() {
+  session_.outlets(channel_).programmed = [this](const Action& action) { take(action); };
+}
+
+void Checklist::take(const Action& action) {
+  steps_.give(action, [this](const Step& step) {
+    tools_.take(step, advices_);
+    feeds_.take(step, advices_);
+    holes_.take(step, advices_);
+    levels_.take(step, advices_);
+    path_.take(step, advices_);
+  });
+}
+
+std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
+  const Control& control = *session_.channels()[channel_].control;
+  const ControlDef& def = session_.def();
+  TextWatch text(def);
+  if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
+  Advices advices = advices_;
+  tools_.finish(system_names(def), advices);
+  feeds_.finish(text.teeth(), advices);
+  levels_.finish(advices);
+  path_.finish(advices);
+  text.finish(control.ending().modal, advices);
+  return told(advices);
+}
+
+std::vector<AlarmReport> Checklist::told(const Advices& advices) const {
+  const Channel& channel = session_.channels()[channel_];
+  const std::vector<AlarmId>& disabled = session_.setup().disabled;
+  std::map<std::uint16_t, std::set<std::uint32_t>> lines;
+  for (const Advice& a : advices.all()) lines[a.origin.file].insert(a.origin.line);
+  std::map<std::uint16_t, std::map<std::uint32_t, std::string>> texts;
+  for (const auto& [file, numbers] : lines) texts[file] = channel.control->texts_of(numbers, file);
+  std::set<std::tuple<std::uint16_t, std::uint32_t, AlarmId>> seen;
+  std::vector<AlarmReport> reports;
+  for (const Advice& a : advices.all()) {
+    if (std::find(disabled.begin(), disabled.end(), a.alarm.id) != disabled.end()) continue;
+    if (!seen.insert({a.origin.file, a.origin.line, a.alarm.id}).second) continue;
+    AlarmReport report;
+    report.alarm = a.alarm;
+    report.file = channel.control->file_name(a.origin.file);
+    report.origin = a.origin;
+    const auto& of_file = texts[a.origin.file];
+    if (const auto line = of_file.find(a.origin.line); line != of_file.end()) report.line_text = line->second;
+    if (report.alarm.where == Span{}) report.alarm.where = place_of(report.line_text, a.address);
+    reports.push_back(std::move(report));
+  }
+  std::stable_sort(reports.begin(), reports.end(), [](const AlarmReport& a, const AlarmReport& b) {
+    return std::tie(a.origin.file, a.origin.line) < std::tie(b.origin.file, b.origin.line);
+  });
+  return reports;
+}
+
+}  // namespace kadr

@@ -1,0 +1,120 @@
+// Heights, far coordinates, units. For session/checklist; tested by tests/checklist.py.
+
+#include "session/checklist/level_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr double level = 0.01;  // mm: heights that are the same
+
+bool turns(const Step& step, const Motion& motion) {
+  for (std::size_t axis = 0; axis < step.roles.count; ++axis)
+    if (step.roles.is_rotary(axis) && motion.to[axis] != 0) return true;
+  return step.from.turn != nullptr || step.from.space != nullptr;
+}
+
+}  // namespace
+
+/// A shape that is written in one block only: the others of the program leave a gap many times their own span.
+void LevelWatch::take_point(const Vec3& at, const Origin& origin) {
+  const std::array values{at.x, at.y, at.z};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Span& span = spans_[i];
+    const double v = values[i];
+    const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
+      if (sign * v > sign * best[0]) {
+        if (where[0].line != origin.line || best[0] * sign <= -1e299) best[1] = best[0], where[1] = where[0];
+        best[0] = v, where[0] = origin;
+      } else if (sign * v > sign * best[1] && where[0].line != origin.line) {
+        best[1] = v, where[1] = origin;
+      }
+    };
+    take(span.most, span.at_most, 1);
+    take(span.least, span.at_least, -1);
+  }
+}
+
+void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to) {
+  const Origin& origin = step.action.origin;
+  const Ends ends(step.roles, step.from, motion);
+  turned_ = turned_ || turns(step, motion);
+  if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, clearance_ = -1e300;
+  if (motion.end_given != EndGiven::by_work || motion.kind == MotionKind::home) {
+    z_by_machine_ = z_by_machine_ || (motion.named >> std::size_t(std::max(step.roles.xyz[2], 0)) & 1U) != 0;
+    return;
+  }
+  if (inch_ && *inch_ != motion.inch) to.add(AlarmId::units_changed, origin, 0, motion.inch ? "G20" : "G21");
+  inch_ = motion.inch;
+  const bool from_machine = z_by_machine_;
+  if (ends.to.z != ends.from.z) z_by_machine_ = false;
+  if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level && std::fabs(ends.to.z - plunge_->z) < level)
+    note_low(*plunge_);  // at feed it goes on sideways, not farther down: that was the way into the material
+  plunge_.reset();
+  if (is_cut(motion)) {
+    if (ends.sideways() || motion.of_cycle) {
+      cuts_ = true, ++cuts_made_;
+      lowest_ = std::min(lowest_, std::min(ends.from.z, ends.to.z));
+      take_point(ends.to, origin);
+    }
+    if (!motion.of_cycle && ends.down()) lowest_ = std::min(lowest_, ends.to.z);
+  } else if (motion.kind == MotionKind::rapid && !motion.of_cycle && !turned_) {
+    const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
+    if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level) 
+      plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
+    const bool straight_from_cut = was_cut_ && std::fabs(ends.to.z - ends.from.z) < level;
+    if (ends.sideways() && straight_from_cut && ends.to.z < -level && clearance_ > ends.to.z + level)
+      note_low({origin, AlarmId::rapid_sideways_low, (ends.from.x + ends.to.x) / 2, (ends.from.y + ends.to.y) / 2, std::max(ends.from.z, ends.to.z)});
+    if (ends.sideways() && !from_machine) clearance_ = std::max(clearance_, ends.to.z);
+  }
+  was_cut_ = is_cut(motion) && !motion.of_cycle;
+  z_ = ends.to.z;
+}
+
+void LevelWatch::take_change(const Origin& origin, Advices& to) {
+  if (cuts_ && !z_by_machine_ && !turned_ && clearance_ > -1e299 && z_ < clearance_ - level)
+    to.add(AlarmId::tool_change_low, origin, 0, z_, clearance_);
+  cuts_ = false;
+  clearance_ = -1e300;
+}
+
+void LevelWatch::take(const Step& step, Advices& to) {
+  if (const Motion* const motion = step.motion()) take_motion(step, *motion, to);
+  else if (const auto* const change = std::get_if<ToolChange>(&step.action.what); change != nullptr && !change->there)
+    take_change(step.action.origin, to);
+}
+
+void LevelWatch::judge_lows(Advices& to) const {
+  constexpr double beside = 0.5;  // mm
+  const auto within = [](const Span& s, double v) { return v > s.least[0] + beside && v < s.most[0] - beside; };
+  constexpr std::ptrdiff_t most = 2;  // of a kind: more of them are the habit of a CAM system, which knows what is cleared
+  const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
+  for (const Low& low : lows_)
+    if (like(low.id) <= most && within(spans_[0], low.x) && within(spans_[1], low.y)) to.add(low.id, low.origin, low.id == AlarmId::rapid_below_zero ? 'Z' : '\0', low.z);
+}
+
+void LevelWatch::finish(Advices& to) {
+  judge_lows(to);
+  constexpr std::size_t enough = 8;
+  if (cuts_made_ < enough) return;
+  constexpr std::array<const char*, 3> names{"X", "Y", "Z"};
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Span& s = spans_[i];
+    const double low = s.least[1], high = s.most[1];
+    const double others = high - low;
+    if (!(others > 0)) continue;
+    const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
+    const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;  // times the span of the others; mm
+    const auto is_far = [&](double by) { return by > many * others && by > least; };
+    if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))
+      to.add(AlarmId::coordinate_far, s.at_most[0], names[i][0], names[i], s.most[0], std::string_view(range));
+    if (is_far(low - s.least[0]) && !is_far(s.most[0] - high))
+      to.add(AlarmId::coordinate_far, s.at_least[0], names[i][0], names[i], s.least[0], std::string_view(range));
+  }
+}
+
+}  // namespace kadr

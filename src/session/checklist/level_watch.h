@@ -1,0 +1,55 @@
+#pragma once
+// Heights: rapids below the part's zero, tool changes at a low Z; coordinates far outside the others; units that change.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "action/step.h"
+#include "session/checklist/advice.h"
+
+namespace kadr {
+
+class LevelWatch {
+ public:
+  void take(const Step& step, Advices& to);
+  void finish(Advices& to);
+
+ private:
+  /// A rapid at a low Z: it matters only within the region that is cut, not beside the part.
+  struct Low {
+    Origin origin;
+    AlarmId id;
+    double x, y, z;
+  };
+  void take_motion(const Step& step, const Motion& motion, Advices& to);
+  void take_change(const Origin& origin, Advices& to);
+  void note_low(const Low& low) {
+    constexpr std::size_t most = 1000;
+    if (lows_.size() < most) lows_.push_back(low);
+  }
+  void judge_lows(Advices& to) const;
+  void take_point(const Vec3& at, const Origin& origin);
+
+  bool turned_ = false;      // a rotary axis has moved, or the frame has: heights mean nothing
+  double lowest_ = 1e300;    // Z of any cut so far, work coordinates
+  double clearance_ = -1e300;  // greatest Z at which the tool has moved sideways at rapid
+  double z_ = 0;             // where it stands
+  bool z_by_machine_ = true;  // … by a return to a place of the machine, or not yet anywhere
+  bool cuts_ = false;        // the tool in the spindle has
+  std::uint16_t system_ = 0;
+  std::optional<bool> inch_;
+  /// Of an axis: the outermost points of cuts and the next ones towards the middle that other blocks have.
+  struct Span {
+    std::array<double, 2> least{1e300, 1e300}, most{-1e300, -1e300};
+    std::array<Origin, 2> at_least, at_most;
+  };
+  std::optional<Low> plunge_;  // by the motion before
+  bool was_cut_ = false;       // the motion before
+  std::vector<Low> lows_;
+  std::array<Span, 3> spans_;
+  std::size_t cuts_made_ = 0;
+};
+
+}  // namespace kadr

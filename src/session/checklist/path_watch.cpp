@@ -1,0 +1,136 @@
+// The shape of the contour. For session/checklist; tested by tests/checklist.py.
+
+#include "session/checklist/path_watch.h"
+
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double degrees_between(Vec2 a, Vec2 b) { return std::fabs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / pi; }
+
+Vec2 unit(Vec2 v) {
+  const double size = std::hypot(v.x, v.y);
+  return {v.x / size, v.y / size};
+}
+
+/// The direction of a circle about `center` in a point.
+Vec2 along_circle(Vec2 point, Vec2 center, bool ccw) {
+  const Vec2 out = unit(point - center);
+  return ccw ? Vec2{-out.y, out.x} : Vec2{out.y, -out.x};
+}
+
+/// Mirrored in a line of that direction.
+Vec2 mirrored(Vec2 v, Vec2 line) {
+  const double along = v.x * line.x + v.y * line.y;
+  return {2 * along * line.x - v.x, 2 * along * line.y - v.y};
+}
+
+}  // namespace
+
+std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Motion& motion) {
+  constexpr double least = 1e-4;  // mm
+  if ((motion.kind != MotionKind::feed && !is_arc(motion.kind)) || motion.of_cycle) return std::nullopt;
+  if (motion.detail && (motion.detail->surface != PathSurface::plane || motion.detail->contour)) return std::nullopt;
+  Piece p;
+  p.origin = step.action.origin;
+  p.first = motion.first, p.second = motion.second;
+  p.from = {step.from.work[p.first], step.from.work[p.second]};
+  p.to = {motion.to[p.first], motion.to[p.second]};
+  p.arc = is_arc(motion.kind);
+  const double chord = std::hypot(p.to.x - p.from.x, p.to.y - p.from.y);
+  if (!p.arc) {
+    if (chord < least) return std::nullopt;
+    p.begins = p.ends = unit(p.to - p.from);
+    return p;
+  }
+  p.ccw = motion.kind == MotionKind::arc_ccw;
+  p.center = motion.center;
+  p.degrees = motion.turns * 360;
+  for (std::size_t axis = 0; axis < step.roles.count; ++axis)
+    if (axis != p.first && axis != p.second) p.helix = p.helix || std::fabs(motion.to[axis] - step.from.work[axis]) > least;
+  p.full = chord < least;
+  if (std::hypot(p.from.x - p.center.x, p.from.y - p.center.y) < least || std::hypot(p.to.x - p.center.x, p.to.y - p.center.y) < least)
+    return std::nullopt;
+  p.begins = along_circle(p.from, p.center, p.ccw);
+  p.ends = along_circle(p.to, p.center, p.ccw);
+  return p;
+}
+
+/// With the other code the arc has the same centre where I and J give it, the one mirrored in its chord where R does.
+void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after, Advices& to) const {
+  if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
+  constexpr double smooth = 5, corner = 20;  // degrees
+  const auto retraces = [&](const Piece& other) {
+    return other.arc && std::hypot(other.center.x - arc.center.x, other.center.y - arc.center.y) < 0.01;
+  };
+  if (retraces(before) || retraces(after)) return;
+  const auto kinks = [&](Vec2 begins, Vec2 ends) { return std::pair(degrees_between(before.ends, begins), degrees_between(ends, after.begins)); };
+  const auto fits = [](std::pair<double, double> k) { return k.first <= smooth && k.second <= smooth; };
+  const auto now = kinks(arc.begins, arc.ends);
+  const char* const other = arc.ccw ? "G2" : "G3";
+  const Vec2 chord = unit(arc.to - arc.from);
+  const bool same_centre = fits(kinks({-arc.begins.x, -arc.begins.y}, {-arc.ends.x, -arc.ends.y}));
+  const bool mirrored_centre = fits(kinks(mirrored(arc.begins, chord), mirrored(arc.ends, chord)));
+  if (now.first > corner && now.second > corner && (same_centre || mirrored_centre))
+    to.add(AlarmId::arc_against_neighbours, arc.origin, 'G', other);
+}
+
+/// A circle is written with its end where it begins; one whose end is rounded by some micrometres is meant so.
+void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
+  constexpr double nearly = 340, small = 0.1, rounded = 0.003;  // degrees, of the radius, mm
+  const double apart = std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y);
+  const double radius = std::hypot(arc.from.x - arc.center.x, arc.from.y - arc.center.y);
+  if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > rounded && apart < small * radius)
+    to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
+}
+
+void PathWatch::compensation_over(Advices& to) {
+  if (side_) to.add(AlarmId::compensation_left_on, *side_, 'G', side_code_);
+  side_.reset();
+  ended_.reset();
+}
+
+void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to) {
+  const Ends ends(step.roles, step.from, motion);
+  const Origin& origin = step.action.origin;
+  const double way = std::hypot(motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]);
+  if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && way > 0 && way < motion.tool_radius)
+    to.add(AlarmId::approach_short, origin, 0, way, motion.tool_radius);
+  if (motion.side != 0) {
+    if (!side_) side_ = origin;
+    side_code_ = motion.side > 0 ? "G41" : "G42";
+  } else {
+    side_.reset();
+  }
+  constexpr int certain = 2;  // cuts
+  if (motion.side_step == SideStep::ends) {
+    side_.reset();
+    if (is_cut(motion)) ended_ = origin, cuts_since_ = 0;
+    else ended_.reset();
+  } else if (ended_) {
+    const bool goes_on = is_cut(motion) && motion.side == 0 && ends.sideways() && std::fabs(ends.to.z - ends.from.z) < 1e-3;
+    if (!goes_on) ended_.reset();
+    else if (++cuts_since_ == certain) to.add(AlarmId::compensation_ends_in_cut, *ended_, 'G');
+  }
+}
+
+void PathWatch::take(const Step& step, Advices& to) {
+  const Motion* const motion = step.motion();
+  if (motion == nullptr) {
+    if (const auto* const change = std::get_if<ToolChange>(&step.action.what); change != nullptr && !change->there) compensation_over(to);
+    return;
+  }
+  look_at_side(step, *motion, to);
+  auto piece = piece_of(step, *motion);
+  if (piece) look_at_circle(*piece, to);
+  if (piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece, to);
+  last_[0] = piece ? last_[1] : std::nullopt;
+  last_[1] = piece;
+}
+
+void PathWatch::finish(Advices& to) { compensation_over(to); }
+
+}  // namespace kadr

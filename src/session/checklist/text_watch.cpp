@@ -1,0 +1,292 @@
+// The text of a program. For session/checklist; tested by tests/checklist.py.
+
+#include "session/checklist/text_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/code_literals.h"
+#include "lang/text/tool_comment.h"
+#include "session/checklist/comment_teeth.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_found = 200;
+constexpr std::size_t most_numbers = 10'000;  // of blocks and programs that are called
+
+/// The function that takes a mode back, and whether the beginning of a program that states it needs nothing else.
+struct Mode {
+  Function on, off;
+};
+constexpr std::array modes{
+    Mode{Function::incremental, Function::absolute},
+    Mode{Function::rotation_on, Function::rotation_off},
+    Mode{Function::plane_rotation_on, Function::plane_rotation_off},
+    Mode{Function::scale_on, Function::scale_off},
+    Mode{Function::scaling_on, Function::scaling_off},
+    Mode{Function::polar_on, Function::polar_off},
+    Mode{Function::polar_data_on, Function::polar_data_off},
+    Mode{Function::feed_inverse_time, Function::feed_per_minute},
+};
+
+/// The number, where the expression is nothing else.
+std::optional<std::uint32_t> constant(const Block& block, const Expression& expression) {
+  if (expression.end != expression.begin + 1 || block.code[expression.begin].op != Op::number) return std::nullopt;
+  const double number = block.code[expression.begin].number;
+  return number >= 0 && number < 1e9 ? std::optional(static_cast<std::uint32_t>(number)) : std::nullopt;
+}
+
+bool has_code(const Block& block, char letter, std::int32_t tenth) {
+  return std::any_of(block.words.begin(), block.words.begin() + block.word_count,
+                     [&](const Word& w) { return w.address == letter && w.code == tenth; });
+}
+
+}  // namespace
+
+Origin TextWatch::origin_of(const Block& block) {
+  Origin origin;
+  origin.line = block.position.line;
+  origin.block = block.number;
+  origin.has_block = block.has_number;
+  origin.main_block = block.main_block;
+  origin.block_digits = block.number_digits;
+  origin.column = 1;
+  return origin;
+}
+
+const CodeRow* TextWatch::row(const Word& word) const {
+  if (word.code < 0 || word.expression) return nullptr;
+  const std::int32_t at = def_.row_of(word.address, word.code);
+  return at < 0 ? nullptr : &def_.codes[static_cast<std::size_t>(at)];
+}
+
+bool TextWatch::is_axis(char letter) const {
+  if (letter < 'A' || letter > 'Z') return false;
+  const Function function = def_.address(letter).function;
+  return function == Function::axis || function == Function::machine_axis;
+}
+
+bool TextWatch::moves(const Block& block) const {
+  return std::any_of(block.words.begin(), block.words.begin() + block.word_count, [&](const Word& w) { return is_axis(w.address); });
+}
+
+template <class... Args>
+void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) {
+  if (found_.size() < most_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
+}
+
+/// A number that counts increments where the others have a point. Of a dwell, a call or a table it may be meant so.
+void TextWatch::take_points(const Block& block) {
+  if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (w.address < 'A' || w.address > 'Z' || w.expression || w.code >= 0 || w.value == 0) continue;
+    if (w.has_point) {
+      with_point_ += def_.grammar.word(w.address).counted != 0;
+    } else if (w.counted != 0) {
+      ++without_point_;
+      if (pointless_.size() >= most_found) continue;
+      const std::string read = fmt::format("{:g} {}", w.value, def_.address(w.address).unit == WordUnit::angle ? "°" : inch_ ? "in" : "mm");
+      pointless_.push_back({advice(AlarmId::point_forgotten, w.where, AlarmArg(block.text_of(w.where)), AlarmArg(std::string_view(read))), origin_of(block)});
+    }
+  }
+}
+
+void TextWatch::take_codes(const Block& block) {
+  const bool axis_words = moves(block);
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    const CodeRow* const code = row(w);
+    if (code == nullptr) continue;
+    if (code->function == Function::inch) inch_ = true;
+    if (code->function == Function::millimetre) inch_ = false;
+    if (code->function == Function::incremental) absolute_ = false;
+    if (code->function == Function::absolute) absolute_ = true;
+    if (code->function == Function::plane_xy) in_xy_ = true;
+    if (code->function == Function::plane_zx || code->function == Function::plane_yz || code->function == Function::select_plane) in_xy_ = w.code == 17_g;
+    if (!began_) stated_.insert(code->function);
+    for (const Mode& mode : modes)
+      if (mode.on == code->function) switched_on_[mode.on] = origin_of(block);
+  }
+  began_ = began_ || axis_words;
+}
+
+/// R above Z, both as written: an absolute cycle drills downwards. A subprogram does not know what its caller has set.
+void TextWatch::take_levels(const Block& block, const Word& cycle) {
+  const Word* const r = block.find('R');
+  const Word* const z = block.find('Z');
+  if (r != nullptr && !r->expression) level_ = r->value;
+  if (z != nullptr && !z->expression) bottom_ = z->value;
+  const bool back_bores = cycle.code == 87_g;
+  if (!absolute_ || !in_xy_ || back_bores || r == nullptr || z == nullptr || r->expression || z->expression || r->value > z->value) return;
+  add(AlarmId::levels_swapped, origin_of(block), r->where, r->value, z->value);
+}
+
+/// `G81 …`, positions, `G0 X10 Y10`, positions, `G80`: what follows the G0 is not drilled, though the G80 speaks as if it were.
+void TextWatch::take_cycle(const Block& block) {
+  const bool axis_words = moves(block);
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    const CodeRow* const code = row(w);
+    if (code == nullptr || w.address != 'G') continue;
+    const bool drills = w.code >= 73_g && w.code <= 89_g && w.code != 80_g && w.code % 10 == 0 &&
+                        (code->function == Function::cycle || code->function == Function::drilling);
+    if (drills) {
+      in_cycle_ = true, lost_ = false;
+      cancelled_.reset();
+      return take_levels(block, w);
+    }
+    if (w.code == 80_g) {
+      if (cancelled_ && lost_ && found_.size() < most_found) found_.push_back(*cancelled_);
+      in_cycle_ = lost_ = false;
+      cancelled_.reset();
+      return;
+    }
+    if (in_cycle_ && w.code <= 3_g && (w.code % 10) == 0) {
+      in_cycle_ = false;
+      const bool along_xy = block.has('X') || block.has('Y');
+      if (along_xy && !block.has('Z') && w.code == 0)
+        cancelled_ = Advice{advice(AlarmId::hole_lost, w.where, AlarmArg("G80")), origin_of(block), 0};
+      return;
+    }
+    if (cancelled_ && w.code <= 3_g) cancelled_.reset();
+  }
+  if (cancelled_ && axis_words) {
+    const bool only_positions = (block.has('X') || block.has('Y')) && !block.has('Z') && !block.has('G') && !block.has('M');
+    if (only_positions) lost_ = true;
+    else cancelled_.reset();
+  }
+}
+
+void TextWatch::note_call(const Block& block, const Word& code) {
+  const Word* const p = block.find('P');
+  if (p == nullptr) return;
+  if (p->expression) {
+    calls_by_value_ = true;
+    return;
+  }
+  const double number = p->value * std::pow(10.0, p->counted);
+  if (!(number >= 0 && number < 1e9) || calls_.size() >= most_numbers) return;
+  const auto n = static_cast<std::uint32_t>(std::llround(number));
+  calls_.insert(n);
+  if (code.address == 'M') calls_.insert(n % 10'000);  // M98 P30100: three times O0100
+}
+
+void TextWatch::take_flow(const Block& block) {
+  if (block.statement.kind == StatementKind::o_word) has_o_words_ = true;
+  const bool begins = block.marker == Marker::label;
+  if (begins || sections_.empty()) {
+    if (sections_.size() < most_numbers) sections_.push_back({begins ? block.label : 0, origin_of(block), false, false, {}, {}, {}, 0, false});
+    if (begins) ended_ = false;
+    if (sections_.size() > 1) absolute_ = false, in_xy_ = true;
+  }
+  if (block.marker == Marker::program_start || block.marker == Marker::section) ended_ = false;
+  Section& now = sections_.back();
+  const Statement& s = block.statement;
+  if (s.kind == StatementKind::go_to) {
+    now.has_targets = true;
+    if (const auto target = constant(block, s.value); target && now.jumps.size() < most_numbers) now.jumps.try_emplace(*target, block.position.line);
+  }
+  if (ended_ && moves(block) && block.marker == Marker::none) {
+    if (!now.behind_end) now.behind_end = origin_of(block);
+    ++now.lines_behind;
+  }
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (w.address == 'M' && (w.code == 98_m || w.code == 97_m)) note_call(block, w);
+    if (w.address == 'G' && (w.code == 65_g || w.code == 66_g || w.code == 66.1_g)) note_call(block, w);
+    if (w.address == 'M' && (w.code == 97_m || w.code == 99_m) && block.has('P')) now.has_targets = true;
+    if (w.address == 'M' && w.code == 99_m) now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
+    const CodeRow* const code = row(w);
+    if (code != nullptr && code->function == Function::program_end) {
+      now.ends_program = true;
+      ended_ = ended_ || (block.skip == 0 && s.condition_count == 0);
+    }
+  }
+}
+
+void TextWatch::take_comments(const Block& block) {
+  if (const Word* const t = block.find('T'); t != nullptr && !t->expression) {
+    tool_ = static_cast<std::uint32_t>(std::clamp(t->value, 0.0, 1e6));
+    if (loose_teeth_ > 0 && teeth_.size() < most_numbers) teeth_.try_emplace(tool_, loose_teeth_);
+    loose_teeth_ = 0;
+  }
+  for (const Span& where : block.comments) {
+    const std::string_view text = block.text_of(where);
+    const int teeth = teeth_named(text);
+    if (teeth == 0) continue;
+    const auto named = read_tool_comment(text, false).tool;
+    if (named && teeth_.size() < most_numbers) teeth_.try_emplace(*named, teeth);
+    else loose_teeth_ = teeth;
+  }
+}
+
+void TextWatch::take(const Block& block) {
+  take_comments(block);
+  take_flow(block);
+  take_points(block);
+  take_cycle(block);
+  take_codes(block);
+}
+
+void TextWatch::read(BlockReader reader, const StopToken& stop) {
+  constexpr unsigned now_and_then = 4096;
+  const auto each = [&](auto&& take_block) {
+    const BlockReader::Memory fresh = reader.memory();
+    Block block;
+    for (unsigned n = 0; n % now_and_then != 0 || !stop.asked(); ++n) {
+      block.clear();
+      const auto got = reader.next(block);
+      if (!got) continue;  // a fault of the text has its alarm
+      if (*got == BlockReader::Got::end) break;
+      take_block(block);
+    }
+    reader.remember(fresh);
+    reader.seek({});
+  };
+  each([this](const Block& block) { take(block); });
+  const bool jumps = std::any_of(sections_.begin(), sections_.end(), [](const Section& s) { return !s.jumps.empty(); });
+  if (!jumps) return;
+  std::size_t at = 0;
+  bool first = true;
+  each([&](const Block& block) {
+    if (block.marker == Marker::label && !first && at + 1 < sections_.size()) ++at;
+    first = false;
+    Section& section = sections_[at];
+    if (block.has_number && section.jumps.contains(block.number)) ++section.twice[block.number];
+  });
+}
+
+void TextWatch::finish(const std::vector<std::string>& left_on, Advices& to) {
+  if (with_point_ >= 5 && without_point_ * 10 <= with_point_)
+    for (const Advice& a : pointless_) found_.push_back(a);
+  for (const Advice& a : found_) to.add(a);
+  std::set<std::uint32_t> labels;
+  for (const Section& s : sections_) labels.insert(s.label);
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const Section& s = sections_[i];
+    for (const auto& [target, line] : s.jumps) {
+      const auto found = s.twice.find(target);
+      Origin origin;
+      origin.line = line;
+      if (found == s.twice.end()) to.add(AlarmId::jump_to_nowhere, origin, 0, double(target));
+      else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
+    }
+    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.behaviour.goes_on_behind_end) to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
+    constexpr std::uint32_t of_codes = 9000;  // from here on codes may call them by parameters
+    if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
+      to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
+  }
+  for (const std::string& word : left_on)
+    for (const auto& [on, origin] : switched_on_) {
+      const auto mode = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.on == on; });
+      if (stated_.contains(mode->off) || stated_.contains(on)) continue;
+      const auto is_of = [&](const CodeRow& code) { return code.function == on && code.code == word; };
+      if (std::any_of(def_.codes.begin(), def_.codes.end(), is_of)) to.add(AlarmId::mode_left_on, origin, 'G', std::string_view(word));
+    }
+}
+
+}  // namespace kadr

@@ -1,0 +1,175 @@
+// What each tool has and another has not. For session/checklist; tested by tests/checklist.py.
+
+#include "session/checklist/tool_watch.h"
+
+#include <algorithm>
+#include <set>
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_stints = 2000;
+constexpr std::size_t most_rows = 64;  // of a tool
+
+void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Origin& origin) {
+  if (row != 0 && rows.size() < most_rows) rows.try_emplace(row, origin);
+}
+
+}  // namespace
+
+void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
+  if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
+  turns_ = spindle.dir;
+  if (spindle.dir == SpindleDir::stop) return;
+  rpm_ = spindle.rpm;
+  now().started = true;
+  ++starts_;
+  if (spindle.dir == SpindleDir::cw) now().clockwise = true;
+  else if (!now().counter_clockwise) now().counter_clockwise = origin;
+}
+
+void ToolWatch::take_motion(const Step& step, const Motion& motion) {
+  Stint& stint = now();
+  const Ends ends(step.roles, step.from, motion);
+  const bool works = is_cut(motion) && (motion.of_cycle ? ends.down() : ends.sideways()) && ends.to.z < stint.highest;
+  if (motion.end_given == EndGiven::by_work && motion.kind != MotionKind::home) stint.highest = std::max(stint.highest, ends.to.z);
+  if (!works) return;
+  const Origin& origin = step.action.origin;
+  if (!stint.cuts) {
+    stint.cuts = origin;
+    if (motion.length_offset == 0) stint.without_length = origin;
+  }
+  stint.wet = stint.wet || coolant_;
+  const bool turns = turns_ != SpindleDir::stop && rpm_ > 0;
+  const bool turned_by_cycle = motion.in_hole == HoleWork::taps || (motion.of_cycle && taps_rigidly_);
+  if (turns || turned_by_cycle) stint.turned = true;
+  else if (!stint.cuts_still) stint.cuts_still = origin;
+  note_row(stint.lengths, motion.length_offset, origin);
+  note_row(stint.radii, motion.radius_offset, origin);
+  note_row(stint.systems, motion.system, origin);
+}
+
+void ToolWatch::take(const Step& step, Advices&) {
+  const Action& action = step.action;
+  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
+  if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
+    take_spindle(*spindle, action.origin);
+  } else if (const auto* const speed = std::get_if<Speed>(&action.what)) {
+    rpm_ = speed->surface ? std::max(speed->rpm, 1.0) : speed->value;
+    asks_speed_ = asks_speed_ || rpm_ > 0;
+  } else if (const auto* const function = std::get_if<MachineFunction>(&action.what)) {
+    constexpr std::uint32_t rigid_tapping = 29;  // of Fanuc and Haas, by the machine's builder
+    taps_rigidly_ = taps_rigidly_ || function->code == rigid_tapping;
+  } else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) {
+    coolant_ = coolant->what != Coolant::off;
+  } else if (const auto* const select = std::get_if<ToolSelect>(&action.what)) {
+    if (first_tool_ == 0) first_tool_ = select->tool;
+    if (select->tool != 0 && selected_.size() < most_rows) selected_.try_emplace(select->tool, action.origin);
+  } else if (const auto* const change = std::get_if<ToolChange>(&action.what)) {
+    changes_ = true;
+    selected_.erase(change->tool);
+    if (change->tool == now().tool && !now().cuts) return;
+    if (stints_.size() < most_stints) stints_.emplace_back();
+    now().tool = change->tool;
+  }
+}
+
+/// Of tools that cut: the others turn their spindles. A laser or a pen switches its beam by M3 and M5 all the time and is left alone.
+void ToolWatch::judge_spindles(Advices& to) const {
+  const auto started = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.cuts && s.started; });
+  const bool switches_a_beam = starts_ > 2 * stints_.size() + 4;
+  const bool turned = std::any_of(stints_.begin(), stints_.end(), [](const Stint& s) { return s.turned; });
+  if (!switches_a_beam)
+    for (const Stint& s : stints_) {
+      if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0, double(s.tool));
+      else if (s.cuts && !s.started && started >= 2 && s.tool != 0) to.add(AlarmId::cut_without_spindle, *s.cuts, 0, double(s.tool));
+    }
+  const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.clockwise && s.cuts; });
+  for (const Stint& s : stints_)
+    if (s.counter_clockwise && !s.clockwise && s.cuts && clockwise >= 1) to.add(AlarmId::direction_of_others, *s.counter_clockwise, 'M', "M4");
+}
+
+void ToolWatch::judge_coolant(Advices& to) const {
+  std::set<std::uint32_t> wet, dry;
+  for (const Stint& s : stints_)
+    if (s.cuts && s.tool != 0) (s.wet ? wet : dry).insert(s.tool);
+  if (wet.size() < 2 || dry.size() > 1) return;  // a tool more: the program means it
+  for (const Stint& s : stints_)
+    if (s.cuts && s.tool != 0 && !s.wet) return to.add(AlarmId::coolant_forgotten, *s.cuts, 0, double(s.tool));
+}
+
+void ToolWatch::judge_lengths(Advices& to) const {
+  const bool others = std::any_of(stints_.begin(), stints_.end(), [](const Stint& s) { return s.cuts && !s.without_length; });
+  if (!others) return;
+  for (const Stint& s : stints_)
+    if (s.without_length && s.tool != 0) to.add(AlarmId::length_not_called, *s.without_length, 0, double(s.tool));
+}
+
+/// How far the rows lie from the tools' numbers says which one is another's: H = T, D = T + 30 and the like are habits of a shop.
+void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices& to) const {
+  struct Pair {
+    std::uint32_t tool, row;
+    Origin origin;
+    long apart() const { return long(row) - long(tool); }
+  };
+  std::vector<Pair> pairs;
+  std::set<std::uint32_t> tools;
+  for (const Stint& s : stints_) {
+    if (s.tool == 0 || !s.cuts) continue;
+    tools.insert(s.tool);
+    for (const auto& [row, origin] : s.*rows)
+      if (std::none_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.tool == s.tool && p.row == row; }))
+        pairs.push_back({s.tool, row, origin});
+  }
+  std::map<long, std::size_t> habits;
+  for (const Pair& p : pairs) ++habits[p.apart()];
+  const auto habit = std::max_element(habits.begin(), habits.end(), [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second < b.second : std::abs(a.first) > std::abs(b.first);
+  });
+  for (const Pair& p : pairs) {
+    const bool usual = p.apart() == habit->first && habit->second > 1;
+    if (p.apart() == 0 || usual) continue;
+    const bool of_other = tools.contains(p.row) || std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.row == p.row && o.tool != p.tool; });
+    const bool second_row = std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.tool == p.tool && o.apart() == habit->first && &o != &p; });
+    const bool by_habit = habit->second > 1 && !second_row;
+    const bool alone = pairs.size() == 1 && p.apart() % 10 != 0;
+    if (of_other || by_habit || alone) to.add(id, p.origin, address, double(p.row), double(p.tool));
+  }
+}
+
+void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to) const {
+  constexpr std::size_t enough = 3;  // tools that agree
+  std::map<std::uint32_t, std::set<std::uint32_t>> users;
+  std::size_t several = 0;  // tools that work in more than one
+  std::set<std::uint32_t> tools;
+  for (const Stint& s : stints_) {
+    if (s.tool == 0 || !s.cuts) continue;
+    tools.insert(s.tool);
+    several += s.systems.size() > 1;
+    for (const auto& [system, origin] : s.systems) users[system].insert(s.tool);
+  }
+  if (users.size() != 2 || several != 0 || tools.size() < enough + 1) return;
+  for (const Stint& s : stints_)
+    for (const auto& [system, origin] : s.systems)
+      if (users[system].size() == 1 && users[system].contains(s.tool) && system < names.size())
+        return to.add(AlarmId::work_offset_once, origin, 0, std::string_view(names[system]), double(s.tool));
+}
+
+/// The last tool called for may be the first of the next part.
+void ToolWatch::judge_selections(Advices& to) const {
+  if (!changes_) return;
+  for (const auto& [tool, origin] : selected_)
+    if (tool != first_tool_) to.add(AlarmId::tool_unused, origin, 'T', double(tool));
+}
+
+void ToolWatch::finish(const std::vector<std::string>& systems, Advices& to) {
+  judge_spindles(to);
+  judge_coolant(to);
+  judge_lengths(to);
+  judge_rows(&Stint::lengths, AlarmId::length_of_other, 'H', to);
+  judge_rows(&Stint::radii, AlarmId::radius_of_other, 'D', to);
+  judge_systems(systems, to);
+  judge_selections(to);
+}
+
+}  // namespace kadr

@@ -1,0 +1,54 @@
+#pragma once
+// What each tool of a program has and another has not: offsets, spindle, coolant, work offset.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "action/step.h"
+#include "session/checklist/advice.h"
+
+namespace kadr {
+
+class ToolWatch {
+ public:
+  void take(const Step& step, Advices& to);
+  /// `systems`: names of the work systems, by Motion::system.
+  void finish(const std::vector<std::string>& systems, Advices& to);
+
+ private:
+  using Rows = std::map<std::uint32_t, Origin>;  // of an offset table, each with its first motion
+  /// From one tool change to the next.
+  struct Stint {
+    std::uint32_t tool = 0;
+    double highest = -1e300;                 // Z that it has been at, mm
+    std::optional<Origin> cuts, cuts_still;  // its first cut; the first one with the spindle stopped
+    std::optional<Origin> counter_clockwise;
+    bool clockwise = false, turned = false, started = false, wet = false;
+    std::optional<Origin> without_length;  // its first cut had none
+    Rows lengths, radii, systems;
+  };
+  void take_motion(const Step& step, const Motion& motion);
+  void take_spindle(const Spindle& spindle, const Origin& origin);
+  Stint& now() { return stints_.back(); }
+  void judge_spindles(Advices& to) const;
+  void judge_coolant(Advices& to) const;
+  void judge_lengths(Advices& to) const;
+  void judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices& to) const;
+  void judge_systems(const std::vector<std::string>& names, Advices& to) const;
+  void judge_selections(Advices& to) const;
+
+  std::vector<Stint> stints_ = std::vector<Stint>(1);
+  SpindleDir turns_ = SpindleDir::stop;
+  double rpm_ = 0;
+  bool coolant_ = false;
+  bool taps_rigidly_ = false;
+  bool asks_speed_ = false;                          // an S has been given
+  std::size_t starts_ = 0;                           // of the spindle
+  std::map<std::uint32_t, Origin> selected_;         // by T, not changed to yet
+  std::uint32_t first_tool_ = 0;
+  bool changes_ = false;
+};
+
+}  // namespace kadr
