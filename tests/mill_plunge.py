@@ -6,6 +6,7 @@
 Every shape with every scheme, a small and a large tool, the controls in turn. A motion steeper than the ramp ends where nothing is left
 under the tool, or in a hole that the summary lists; no lift comes down where it went up; the tool's edge keeps off the walls.
 """
+import bisect
 import itertools
 import json
 import math
@@ -187,14 +188,23 @@ class Checker:
             self.first = f'straight down into the material: {do} to X{end[0]} Y{end[1]} Z{level}'
 
     def keeps_off(self, corners):
+        """A point a millimetre, and the corners. The distance from a wall changes by no more than the way that is gone, so the points of so much
+        way are clear of it as well."""
+        points, gone = [corners[0]], [0.0]
         for p, q in zip(corners, corners[1:]):
-            pieces = 1 + int(math.dist(p, q))
-            for i in range(pieces + 1):
-                at = (p[0] + (q[0] - p[0]) * i / pieces, p[1] + (q[1] - p[1]) * i / pieces)
-                for wall in self.walls:
-                    if wall.distance(at) < self.radius - 0.013:  # the checker's own chords: 0.01
-                        self.faults.append(f'X{at[0]} Y{at[1]} is {wall.distance(at)} from a wall')
-                        return
+            way = math.dist(p, q)
+            pieces, begin = 1 + int(way), gone[-1]
+            points += [(p[0] + (q[0] - p[0]) * i / pieces, p[1] + (q[1] - p[1]) * i / pieces) for i in range(1, pieces + 1)]
+            gone += [begin + way * i / pieces for i in range(1, pieces + 1)]
+        for wall in self.walls:
+            i = 0
+            while i < len(points):
+                away = wall.distance(points[i])
+                clear = away - (self.radius - 0.013)  # the checker's own chords: 0.01
+                if clear < 0:
+                    self.faults.append(f'X{points[i][0]} Y{points[i][1]} is {away} from a wall')
+                    return
+                i = bisect.bisect_left(gone, gone[i] + clear - 1e-9, i + 1)
 
 
 class Runner(harness.Kadr):

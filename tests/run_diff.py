@@ -12,10 +12,16 @@ import subprocess
 import sys
 import tempfile
 
+try:
+    import numpy as np
+except ImportError:
+    sys.exit('run_diff.py needs numpy (python3-numpy): so many distances take a minute without it')
+
 import harness
 
 EXAMPLES = harness.ROOT / 'examples'
 TOLERANCE = 0.001
+MOST_PAIRS = 200_000  # of points and lines whose distances are reckoned at once
 tally = harness.Tally()
 expect = tally.expect
 
@@ -144,17 +150,15 @@ def places(actions):
 
 def farthest(points, way):
     """Of the points from the lines of the way, mm."""
-    most = 0
-    for p in points:
-        least = math.dist(p, way[0])
-        for a, b in zip(way, way[1:]):
-            ab = [y - x for x, y in zip(a, b)]
-            square = sum(x * x for x in ab)
-            t = min(1, max(0, sum((q - x) * d for q, x, d in zip(p, a, ab)) / square)) if square else 0
-            least = min(least, math.dist(p, [x + t * d for x, d in zip(a, ab)]))
-            if least < TOLERANCE:
-                break
-        most = max(most, least)
+    points, way = np.array(points, dtype=float), np.array(way, dtype=float)
+    begins, along = (way[:-1], np.diff(way, axis=0)) if len(way) > 1 else (way, np.zeros_like(way))
+    squares = (along * along).sum(1)
+    most = 0.0
+    for some in np.array_split(points, 1 + len(points) * len(begins) // MOST_PAIRS):
+        to = some[:, None, :] - begins
+        part = np.clip((to * along).sum(2) / np.where(squares == 0, 1, squares), 0, 1)
+        off = to - part[:, :, None] * along
+        most = max(most, float(np.sqrt((off * off).sum(2).min(1)).max(initial=0)))
     return most
 
 

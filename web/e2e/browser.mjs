@@ -12,6 +12,7 @@ const flags = [
   "--disable-component-update",
   "--disable-sync",
   "--disable-features=LocalNetworkAccessChecks,BlockInsecurePrivateNetworkRequests",
+  "--disable-gpu-compositing", // no GPU made of software for the page itself, only for what it draws by WebGL
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
 ];
@@ -67,5 +68,18 @@ export function looks_at(of) {
         b = e?.getBoundingClientRect();
       return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : "";
     });
-  return { count, text, ended, toasts, line_shown };
+  /// What this tab keeps for a reload (src/model/memory.ts).
+  const kept = (name) => of().evaluate((key) => JSON.parse(sessionStorage.getItem(key) ?? "null"), `kadr.${name}`);
+  /// The view as it stays: what was asked for before may still be on its way to it.
+  const settled_view = async () => {
+    let last = null;
+    return until("the view stands", async () => {
+      const before = last;
+      await of().evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))));
+      last = await of().locator(".scene-host").screenshot();
+      await of().waitForTimeout(200); // the view is drawn finely only when it has stood for a little
+      return before?.equals(last) ? last : null;
+    });
+  };
+  return { count, text, ended, toasts, line_shown, kept, settled_view };
 }

@@ -16,7 +16,7 @@ mkdirSync(pictures, { recursive: true });
 const kadr = await server(examples);
 const { page, errors, close } = await browser();
 await kadr.prepare(page);
-const { count, text, ended, toasts, line_shown } = looks_at(() => page);
+const { count, text, ended, toasts, line_shown, kept, settled_view } = looks_at(() => page);
 const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
 const line = () => text(".state .block-told .dim");
 const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
@@ -42,20 +42,39 @@ async function add_line(told) {
   await page.keyboard.press("Enter");
   await page.keyboard.insertText(told);
 }
-/// Moves the mouse over the view until it is over a motion that `wanted` likes; gives where.
-async function find_motion(wanted = () => true) {
-  const box = await page.locator(".scene-host canvas").boundingBox();
-  for (let y = 0.15; y < 0.85; y += 0.03)
-    for (let x = 0.2; x < 0.8; x += 0.02) {
-      const at = [box.x + x * box.width, box.y + y * box.height];
-      await page.mouse.move(...at);
-      await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))));
-      if (
-        !(await page.locator(".scene-tip").isHidden()) &&
-        wanted((await page.locator(".scene-tip").textContent()) ?? "")
-      )
-        return at;
+/// What the view tells at each of these places, by a pointer of the page's own: a place a picture.
+const told_at = (places) =>
+  page.evaluate(async (all) => {
+    const canvas = document.querySelector(".scene-host canvas"),
+      tip = document.querySelector(".scene-tip"),
+      told = [];
+    for (const [clientX, clientY] of all) {
+      canvas.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, pointerId: 1, bubbles: true }));
+      await new Promise((r) => requestAnimationFrame(r));
+      told.push(tip.hidden ? null : tip.textContent);
     }
+    return told;
+  }, places);
+/// Moves the mouse over the view to a motion that `wanted` likes; gives where. The places are those of a grid, one far
+/// from the next, so that few need to be tried.
+async function find_motion(wanted = () => true) {
+  const box = await page.locator(".scene-host canvas").boundingBox(),
+    [columns, rows, step, batch] = [30, 24, 443, 20]; // step: no divisor in common with the number of places
+  const places = Array.from({ length: columns * rows }, (_, i) => (i * step) % (columns * rows)).map((k) => [
+    box.x + (0.2 + 0.02 * (k % columns)) * box.width,
+    box.y + (0.15 + 0.03 * Math.floor(k / columns)) * box.height,
+  ]);
+  for (let i = 0; i < places.length; i += batch) {
+    const some = places.slice(i, i + batch),
+      told = await told_at(some);
+    for (const [k, at] of some.entries()) {
+      if (told[k] === null || !wanted(told[k])) continue;
+      await page.mouse.move(...at);
+      const tip = () => page.locator(".scene-tip").evaluate((e) => (e.hidden ? null : e.textContent));
+      const same = await until("the same by the mouse", async () => (await tip()) === told[k], 5000).catch(() => false);
+      if (same) return at;
+    }
+  }
   throw new Error("no such motion found under the mouse");
 }
 
@@ -277,6 +296,8 @@ const steps = {
       async () => /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")),
       60_000,
     );
+    await until("the end", async () => (await now()) > 1);
+    await settled_view(); // the part before may still be told
     const whole = (await page.locator(".cut .note").allTextContents()).join(" ");
     await page.keyboard.press("Home");
     await until(
@@ -347,7 +368,6 @@ const steps = {
     await page.locator(".slider").focus();
     await page.keyboard.press("End");
     await until("the end", async () => (await now()) > 1);
-    await page.waitForTimeout(500);
     const stood = await now(),
       where = await line();
     await kadr.lose();
@@ -364,8 +384,8 @@ const steps = {
     await page.locator(".slider").focus();
     await page.keyboard.press("End");
     await until("the end", async () => (await now()) > 1);
-    await page.waitForTimeout(600);
     const stood = await now();
+    await until("the instant is kept", async () => Math.abs((await kept("open"))?.at - stood) < 0.2);
     await page.reload();
     await ended();
     await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2);
@@ -393,7 +413,7 @@ const steps = {
   async "a reload keeps what was not saved"() {
     await add_line("(NOT SAVED)");
     await until("unsaved", () => count(".dirty"));
-    await page.waitForTimeout(600); // it is kept a little after the last key
+    await until("the text is kept", async () => (await kept("unsaved"))?.text.includes("NOT SAVED"));
     await page.reload();
     await ended();
     await until(
@@ -478,32 +498,26 @@ const steps = {
     await page.fill(".choices input", "five-axes/trunnion_drilling.json");
     await page.keyboard.press("Enter");
     await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
-    await page.click(".filters summary");
-    await until("the tick", () => count(".filters label:has-text('The part turns')"));
     const slider = await page.locator(".slider").boundingBox();
     await page.mouse.click(slider.x + 0.62 * slider.width, slider.y + slider.height / 2);
-    await page.waitForTimeout(800);
-    const picture = () =>
-      page
-        .locator(".scene-host canvas")
-        .evaluate((c) =>
-          new Promise((yes) => requestAnimationFrame(() => requestAnimationFrame(() => yes(c.width)))).then(() => 0),
-        )
-        .then(() => page.locator(".scene-host").screenshot());
-    const turned = await picture();
+    const tick = async () => {
+      await page.click(".filters summary");
+      await page.locator(".filters label:has-text('The part turns')").click();
+      await page.click(".filters summary"); // the list lies over the view, and would be in its picture
+      await page.locator(".slider").hover();
+    };
+    await page.locator(".slider").hover();
+    const turned = await settled_view();
     await page.screenshot({ path: join(pictures, "turned.png") });
-    await page.click(".filters label:has-text('The part turns')");
-    await page.waitForTimeout(800);
-    const still = await picture();
+    await tick();
+    await until("the part does not turn any more", async () => !(await settled_view()).equals(turned));
     await page.screenshot({ path: join(pictures, "not_turned.png") });
-    must(!turned.equals(still), "the part does not turn");
-    await page.click(".filters label:has-text('The part turns')");
-    await page.click(".filters summary");
+    await tick();
+    await until("it turns again", async () => (await settled_view()).equals(turned));
     await page.click("[data-tab=cut_tab]");
     await until("the form", () => count(".cut-run button"));
     await page.click(".cut-run button");
     await until("what is left", () => count(".cut .facts"), 120_000);
-    await page.waitForTimeout(1500);
     await page.screenshot({ path: join(pictures, "turned_cut.png") });
   },
   ...panel_steps({ kadr, page, pictures, only }),

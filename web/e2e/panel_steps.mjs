@@ -4,7 +4,7 @@ import { looks_at, must, until } from "./browser.mjs";
 
 /// `only`: some of the steps run alone, without those before them.
 export function panel_steps({ kadr, page, pictures, only }) {
-  const { count, text, ended, toasts, line_shown } = looks_at(() => page);
+  const { count, text, ended, toasts, line_shown, settled_view } = looks_at(() => page);
   const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
   return {
     async "a machine at its panel: runs, holds, a line by hand, the emergency stop"() {
@@ -123,9 +123,8 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.fill(".tables input[aria-label='New row']", "G54");
       await page.click(".tables button:has-text('Add')");
       await until("the row", () => count(".tables tr:has-text('G54')"), 20_000);
-      const scene = () => page.locator(".scene-host").screenshot();
       await ended();
-      const was = await scene();
+      const was = await settled_view();
       await page.fill(".tables tr:has-text('G54') input >> nth=0", "123");
       await page.press(".tables tr:has-text('G54') input >> nth=0", "Tab");
       await until(
@@ -140,9 +139,7 @@ export function panel_steps({ kadr, page, pictures, only }) {
           ) < 1e-6,
         20_000,
       );
-      await ended();
-      await page.waitForTimeout(500);
-      must(!was.equals(await scene()), "the path has not moved");
+      await until("the path has moved", async () => !was.equals(await settled_view()));
       await page.locator(".tables").evaluate((e) => e.scrollIntoView());
       await page.screenshot({ path: join(pictures, "tables.png") });
       await page.click(".tables button:has-text('As in the set-up')");
@@ -285,7 +282,7 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await mode("standing");
       await page.click(".touch > summary");
       await page.click(".scene-bar button:text-is('Top')");
-      await page.waitForTimeout(500);
+      await settled_view();
       const box = await page.locator(".scene-host canvas").boundingBox();
       await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
       await until("a place from above", async () => ((await text(".touch")) ?? "").includes("Z− up to Z ="));
