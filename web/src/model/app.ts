@@ -38,6 +38,7 @@ export class App {
   tables: { file: string; edited: JsonTable } | null = null; // of the machine of that program: laid over its set-up
   text: string | null = null; // as edited; null where the file is not held here
   saved_text: string | null = null;
+  ran: string | null = null; // the text that the session has run: path, state and sheet are of it
   digest: string | null = null; // of what lies on the disk: saving names what it replaces
   running = false;
   progress: Progress | null = null;
@@ -138,7 +139,7 @@ export class App {
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
       if (question.text === undefined) this.found_on_disk(opened);
-      this.text = question.text ?? opened.text ?? null;
+      this.text = this.ran = question.text ?? opened.text ?? null;
       this.keep_place();
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
@@ -164,6 +165,13 @@ export class App {
       question.tables = this.tables.edited;
     if (this.dirty && this.text !== null) question.text = this.text;
     await this.open(question, this.instant);
+  }
+
+  /// What is asked of the session is about the text that it has run: what stands in the editor is run first, unless it
+  /// is that. False: it cannot be opened, which has been told.
+  async run_shown(): Promise<boolean> {
+    if (this.text !== this.ran) await this.run_again();
+    return this.opened !== null;
   }
 
   stop(): void {
@@ -207,6 +215,7 @@ export class App {
   }
 
   async run_cut(question: CutQuestion): Promise<void> {
+    if (!(await this.run_shown())) return;
     this.last_cut = question;
     this.findings = [];
     this.cut = null;

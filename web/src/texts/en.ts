@@ -416,6 +416,7 @@ export const en = {
   other_version: "Other version",
   as_saved: "{file}, as saved",
   comparing: "Comparing…",
+  compare_again: "The text has changed since: compare it again.",
   no_text_here: "A program too long to be held here: only the paths are compared.",
   resize: "Drag or use arrows to change the size",
   // Making

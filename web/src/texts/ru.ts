@@ -418,6 +418,7 @@ export const ru: Record<TextKey, string> = {
   other_version: "Другая версия",
   as_saved: "{file}, как на диске",
   comparing: "Сравнивается…",
+  compare_again: "Текст с тех пор изменён: сравните ещё раз.",
   no_text_here: "УП слишком длинная, сравниваются только траектории.",
   resize: "Размер: мышью или стрелками",
   // Making

@@ -13,6 +13,7 @@ import { extents, fact } from "./summary";
 export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes: Shape[]): Promise<void> {
   let sheet: Sheet;
   try {
+    if (!(await app.run_shown())) return;
     sheet = await app.client.ask("sheet", {});
   } catch (e) {
     return app.tell(e);
