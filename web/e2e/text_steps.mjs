@@ -48,5 +48,87 @@ export function text_steps({ kadr, page, pictures, only }) {
       await until("that it is stale", () => page.locator(".compare .stale").isVisible());
       await page.click("dialog.docked .dialog-head button");
     },
+    async "a tab that is closed: the browser asks, and the text is offered on the next visit"() {
+      if (!process.env.KADR) return "skipped: the made-up session has no files to come back to";
+      await open("plate.nc"); // what the server has opened last
+      const visit = async () => {
+        const its = await page.context().newPage();
+        await kadr.prepare(its);
+        await its.goto(kadr.address());
+        await until("the run's end", () => its.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+        return its;
+      };
+      const type = async (its, told) => {
+        await its.locator(".cm-content").click();
+        await its.keyboard.press("Control+Home");
+        await its.keyboard.type(told);
+        await until("unsaved", () => its.locator(".dirty").count());
+      };
+      const asked = async (its, leave, stays = false) => {
+        let question = "";
+        its.once("dialog", (d) => {
+          question = d.type();
+          return stays ? d.dismiss() : d.accept();
+        });
+        await leave();
+        await until("the browser's question", () => question === "beforeunload");
+      };
+      const close = async (its) => {
+        await asked(its, () => its.close({ runBeforeUnload: true }));
+        await until("a closed tab", () => its.isClosed());
+      };
+      const first = await visit();
+      await type(first, "(OF YESTERDAY)");
+      await asked(first, () => first.evaluate(() => location.assign("about:blank")), true);
+      must((await first.locator(".cm-content").textContent()).includes("(OF YESTERDAY)"), "the text is gone");
+      await close(first);
+
+      const second = await visit();
+      await until("the offer", () =>
+        second.locator("dialog:has-text('OF YESTERDAY'), dialog:has-text('was not saved')").count(),
+      );
+      must(!(await second.locator(".cm-content").textContent()).includes("YESTERDAY"), "taken without a question");
+      await second.screenshot({ path: join(pictures, "unsaved.png") });
+      await second.click("dialog button:has-text('Ask later')");
+      await second.click(".switch [lang=ru]");
+      await second.close();
+
+      const third = await visit();
+      await until("the offer in Russian", () =>
+        third.locator("dialog:has-text('Несохранённый текст прошлого раза')").count(),
+      );
+      await third.click("dialog button:has-text('Продолжить с ним')");
+      await until("the text", async () =>
+        (await third.locator(".cm-content").textContent()).includes("(OF YESTERDAY)"),
+      );
+      await until("unsaved", () => third.locator(".dirty").count());
+      await third.click(".switch [lang=en]");
+      await until("its run", () => third.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+      kadr.change(); // somebody else, meanwhile
+      await close(third);
+
+      const fourth = await visit();
+      await until("that the file has changed", () => fourth.locator("dialog:has-text('changed since')").count());
+      await fourth.click("dialog button:has-text('Take it up')");
+      await until("the text", async () =>
+        (await fourth.locator(".cm-content").textContent()).includes("(OF YESTERDAY)"),
+      );
+      await until("its run", () => fourth.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+      await fourth.keyboard.press("Control+s");
+      await until("the conflict", () => fourth.locator("dialog:has-text('changed on the disk')").count());
+      await fourth.click("dialog button.main"); // theirs
+      await until(
+        "what lies on the disk",
+        async () => !(await fourth.locator(".cm-content").textContent()).includes("YESTERDAY"),
+      );
+      await until("nothing unsaved", async () => !(await fourth.locator(".dirty").count()));
+      await fourth.close({ runBeforeUnload: true });
+      await until("a closed tab", () => fourth.isClosed());
+
+      const last = await visit();
+      await last.waitForTimeout(300);
+      must(!(await last.locator("dialog").count()), "offered again");
+      await last.close();
+    },
   };
 }

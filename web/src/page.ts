@@ -39,6 +39,7 @@ import { show_from_tape, show_to_tape } from "./ui/tape";
 import { timeline } from "./ui/timeline";
 import { toast } from "./ui/toast";
 import { Topbar } from "./ui/topbar";
+import { offer_unsaved } from "./ui/unsaved";
 
 set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
@@ -198,7 +199,9 @@ listen_keys(app, player, {
   leave: () => scene_pane.leave(),
   next_pane,
 });
+offer_unsaved(app);
 window.addEventListener("beforeunload", (e) => {
-  if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault();
+  app.keep_place();
+  if (app.dirty) e.preventDefault(); // the browser asks: its tab may be closed for good
 });
 app.client.connect();

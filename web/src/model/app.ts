@@ -19,11 +19,13 @@ import type {
   State,
 } from "../protocol/types";
 import { greet } from "./greet";
+import { has_texts } from "./has_texts";
 import { Latest, debounce, spaced } from "./latest";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
 import { clamp } from "./time";
+import { Unsaved, type KeptText } from "./unsaved";
 
 const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
 const most_problems = 10_000; // more than anybody reads; the rest is the same again
@@ -69,6 +71,8 @@ export class App {
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
   readonly on_files = new Signal<string>(); // a new one has been saved
+  readonly on_unsaved = new Signal<KeptText[]>(); // of the file that has been opened, from an earlier visit or another tab
+  readonly unsaved = new Unsaved();
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;
@@ -143,6 +147,8 @@ export class App {
       this.keep_place();
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
+      const kept = this.text !== null && !this.dirty ? this.unsaved.offers(opened.file, this.text) : [];
+      if (kept.length) this.on_unsaved.emit(kept);
     } catch (e) {
       if (this.opening) return;
       this.running = false;
@@ -251,7 +257,7 @@ export class App {
       await this.client.ask("language", { lang });
       await this.greet(this.client); // names of controls
       if (!this.opened) return this.on_line.emit("open");
-      if (!this.has_texts()) return this.ask_again(); // nothing that the run has said is in the other language
+      if (!has_texts(this)) return this.ask_again(); // nothing that the run has said is in the other language
       this.recut = this.cut_ready;
       await this.run_again();
     } catch (e) {
@@ -259,16 +265,6 @@ export class App {
     }
   }
 
-  /// Sentences that came with the run.
-  private has_texts(): boolean {
-    return (
-      this.running ||
-      this.problems.length > 0 ||
-      this.findings.length > 0 ||
-      Boolean(this.done?.unstated) ||
-      this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message")
-    );
-  }
   private ask_again(): void {
     if (this.opened) this.on_opened.emit(this.opened);
     this.states.want({ at: this.instant });
@@ -280,6 +276,7 @@ export class App {
 
   private async greet(client: Client): Promise<void> {
     this.hello = await greet(client);
+    this.unsaved.of_folder(this.hello.folder);
   }
 
   private async line_changed(line: LineState): Promise<void> {
@@ -294,24 +291,33 @@ export class App {
     const file = again?.question.file ?? this.hello?.last;
     if (!file) return;
     const question: OpenQuestion = again ? { ...again.question } : { file };
-    const unsaved = remembered<{ file: string; text: string } | null>("unsaved", null, "tab");
-    if (unsaved?.file === file) {
-      await this.reopen_unsaved(question, unsaved.text, again?.at ?? 0);
-      return;
-    }
+    const mine = this.dirty && this.opened?.file === file ? { text: this.text!, digest: this.digest } : null,
+      unsaved = mine ?? this.unsaved.own(file); // what the browser has no room for is still here
+    if (unsaved) return this.reopen_unsaved(question, unsaved, again?.at ?? 0);
     delete question.text;
     await this.open(question, again?.at ?? 0);
   }
 
-  /// The edited text is run, but what lies on the disk is asked first, so that saving still knows what it replaces.
-  private async reopen_unsaved(question: OpenQuestion, text: string, at: number): Promise<void> {
+  /// The edited text is run, but what lies on the disk is asked first: saving replaces the file that it was made from,
+  /// and no other.
+  private async reopen_unsaved(
+    question: OpenQuestion,
+    kept: Pick<KeptText, "text" | "digest">,
+    at: number,
+  ): Promise<void> {
     delete question.text;
     try {
       this.found_on_disk(await this.client.ask("open", question));
     } catch (e) {
       return this.tell(e);
     }
-    await this.open({ ...question, text }, at);
+    this.digest = kept.digest ?? this.digest;
+    await this.open({ ...question, text: kept.text }, at);
+  }
+  /// A text of an earlier visit, of the program that is open.
+  async take_unsaved(kept: KeptText): Promise<void> {
+    this.unsaved.drop(kept);
+    await this.reopen_unsaved({ file: kept.file, ...this.choice }, kept, this.instant);
   }
 
   private found_on_disk(opened: Opened): void {
@@ -385,11 +391,12 @@ export class App {
     }
   }
 
-  private keep_place(): void {
+  /// At once: the page is about to go.
+  keep_place(): void {
     if (!this.opened || !this.wanted) return;
     const { text: _, ...question } = this.wanted.question;
     this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is over the old place is still to be gone to
     remember("open", this.wanted, "tab");
-    remember("unsaved", this.dirty ? { file: this.opened.file, text: this.text } : null, "tab");
+    this.unsaved.keep(this.opened.file, this.dirty ? this.text : null, this.digest);
   }
 }
