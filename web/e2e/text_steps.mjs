@@ -48,6 +48,60 @@ export function text_steps({ kadr, page, pictures, only }) {
       await until("that it is stale", () => page.locator(".compare .stale").isVisible());
       await page.click("dialog.docked .dialog-head button");
     },
+    async "a program saved while its machine is on: the marked line is the one that the machine runs"() {
+      if (!process.env.KADR) return "skipped: the made-up session has no machine";
+      await open("step.nc");
+      const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
+      const marked = () =>
+        page.evaluate(() => {
+          const row = document.querySelector(".source-host .cm-running");
+          return row ? (row.querySelector(".virtual-text") ?? row).textContent.trim() : "";
+        });
+      const block = async () => ((await text(".operator-head .block-text")) ?? "").trim();
+      const is_marked = () =>
+        until(
+          "the mark on the machine's block",
+          async () => (await block()) !== "" && (await marked()) === (await block()),
+        );
+      await page.click("[data-tab=panel]");
+      await page.click(".operator button:has-text('Switch on')");
+      await mode("standing");
+      await page.click(".operator-keys button:has-text('Start')");
+      await until("a motion", async () => /^(N\d+ )?G[01]/.test(await block()), 60_000);
+      await page.click(".operator-keys button:has-text('Hold')");
+      await mode("held");
+      await is_marked();
+      await page.locator(".cm-content").click();
+      await page.keyboard.press("Control+Home");
+      await page.keyboard.type("(ONE)\n(TWO)\n(THREE)\n");
+      await until("that it is another text", () => count(".machine-other"));
+      must((await marked()) === "", `marked in the edited text: ${await marked()}`);
+      await page.keyboard.press("Control+s");
+      await until("saved", async () => !(await count(".dirty")));
+      await ended();
+      await until("still another text", () => count(".machine-other"));
+      await page.click(".operator-keys button:has-text('Start')");
+      await until("its own text", async () => (await text(".source .pane-title")).includes("as the machine runs it"));
+      await page.click(".operator-keys button:has-text('Hold')");
+      await mode("held");
+      await is_marked();
+      await page.screenshot({ path: join(pictures, "machine_text.png") });
+      await page.click(".switch [lang=ru]");
+      await until("Russian", async () => (await text(".source .pane-title")).includes("как выполняет станок"));
+      await page.click(".source .pane-tools button:has-text('Назад')");
+      await until("the offer", async () => /другой текст/.test((await text(".machine-other")) ?? ""));
+      await page.screenshot({ path: join(pictures, "machine_text_ru.png") });
+      await page.click(".switch [lang=en]");
+      await page.click(".operator-keys button:has-text('Reset')");
+      await mode("standing");
+      await until("no other text", async () => !(await count(".machine-other")));
+      await page.click(".operator-keys button:has-text('Over')");
+      await mode("standing");
+      await is_marked();
+      must((await page.locator(".cm-running").count()) === 1, "not in the editor");
+      await page.click(".operator-keys button:has-text('Switch off')");
+      await until("it is off", () => count(".operator button:has-text('Switch on')"));
+    },
     async "a tab that is closed: the browser asks, and the text is offered on the next visit"() {
       if (!process.env.KADR) return "skipped: the made-up session has no files to come back to";
       await open("plate.nc"); // what the server has opened last

@@ -26,6 +26,7 @@ import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
 import { MakingDialog } from "./ui/making";
 import { layout, next_pane, Tabs } from "./ui/layout";
+import { MachineSource } from "./ui/machine_source";
 import { Operator } from "./model/operator";
 import { OperatorPanel } from "./ui/operator_panel";
 import { Player } from "./ui/player";
@@ -157,6 +158,7 @@ operator_panel.restart.restart.on_change.on(() =>
 );
 operator.on_error.on((text) => toast(text, true));
 operator.on_press.on(() => scene?.hush(until_shown));
+const machine_source = new MachineSource(app, operator, source);
 let was_on = false,
   panel_line = 0;
 operator.on_panel.on((p) => {
@@ -168,10 +170,9 @@ operator.on_panel.on((p) => {
   if (!here) return scene?.showMachine(null);
   const at = (axis: string): number => (p.position[axis] ?? 0) + (p.zero[axis] ?? 0);
   scene?.showMachine({ at: [at("X"), at("Y"), at("Z")], tool: p.tool ?? 0 });
-  if (p.line === panel_line || p.file !== 0) return;
+  if (p.line === panel_line || p.file !== 0 || !machine_source.same) return;
   panel_line = p.line;
   scene?.highlight(p.line, 0);
-  source.show(p.line);
 });
 
 /// To the pass of a line that is nearest to where the slider stands.
