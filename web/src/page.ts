@@ -139,8 +139,7 @@ app.on_opening.on((file) => {
   scene?.setPart(null);
   scene?.setBoxes([]);
 });
-app.on_done.on((done) => {
-  scene?.setZero(done.zero);
+app.on_done.on(() => {
   show_boxes();
   scene?.endPath();
 });

@@ -82,6 +82,7 @@ export class ScenePane {
       this.draw();
       this.mark();
     });
+    app.on_done.on((done) => this.scene?.setZero(done.zero)); // before anything is placed by it
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
     app.on_opening.on(() => this.scene?.setJoints([]));

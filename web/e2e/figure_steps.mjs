@@ -1,0 +1,52 @@
+// Where marks stand. For page.mjs.
+import { join } from "node:path";
+import { looks_at, must, until } from "./browser.mjs";
+
+export function figure_steps({ kadr, page, pictures, only }) {
+  const { count, text, ended } = looks_at(() => page);
+  async function open(name, setup = "") {
+    await page.goto(`${new URL(kadr.address()).origin}/`);
+    await until("the files", () => count(".file-row"));
+    if (!only) await ended();
+    await page.click(".crumbs button >> nth=0");
+    await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
+    await until("its name", async () => (await text(".source .pane-title")).includes(name));
+    await ended();
+    await page.selectOption(".choices select[aria-label='Control']", "fanuc");
+    await page.waitForTimeout(300);
+    await ended();
+    if (setup) {
+      await page.fill(".choices input", setup);
+      await page.keyboard.press("Enter");
+      await page.waitForTimeout(300);
+      await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
+    }
+  }
+  return {
+    async "marks stand where the tool is, also with a stated work zero"() {
+      if (!process.env.KADR) return "skipped: the made-up session has one program";
+      await open("zero.nc", "zero.json");
+      await page.click(".scene-bar button:has-text('Top')");
+      await page.waitForTimeout(800);
+      const flag = (kind, told = "") =>
+        page.evaluate(
+          ([k, x]) => {
+            const f = [...document.querySelectorAll(`.flag-${k}`)].find((e) => e.textContent.includes(x));
+            return /translate\((-?\d+)px, (-?\d+)px\)/
+              .exec(f?.style.transform ?? "")
+              ?.slice(1)
+              .map(Number);
+          },
+          [kind, told],
+        );
+      // The path cuts from (-20, 0) to (40, 38), 8 beyond the contour: the figures stand at the middles of its sides, the end at a corner.
+      const end = await flag("end"),
+        wide = await flag("figure", "60.000"),
+        high = await flag("figure", "38.000");
+      must(end && wide && high, `no marks: ${end} ${wide} ${high}`);
+      const ratio = (end[0] - wide[0]) / (high[1] - end[1]);
+      must(Math.abs(ratio - 30 / 19) < 0.1, `the end is not at the corner: ${end}, sides at ${wide}, ${high}`);
+      await page.screenshot({ path: join(pictures, "marks.png") });
+    },
+  };
+}
