@@ -1,4 +1,4 @@
-// Where marks stand. For page.mjs.
+// Where marks stand, and what is told of tools. For page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -22,6 +22,21 @@ export function figure_steps({ kadr, page, pictures, only }) {
       await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
     }
   }
+  const at_end = async () => {
+    await page.locator(".slider").focus();
+    await page.keyboard.press("End");
+    await until("the end", async () => (await text(".state")).includes("left 0:00.0"));
+  };
+  const figure = (name) =>
+    page.evaluate(
+      (wanted) =>
+        [...document.querySelectorAll(".state .figure")]
+          .map((f) => [...f.children].map((c) => c.textContent))
+          .find(([n]) => n === wanted)
+          ?.slice(1),
+      name,
+    );
+
   return {
     async "marks stand where the tool is, also with a stated work zero"() {
       if (!process.env.KADR) return "skipped: the made-up session has one program";
@@ -47,6 +62,29 @@ export function figure_steps({ kadr, page, pictures, only }) {
       const ratio = (end[0] - wide[0]) / (high[1] - end[1]);
       must(Math.abs(ratio - 30 / 19) < 0.1, `the end is not at the corner: ${end}, sides at ${wide}, ${high}`);
       await page.screenshot({ path: join(pictures, "marks.png") });
+    },
+    async "the state tells the radius that acts, the sheet an offset that two tools share"() {
+      if (!process.env.KADR) return "skipped: the made-up session has one program";
+      await open("zero.nc", "zero.json");
+      await at_end();
+      must((await figure("D2"))?.[0] === "8.000", `D2: ${await figure("D2")}`);
+      must((await figure("H3"))?.[0] === "80.000", `H3: ${await figure("H3")}`);
+      await page.click(".topbar button:has-text('Set-up sheet')");
+      await until("the sheet", () => count("dialog .sheet"));
+      const rows = await page.locator(".sheet-tools tbody tr").allTextContents();
+      must(rows[0].includes("H3 also used by T2") && rows[0].includes("80.000"), `T1: ${rows[0]}`);
+      must(
+        rows[1].includes("H3 also used by T1") && rows[1].includes("80.000") && rows[1].includes("D2"),
+        `T2: ${rows[1]}`,
+      );
+      await page.screenshot({ path: join(pictures, "sheet_shared.png") });
+      await page.keyboard.press("Escape");
+      await page.click(".switch [lang=ru]");
+      await page.click(".topbar button:has-text('Карта наладки')");
+      await until("the sheet in Russian", () => count("dialog .sheet:has-text('H3 применяет также T2')"));
+      await page.keyboard.press("Escape");
+      await page.click(".switch [lang=en]");
+      await until("English", async () => (await text("[data-tab=summary]")) === "Summary");
     },
   };
 }

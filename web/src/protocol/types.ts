@@ -260,6 +260,7 @@ export interface SheetTool {
   lines?: number[];
   outline?: [number, number][];
   comment?: string;
+  shared?: { word: string; tools: number[] }[]; // of its offsets: other tools that use them too
 }
 export interface Sheet {
   program: string;

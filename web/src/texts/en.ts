@@ -418,6 +418,7 @@ export const en = {
   print: "Print",
   date: "Date",
   corrector: "Offset",
+  also_used: "{word} also used by {tools}",
   comment: "Comment",
   notes: "Notes in the program",
   stops: "Stops",

@@ -420,6 +420,7 @@ export const ru: Record<TextKey, string> = {
   print: "Печать",
   date: "Дата",
   corrector: "Корректор",
+  also_used: "{word} применяет также {tools}",
   comment: "Комментарий",
   notes: "Примечания в программе",
   stops: "Остановы",

@@ -76,7 +76,7 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
     h(
       "thead",
       null,
-      h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 7, 8].includes(i) ? "text" : "" }, x))),
+      h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 5, 7, 8].includes(i) ? "text" : "" }, x))),
     ),
     h(
       "tbody",
@@ -96,7 +96,18 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
           h("td", { class: "text" }, x.name ?? ""),
           h("td", null, coordinate(x.radius)),
           h("td", null, coordinate(x.length)),
-          h("td", null, String(x.corrector ?? "–")),
+          h(
+            "td",
+            { class: "text" },
+            String(x.corrector || "–"),
+            ...(x.shared ?? []).map((s) =>
+              h(
+                "div",
+                { class: "hint shared" },
+                t("also_used", { word: s.word, tools: s.tools.map((n) => `T${n}`).join(", ") }),
+              ),
+            ),
+          ),
           h("td", null, clock(x.seconds)),
           h("td", { class: "text" }, (x.lines ?? []).slice(0, 12).join(", ")),
           h("td", { class: "text" }, x.comment ?? ""),
