@@ -1,4 +1,4 @@
-// Where marks stand, and what is told of tools. For page.mjs.
+// Where marks stand, and in which units figures are shown. For page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -85,6 +85,38 @@ export function figure_steps({ kadr, page, pictures, only }) {
       await page.keyboard.press("Escape");
       await page.click(".switch [lang=en]");
       await until("English", async () => (await text("[data-tab=summary]")) === "Summary");
+    },
+    async "a program in inches is shown in inches, with the units; a switch to mm"() {
+      if (!process.env.KADR) return "skipped: the made-up session has one program";
+      await open("inch.nc");
+      await at_end();
+      await page.click("[data-tab=summary]");
+      const x = () => text(".state .positions tbody tr >> nth=0");
+      must(/3\.2000.*in$/.test(await x()), `X: ${await x()}`);
+      must(
+        (await figure("F")).join().startsWith("10") && (await figure("F"))[1].includes("in/min"),
+        `F: ${await figure("F")}`,
+      );
+      must((await text(".summary")).includes("3.2000") && (await text(".summary")).includes("from, in"), "the summary");
+      must(await count(".flag-figure:has-text('3.2000 in')"), "the figures in the view");
+      await page.screenshot({ path: join(pictures, "inch.png") });
+      const chosen = (name) => page.locator(`.topbar .switch button[aria-pressed=true]:text-is("${name}")`).count();
+      must(await chosen("in"), "the switch does not stand at inches");
+      await page.click(".topbar .switch button:text-is('mm')");
+      await until("mm", async () => /81\.280.*mm$/.test(await x()));
+      must((await figure("F"))[0] === "254" && (await figure("F"))[1].includes("mm/min"), `F: ${await figure("F")}`);
+      must(
+        (await text(".summary")).includes("81.280") && (await text(".summary")).includes("from, mm"),
+        "the summary in mm",
+      );
+      await page.click(".switch [lang=ru]");
+      await until("Russian", async () => /81\.280.*мм$/.test(await x()));
+      await page.click(".topbar .switch button:text-is('дюйм')");
+      await until("inches in Russian", async () => /3\.2000.*дюйм$/.test(await x()));
+      await page.screenshot({ path: join(pictures, "inch_ru.png") });
+      await page.click(".switch [lang=en]");
+      await open("zero.nc");
+      await until("mm again", () => chosen("mm"));
     },
   };
 }

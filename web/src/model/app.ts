@@ -25,6 +25,7 @@ import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
 import { clamp } from "./time";
+import { take_program_unit } from "./units";
 import { Unsaved, type KeptText } from "./unsaved";
 
 const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
@@ -71,7 +72,6 @@ export class App {
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
   readonly on_files = new Signal<string>(); // a new one has been saved
-  readonly on_unsaved = new Signal<KeptText[]>(); // of the file that has been opened, from an earlier visit or another tab
   readonly unsaved = new Unsaved();
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
@@ -147,8 +147,7 @@ export class App {
       this.keep_place();
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
-      const kept = this.text !== null && !this.dirty ? this.unsaved.offers(opened.file, this.text) : [];
-      if (kept.length) this.on_unsaved.emit(kept);
+      if (this.text !== null && !this.dirty) this.unsaved.offer(opened.file, this.text);
     } catch (e) {
       if (this.opening) return;
       this.running = false;
@@ -257,17 +256,15 @@ export class App {
       await this.client.ask("language", { lang });
       await this.greet(this.client); // names of controls
       if (!this.opened) return this.on_line.emit("open");
-      if (!has_texts(this)) return this.ask_again(); // nothing that the run has said is in the other language
+      if (!has_texts(this)) {
+        this.on_opened.emit(this.opened); // nothing that the run has said is in the other language
+        return this.states.want({ at: this.instant });
+      }
       this.recut = this.cut_ready;
       await this.run_again();
     } catch (e) {
       this.tell(e);
     }
-  }
-
-  private ask_again(): void {
-    if (this.opened) this.on_opened.emit(this.opened);
-    this.states.want({ at: this.instant });
   }
 
   tell(e: unknown): void {
@@ -348,6 +345,7 @@ export class App {
   private take_done(done: Done): void {
     this.done = done;
     this.running = false;
+    take_program_unit(this.opened?.file ?? "", done.units);
     this.on_done.emit(done);
     this.on_run.emit();
     this.seek(this.wanted?.at ?? 0);

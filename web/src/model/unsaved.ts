@@ -1,6 +1,7 @@
 // Texts that were edited and not saved, kept in this browser for the next visit: one of each tab and file, in
 // localStorage, which outlives the tab. A tab's own comes back by itself after a reload; others are offered.
 import { forget, names_kept, remember, remembered } from "./memory";
+import { Signal } from "./signal";
 
 export interface KeptText {
   name: string; // in the store
@@ -14,6 +15,7 @@ const most_text = 2_000_000; // characters: a browser keeps some five million in
 const store_name = (folder: string, file: string): string => `unsaved:${folder}/${file}:`;
 
 export class Unsaved {
+  readonly on_offer = new Signal<KeptText[]>(); // from an earlier visit or another tab
   private folder = "";
   private here = ""; // the file whose text this page has kept
   private offered = new Set<string>();
@@ -53,13 +55,13 @@ export class Unsaved {
     return this.all(store_name(this.folder, file)).find((k) => k.name.endsWith(`:${this.tab}`)) ?? null;
   }
 
-  /// Of a file that has been opened as it lies on the disk: what is to be offered, the latest first, each once.
-  offers(file: string, on_disk: string): KeptText[] {
+  /// Of a file that has been opened as it lies on the disk: tells what is to be offered, the latest first, each once.
+  offer(file: string, on_disk: string): void {
     const all = this.all(store_name(this.folder, file)).reverse();
     for (const kept of all) if (kept.text === on_disk) forget(kept.name);
     const fresh = all.filter((k) => k.text !== on_disk && !this.offered.has(k.name));
     for (const kept of fresh) this.offered.add(kept.name);
-    return fresh;
+    if (fresh.length) this.on_offer.emit(fresh);
   }
 
   drop(kept: KeptText): void {

@@ -140,7 +140,7 @@ export const en = {
   loop_off: "End the loop",
   fastest: "Fastest",
   slowest: "Slowest",
-  strip_at: "V {speed} · F {feed} mm/min",
+  strip_at: "V {speed} · F {feed} {unit}",
   mark_start: "start",
   mark_tool: "tool change",
   mark_alarm: "alarm",
@@ -204,6 +204,11 @@ export const en = {
   mm: "mm",
   mm3: "mm³",
   mm_min: "mm/min",
+  inch: "in",
+  inch_min: "in/min",
+  inch3: "in³",
+  second: "s",
+  units_long: "Figures in millimetres or inches: a program in inches is shown in inches. Forms and set-ups are in mm",
   // Cut
   cut_tab: "Cut",
   // The panel
@@ -413,7 +418,7 @@ export const en = {
   left: "Left",
   cell: "Cell",
   nothing_hit: "Nothing was hit.",
-  part_told: "Now: {left} mm³ left; shown with a cell of {cell} mm, {triangles} triangles",
+  part_told: "Now: {left} left; shown with a cell of {cell}, {triangles} triangles",
   // Sheet and versions
   print: "Print",
   date: "Date",
@@ -551,7 +556,7 @@ export const en = {
   takes_s: "takes, s",
   slowest_v: "least V",
   part: "Part",
-  greatest_rate: "greatest, mm³/s",
+  greatest_rate: "greatest",
   // Keys
   key_block: "a block back or on",
   key_ten: "ten blocks",

@@ -142,7 +142,7 @@ export const ru: Record<TextKey, string> = {
   loop_off: "Снять повтор",
   fastest: "Наибольшая",
   slowest: "Наименьшая",
-  strip_at: "V {speed} · F {feed} мм/мин",
+  strip_at: "V {speed} · F {feed} {unit}",
   mark_start: "начало",
   mark_tool: "смена инструмента",
   mark_alarm: "ошибка",
@@ -206,6 +206,11 @@ export const ru: Record<TextKey, string> = {
   mm: "мм",
   mm3: "мм³",
   mm_min: "мм/мин",
+  inch: "дюйм",
+  inch_min: "дюйм/мин",
+  inch3: "дюйм³",
+  second: "с",
+  units_long: "Числа в миллиметрах или дюймах: УП в дюймах показана в дюймах. Формы и наладки — в мм",
   // Cut
   cut_tab: "Обработка",
   // Пульт
@@ -415,7 +420,7 @@ export const ru: Record<TextKey, string> = {
   left: "Осталось",
   cell: "Ячейка",
   nothing_hit: "Столкновений нет.",
-  part_told: "Сейчас: осталось {left} мм³; показано с шагом {cell} мм, треугольников {triangles}",
+  part_told: "Сейчас: осталось {left}; показано с шагом {cell}, треугольников {triangles}",
   // Sheet and versions
   print: "Печать",
   date: "Дата",
@@ -553,7 +558,7 @@ export const ru: Record<TextKey, string> = {
   takes_s: "всего, с",
   slowest_v: "наим. V",
   part: "Деталь",
-  greatest_rate: "наиб., мм³/с",
+  greatest_rate: "наиб.",
   // Keys
   key_block: "на кадр назад или вперёд",
   key_ten: "на десять кадров",

@@ -6,7 +6,8 @@ import type { Shape } from "../model/tool_shape";
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, h } from "./dom";
-import { clock, coordinate } from "./figures";
+import { axis_unit, length_unit } from "../model/units";
+import { axis_value, clock, length } from "./figures";
 import { tool_picture } from "./outline";
 import { extents, fact } from "./summary";
 
@@ -69,7 +70,17 @@ export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLEle
 }
 
 function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
-  const head = ["", t("tool"), t("name"), "R", "L", t("corrector"), t("time"), t("lines"), t("comment")];
+  const head = [
+    "",
+    t("tool"),
+    t("name"),
+    `R, ${length_unit()}`,
+    `L, ${length_unit()}`,
+    t("corrector"),
+    t("time"),
+    t("lines"),
+    t("comment"),
+  ];
   return h(
     "table",
     { class: "list sheet-tools" },
@@ -94,8 +105,8 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
           h("td", null, tool_picture(shape, `T${x.number}`, 48, 72)),
           h("td", null, `T${x.number}`),
           h("td", { class: "text" }, x.name ?? ""),
-          h("td", null, coordinate(x.radius)),
-          h("td", null, coordinate(x.length)),
+          h("td", null, length(x.radius)),
+          h("td", null, length(x.length)),
           h(
             "td",
             { class: "text" },
@@ -134,7 +145,7 @@ function zeros(s: Sheet): HTMLElement {
             "td",
             { class: "text" },
             Object.entries(z.values)
-              .map(([a, v]) => `${a} ${coordinate(v)}`)
+              .map(([a, v]) => `${a} ${axis_value(a, v)} ${axis_unit(a)}`)
               .join(", ") || t("zero_unstated"),
           ),
         ),

@@ -5,7 +5,7 @@ import { language, t } from "../texts/texts";
 import { ask } from "./dialog";
 
 export function offer_unsaved(app: App): void {
-  app.on_unsaved.on((all) => void offer(app, all));
+  app.unsaved.on_offer.on((all) => void offer(app, all));
 }
 
 async function offer(app: App, all: KeptText[]): Promise<void> {
