@@ -207,6 +207,7 @@ export const en = {
   inch: "in",
   inch_min: "in/min",
   inch3: "in³",
+  in_mm: "mm, mm/min",
   second: "s",
   units_long: "Figures in millimetres or inches: a program in inches is shown in inches. Forms and set-ups are in mm",
   // Cut

@@ -209,6 +209,7 @@ export const ru: Record<TextKey, string> = {
   inch: "дюйм",
   inch_min: "дюйм/мин",
   inch3: "дюйм³",
+  in_mm: "мм, мм/мин",
   second: "с",
   units_long: "Числа в миллиметрах или дюймах: УП в дюймах показана в дюймах. Формы и наладки — в мм",
   // Cut
