@@ -126,6 +126,38 @@ def endless(server):
     expect('error' in page.ask('machine', file='../outside.nc', **WITH), 'a program beyond the folder')
 
 
+def saved_meanwhile(server, folder):
+    """The machine runs the text that it began with, in the lines of that text, until it begins anew; so do its tables and places."""
+    page = looker(server)
+    file = folder / 'saved.nc'
+    file.write_text(PROGRAM)
+    page.ask('machine', file='saved.nc', **WITH)
+    first = page.ask('machine_source')
+    expect(first['text'] == PROGRAM and first['digest'] == page.ask('panel')['digest'], f'its text {first}')
+    page.ask('press', key='run')
+    held = until(page, lambda p: p['mode'] == 'standing' and p['why'] == 'M0')
+    new = PROGRAM.replace('G0 X10', 'G1 Z-99 F500\nG1 Z-98\nG0 X10')
+    file.write_text(new)
+    expect(page.ask('panel')['line'] == 5 and page.ask('machine_source') == {**first, 're': page.ask('machine_source')['re'] - 1}, 'as it began')
+    while not (sheet := page.ask('restart', line=3)).get('ready') and 'error' not in sheet:
+        time.sleep(0.01)
+    expect(sheet.get('text', '').startswith('G1 X200'), f'places are those of its text: {sheet}')
+    expect('error' not in page.ask('edit', tables={'work_offsets': {'G55': {'X': 7}}}), 'tables are edited')
+    until(page, lambda p: not p['takes_tables'])
+    page.ask('press', key='run')
+    end = until(page, lambda p: p['mode'] == 'ended')
+    expect(end['machine'] == {**held['machine'], 'Y': 50} and end['line'] == 5 and end['text'] == 'G1 Y50', f'it ends as it began {end}')
+    page.ask('switches', single=True)
+    page.ask('press', key='run')
+    until(page, lambda p: p['mode'] == 'standing' and p['line'] == 2)
+    expect(page.ask('machine_source')['text'] == new and page.ask('panel')['digest'] != first['digest'], 'from its next start on it is the new one')
+    file.unlink()
+    page.ask('press', key='reset')
+    until(page, lambda p: p['mode'] == 'ended')
+    expect('error' in page.ask('machine_source') and page.ask('panel')['digest'] == '', 'gone')
+    page.ask('press', key='off')
+
+
 AT_REST = 'G21 G90 G94 F3000\nT1 M6\nG43 H1\nS1200 M3\nM8\nM98 P7\nG0 X1\nM30\nO0007\nG55\nG1 X12\nM99\n%\n'
 AT_REST_SETUP = {'offsets': {'1': {'length': 50}}, 'work_offsets': {'G55': {'X': 7}}}
 
@@ -266,9 +298,10 @@ def main():
         at_rest(server)
         holes(server)
         gone(server, folder)
+        saved_meanwhile(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands, and ends with machines that are on')
     said = {name for name in seen if '.' in name}
-    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'stops') and '.' in n}
+    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'stops') and '.' in n}
     expect(not named - said, f'of the schema never said: {sorted(named - said)}')
     return result()
 

@@ -19,7 +19,7 @@ from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, se
 
 # What other tests see.
 UNSAID = {'event.closed'} | {f'{side}.{do}' for side in ('question', 'answer')
-                             for do in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'stops', 'answer', 'watch', 'restart', 'go_there', 'lead',
+                             for do in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'stops', 'answer', 'watch', 'restart', 'go_there', 'lead',
                                         'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py say them
 
 

@@ -96,6 +96,7 @@ class TemplateMaker {
     const std::string name = std::to_string(use.number);
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
+    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // by another tool
     const std::string tool = use.tool != 0 ? fmt::format("T{}, ", use.tool) : "";
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;

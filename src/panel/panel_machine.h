@@ -95,6 +95,9 @@ struct PanelKeeper {
   /// A line of the operator has changed tables of the control: from the next session on they must be so from the start.
   ///   returns  an error sentence: they are not kept
   std::function<std::string(const Setup& before, const Setup& after)> tables;
+  /// The program is about to begin anew: it is the text that lies on the disk now, and stays so until this is called again, whatever is
+  /// saved meanwhile.
+  std::function<void()> begins;
 };
 
 /// A variable that is set.

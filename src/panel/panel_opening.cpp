@@ -99,6 +99,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
 }
 
 PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
+  if (keeper_.begins) keeper_.begins();
   if (const Answer begun = begin_session(start); !begun) return begun;
   stands_.clear();
   for (std::size_t i = 0; start && !is_alone() && i < lanes_.size(); ++i) {

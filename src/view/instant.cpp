@@ -38,6 +38,9 @@ tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
   outlets.warning = [](const AlarmReport&) {};
   outlets.alarm = [](const AlarmReport&) { return false; };
   outlets.stop = stop;
+  outlets.step = [this](const Step& step) {
+    if (const Motion* const motion = step.motion(); motion != nullptr && motion->tool_radius > 0) led_by_ = motion->tool_radius;
+  };
   return session_.get();
 }
 
@@ -45,6 +48,17 @@ Session::State Instants::run(const StopToken& stop) {
   Session::State state = Session::State::running;
   while (state == Session::State::running && !stop.asked()) state = session_->go_on();
   return state;
+}
+
+/// By the tables as they are then; where the program gives a radius without an offset, that of the contour's motions.
+std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all) const {
+  const auto number = std::find_if(all.begin(), all.end(), [](const InForce& one) { return one.kind == InForce::Kind::offset; });
+  if (number != all.end() && number->value > 0) {
+    const Setup tables = session_->settled_control().tables_now();
+    const auto row = tables.offsets.find(int(number->value));
+    return row == tables.offsets.end() ? 0 : row->second.whole_radius();
+  }
+  return led_by_ > 0 ? std::optional(led_by_) : std::nullopt;
 }
 
 /// To before the block of that number, and past it.
@@ -61,8 +75,10 @@ Status Instants::reach(std::uint32_t number, InstantState& state, const StopToke
   state.before = control.in_force();
   state.calls = control.calls();
   limit_ = number + 1;
+  led_by_ = 0;
   (void)run(stop);
   state.after = session_->settled_control().in_force();
+  state.radius = radius_in_force(state.after);
   return {};
 }
 

@@ -20,6 +20,7 @@ struct InstantState {
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
   std::vector<InForce> before, after;  // the block
+  std::optional<double> radius;        // mm, of the tool by the offset in force behind it; nothing: no offset is in force
 };
 
 class Instants {
@@ -39,6 +40,7 @@ class Instants {
   std::vector<Pass> passes(std::uint32_t line, std::uint16_t file, std::size_t most, std::size_t& count) const;
 
  private:
+  std::optional<double> radius_in_force(const std::vector<InForce>& all) const;
   Session::State run(const StopToken& stop);
   tl::expected<InstantState, std::string> complete(InstantState state, std::uint32_t number, const StopToken& stop);
   Status reach(std::uint32_t number, InstantState& state, const StopToken& stop);
@@ -48,6 +50,7 @@ class Instants {
   std::unique_ptr<Session> session_;  // made when the first instant is asked for
   std::uint32_t limit_ = 0;           // it is held before the block of this number
   Origin held_;                       // that block
+  double led_by_ = 0;                 // mm: the radius that the contour's motions of the block had
 };
 
 }  // namespace kadr

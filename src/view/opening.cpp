@@ -74,6 +74,8 @@ tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish,
 
 tl::expected<Program, std::string> OpenedProgram::program() const { return program_in(*this, text_of(*this)); }
 
+tl::expected<Program, std::string> OpenedProgram::program_of(OpenedText other) const { return program_in(*this, std::move(other)); }
+
 tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& other) const {
   return program_in(*this, {text_source(other), Encoding::utf8});
 }

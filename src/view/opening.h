@@ -43,6 +43,7 @@ struct OpenedProgram {
   tl::expected<Program, std::string> program() const;
   /// The same of another text.
   tl::expected<Program, std::string> program_of(const std::string& other) const;
+  tl::expected<Program, std::string> program_of(OpenedText other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;
 };
 

@@ -93,6 +93,7 @@ struct PageSession::Inside {
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);
   Answer panel(const PageJson& question);
+  Answer machine_source(const PageJson& question);
   Answer press(const PageJson& question);
   Answer switches(const PageJson& question);
   Answer enter(const PageJson& question);

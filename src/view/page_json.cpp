@@ -151,6 +151,7 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
                      {"D", value_of(s.after, InForce::Kind::offset)},
                      {"H", value_of(s.after, InForce::Kind::length_offset)},
                      {"length", of_axes(s.after, InForce::Kind::length)}};
+  if (s.radius) json["offsets"]["radius"] = number(*s.radius);
   json["zero"] = of_axes(s.after, InForce::Kind::origin);
   json["variables"] = variables_json(s);
   json["seconds"] = s.at;

@@ -8,11 +8,13 @@
 #include "view/page_inside.h"
 #include "view/panel_content.h"
 #include "view/panel_json.h"
+#include "view/served_folder.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t most_expression = 200, most_watched = 50;
+constexpr std::size_t most_held = std::size_t{8} << 20;  // bytes of a program: what may be edited on the page, too
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
   if (!answer) return refused(answer.error());
@@ -42,6 +44,13 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgr
     (void)journal.log(name, log_entry("alarm", finding.text, finding.line));
   };
   return keeper;
+}
+
+/// The program's text for a machine that begins.
+void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
+  if (auto text = folder.read(file, most_held))
+    return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
+  program.take_text(nullptr, folder.digest(file).value_or(""));
 }
 
 /// How it was switched on: what of the question says that.
@@ -94,8 +103,10 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) {
     return program->open(start, stop);
   };
-  auto made = PanelMachine::make(opens, keeper_of(journal, file, content->program, lang),
-                                 spot ? std::optional(spot->machine) : std::nullopt, spot ? spot->stands : std::vector<Axes>());
+  PanelKeeper keeper = keeper_of(journal, file, content->program, lang);
+  keeper.begins = [&folder = server.folder, file, program = &content->program] { hold_text(folder, file, *program); };
+  auto made = PanelMachine::make(opens, std::move(keeper), spot ? std::optional(spot->machine) : std::nullopt,
+                                 spot ? spot->stands : std::vector<Axes>());
   if (!made) return refused(made.error());
   if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
   auto place = std::make_shared<PanelHub::Place>();
@@ -176,9 +187,22 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   json["alarm"] = PageJson();
   if (state.alarm) json["alarm"] = problem_json(finding_of(*state.alarm, *opened.texts, lang), state.alarm->origin.file, std::nullopt);
   show_files(json["calls"]);
+  json["digest"] = content_of(*panel_place).program.digest();
   json["holds"] = may_change && panel_place->holder == page;
   json["held"] = panel_place->holder != 0;
   return json;
+}
+
+/// The program as the machine runs it, whatever lies on the disk by now.
+PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
+  if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
+  const PanelProgram& program = content_of(*panel_place).program;
+  std::string digest = program.digest();
+  auto text = program.text();
+  if (!text)
+    return refused(told("the program is too long to be shown as the machine runs it",
+                        "программа слишком длинна, чтобы показать её, как её выполняет станок"));
+  return PageJson{{"text", std::move(*text)}, {"digest", std::move(digest)}};
 }
 
 PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question) {

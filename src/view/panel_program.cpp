@@ -6,6 +6,7 @@
 #include "config/setup_file.h"
 #include "config/state_json.h"
 #include "config/told.h"
+#include "view/source_text.h"
 
 namespace kadr {
 namespace {
@@ -71,6 +72,35 @@ PanelProgram::PanelProgram(OpenedProgram opened, OpeningWish wish)
   if (!edited_.is_object()) edited_ = PageJson::object();
 }
 
+void PanelProgram::take_text(std::shared_ptr<const std::string> bytes, std::string digest) {
+  const std::lock_guard hold(lock_);
+  bytes_ = std::move(bytes), digest_ = std::move(digest);
+}
+
+std::string PanelProgram::digest() const {
+  const std::lock_guard hold(lock_);
+  return digest_;
+}
+
+std::optional<std::string> PanelProgram::text() const {
+  std::shared_ptr<const std::string> bytes;
+  {
+    const std::lock_guard hold(lock_);
+    bytes = bytes_;
+  }
+  if (!bytes) return std::nullopt;
+  return SourceText(as_text(shared_text_source(bytes), opened_.encoding)).whole();
+}
+
+tl::expected<Program, std::string> PanelProgram::program() const {
+  std::shared_ptr<const std::string> bytes;
+  {
+    const std::lock_guard hold(lock_);
+    bytes = bytes_;
+  }
+  return bytes ? opened_.program_of(as_text(shared_text_source(bytes), opened_.encoding)) : opened_.program();
+}
+
 bool PanelProgram::knows_axes() const {
   const std::lock_guard hold(lock_);
   return !axes_.empty();
@@ -79,7 +109,7 @@ bool PanelProgram::knows_axes() const {
 tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std::optional<Axes>& start, const StopToken& stop) {
   if (start && !knows_axes())
     if (auto first = open({}, stop); !first) return first;  // it tells their names
-  auto text = opened_.program();
+  auto text = program();
   if (!text) return tl::unexpected(text.error());
   SessionSpec spec = opened_.spec(std::move(*text), stop);
   {
@@ -120,7 +150,7 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
 }
 
 std::string PanelProgram::refusal(const Tables& tables) const {
-  auto text = opened_.program();
+  auto text = program();
   if (!text) return text.error();
   SessionSpec spec = opened_.spec(std::move(*text), {});
   spec.setup = tables.setup;

@@ -1,8 +1,10 @@
 #pragma once
 // PanelProgram: what the sessions of a machine at its panel are made of: the program, and its tables as they have been edited.
 
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,14 @@ class PanelProgram {
   const std::string& setup_file() const { return wish_.setup; }
 
   // From any thread.
+  /// The program as it lay on the disk when the machine began: what it runs, and what places are found in, until it begins anew.
+  ///   bytes   nothing: it is read from the disk each time, for it is long or cannot be read
+  ///   digest  of the file then; empty: it cannot be read
+  void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
+  std::string digest() const;
+  /// As UTF-8, lines divided by '\n'.
+  ///   returns  nothing: it is not held
+  std::optional<std::string> text() const;
   /// PanelOpens.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
@@ -49,9 +59,12 @@ class PanelProgram {
 
  private:
   bool knows_axes() const;
+  tl::expected<Program, std::string> program() const;
 
   const OpenedProgram opened_;
   OpeningWish wish_;
+  std::shared_ptr<const std::string> bytes_;
+  std::string digest_;
   std::vector<std::string> axes_;  // of its control, from the first session on
   mutable std::mutex lock_;
   PageJson edited_;

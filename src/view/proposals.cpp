@@ -58,8 +58,12 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
   made.tool.number = number;
   (void)take_setup(run, made);
   const Use* const called = first_use(run, UseKind::tool, [&](const Use& u) { return u.number == number; });
-  const auto comment = comments.of(number, called == nullptr || called->origin.file != 0 ? 0 : called->origin.line);
+  const std::uint32_t called_at = called == nullptr || called->origin.file != 0 ? 0 : called->origin.line;
+  const auto comment = comments.of(number, called_at);
   const bool has_kind = comment && take_comment(*comment, made);
+  if (const auto open = comment ? std::nullopt : comments.unsure(number, called_at))
+    made.from +=
+        fmt::format("{}{} {} \"{}\"", made.from.empty() ? "" : "; ", told("not sure: line", "не ясно: строка"), open->line, open->text);
   (void)assume_heights(made.tool);
   made.known = has_kind && told_fault(made.tool).empty();
   if (made.known) made.from += told("; flutes and length as most have them", "; высота зубьев и вылет обычные");

@@ -111,12 +111,25 @@ class SheetMaker {
     return found == all.end() ? nullptr : &found->second;
   }
 
+  /// Where another tool uses the same offset, a setter who edits it for one edits it for both.
+  void take_shared(Sheet::Tool& tool, const Use& by, const std::string& word) const {
+    std::set<std::uint32_t> others;
+    for (const Use& use : run_.control().use().all())
+      if ((use.kind == UseKind::length || use.kind == UseKind::radius) && use.number == by.number && use.tool != by.tool &&
+          used_key(use, *run_.opened().def).word == word)
+        others.insert(use.tool);
+    if (!others.empty()) tool.shared.push_back({word, {others.begin(), others.end()}});
+  }
+
   void take_offsets(Sheet::Tool& tool) const {
     std::set<std::string> told;
     for (const Use& use : run_.control().use().all()) {
       if (use.tool != tool.number || (use.kind != UseKind::length && use.kind != UseKind::radius)) continue;
       const std::string word = used_key(use, *run_.opened().def).word;
-      if (told.insert(word).second) tool.corrector += (tool.corrector.empty() ? "" : " ") + word;
+      if (told.insert(word).second) {
+        tool.corrector += (tool.corrector.empty() ? "" : " ") + word;
+        take_shared(tool, use, word);
+      }
       const ToolOffset* const row = offset(use.number);
       if (row == nullptr) continue;
       if (use.kind == UseKind::length) tool.length = row->whole_length();
@@ -178,9 +191,13 @@ PageJson number(const std::optional<double>& value) { return value ? PageJson(*v
 PageJson tool_json(const Sheet::Tool& t) {
   PageJson outline = PageJson::array();
   for (const ProfilePoint& p : t.outline) outline.push_back({p.diameter, p.height});
-  return {{"number", t.number},       {"name", t.name},       {"radius", number(t.radius)}, {"length", number(t.length)},
-          {"corrector", t.corrector}, {"seconds", t.seconds}, {"lines", t.lines},           {"outline", std::move(outline)},
-          {"comment", t.comment}};
+  PageJson shared = PageJson::array();
+  for (const Sheet::Tool::Shared& one : t.shared) shared.push_back({{"word", one.word}, {"tools", one.tools}});
+  return {{"number", t.number},         {"name", t.name},
+          {"radius", number(t.radius)}, {"length", number(t.length)},
+          {"corrector", t.corrector},   {"seconds", t.seconds},
+          {"lines", t.lines},           {"outline", std::move(outline)},
+          {"comment", t.comment},       {"shared", std::move(shared)}};
 }
 
 }  // namespace

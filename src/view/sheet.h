@@ -20,10 +20,15 @@ struct Sheet {
   };
   struct Tool {
     std::uint32_t number = 0;
-    std::string name;                   // of the tools file
-    std::optional<double> radius;       // mm, by the set-up, else by the tools file or the comment
-    std::optional<double> length;       // mm, by the set-up
-    std::string corrector;              // offsets that are used with it: "D1 H1"
+    std::string name;              // of the tools file
+    std::optional<double> radius;  // mm, by the set-up, else by the tools file or the comment
+    std::optional<double> length;  // mm, by the set-up
+    std::string corrector;         // offsets that are used with it: "D1 H1"
+    struct Shared {
+      std::string word;                  // "H3"
+      std::vector<std::uint32_t> tools;  // others that use it too
+    };
+    std::vector<Shared> shared;         // of these offsets
     double seconds = 0;                 // at feed
     std::vector<std::uint32_t> lines;   // where it is called, the first ones, in the program itself
     std::vector<ProfilePoint> outline;  // empty: nobody knows its shape

@@ -77,6 +77,7 @@ TEST(Proposals, OfAProgramInInches) {
   EXPECT_NEAR(tools[1].tool.diameter, 9.525, 1e-9);
   EXPECT_NEAR(tools[2].tool.diameter, 5.1054, 1e-9);
   EXPECT_FALSE(tools[3].known) << "six inches, or six millimetres";
+  EXPECT_EQ(tools[3].from, "not sure: line 4 \"T7 6. FLAT ENDMILL\"") << "nothing is proposed, and it is said why";
   EXPECT_EQ(tools[3].tool.diameter, 0);
 }
 

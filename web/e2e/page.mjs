@@ -8,7 +8,9 @@ import { browser, looks_at, must, until } from "./browser.mjs";
 import { convert_steps } from "./convert_steps.mjs";
 import { making_steps } from "./making_steps.mjs";
 import { finger_steps, panel_steps } from "./panel_steps.mjs";
+import { figure_steps } from "./figure_steps.mjs";
 import { server } from "./server.mjs";
+import { text_steps } from "./text_steps.mjs";
 
 const examples = process.argv[2] ?? fileURLToPath(new URL("../../examples", import.meta.url));
 const pictures = process.argv[3] ?? "/tmp/kadr-page";
@@ -520,6 +522,8 @@ const steps = {
     await until("what is left", () => count(".cut .facts"), 120_000);
     await page.screenshot({ path: join(pictures, "turned_cut.png") });
   },
+  ...text_steps({ kadr, page, pictures, only }),
+  ...figure_steps({ kadr, page, pictures, only }),
   ...panel_steps({ kadr, page, pictures, only }),
   ...making_steps({ kadr, page, pictures }),
   ...convert_steps({ kadr, page, pictures }),

@@ -21,6 +21,46 @@ export async function page_from(page, dist) {
     });
 }
 
+/// Programs that no example shows: a stated work zero, inches, an offset that two tools share.
+const our_own = {
+  "zero.nc": [
+    "%",
+    "O0001 (ZERO STATED)",
+    "G21 G90 G54 G17 G40 G49 G80",
+    "T1 M6",
+    "S1000 M3",
+    "G0 G43 H3 X0 Y0 Z50.",
+    "G1 Z0. F500.",
+    "X40.",
+    "G0 Z50.",
+    "T2 M6",
+    "G0 G43 H3 X-20. Y0. Z50.",
+    "G1 Z0. F500.",
+    "G41 D2 X0. Y0.",
+    "Y30.",
+    "X40.",
+    "G40 X40. Y30.",
+    "Y38.",
+    "M30",
+    "%",
+  ].join("\n"),
+  "zero.json": JSON.stringify({
+    work_offsets: { G54: { X: -100, Y: -50, Z: -300 } },
+    offsets: { 2: { radius: 8 }, 3: { length: 80 } },
+  }),
+  "inch.nc": [
+    "%",
+    "O0002 (INCHES)",
+    "G20 G90 G54 G17 G40 G49 G80",
+    "T1 M6",
+    "G0 X0 Y0 Z1.",
+    "G1 Z-0.5 F10.",
+    "X3.2",
+    "M30",
+    "%",
+  ].join("\n"),
+};
+
 export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
@@ -29,6 +69,7 @@ export async function real(kadr, examples) {
       join(folder, "cut", "xss.nc"),
       "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n",
     );
+  for (const [name, text] of Object.entries(our_own)) writeFileSync(join(folder, name), text);
   let child,
     address = "";
   const start = (port, ...more) =>

@@ -26,6 +26,7 @@ import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
 import { MakingDialog } from "./ui/making";
 import { layout, next_pane, Tabs } from "./ui/layout";
+import { MachineSource } from "./ui/machine_source";
 import { Operator } from "./model/operator";
 import { OperatorPanel } from "./ui/operator_panel";
 import { Player } from "./ui/player";
@@ -39,6 +40,7 @@ import { show_from_tape, show_to_tape } from "./ui/tape";
 import { timeline } from "./ui/timeline";
 import { toast } from "./ui/toast";
 import { Topbar } from "./ui/topbar";
+import { offer_unsaved } from "./ui/unsaved";
 
 set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
@@ -137,8 +139,7 @@ app.on_opening.on((file) => {
   scene?.setPart(null);
   scene?.setBoxes([]);
 });
-app.on_done.on((done) => {
-  scene?.setZero(done.zero);
+app.on_done.on(() => {
   show_boxes();
   scene?.endPath();
 });
@@ -156,6 +157,7 @@ operator_panel.restart.restart.on_change.on(() =>
 );
 operator.on_error.on((text) => toast(text, true));
 operator.on_press.on(() => scene?.hush(until_shown));
+const machine_source = new MachineSource(app, operator, source);
 let was_on = false,
   panel_line = 0;
 operator.on_panel.on((p) => {
@@ -167,10 +169,9 @@ operator.on_panel.on((p) => {
   if (!here) return scene?.showMachine(null);
   const at = (axis: string): number => (p.position[axis] ?? 0) + (p.zero[axis] ?? 0);
   scene?.showMachine({ at: [at("X"), at("Y"), at("Z")], tool: p.tool ?? 0 });
-  if (p.line === panel_line || p.file !== 0) return;
+  if (p.line === panel_line || p.file !== 0 || !machine_source.same) return;
   panel_line = p.line;
   scene?.highlight(p.line, 0);
-  source.show(p.line);
 });
 
 /// To the pass of a line that is nearest to where the slider stands.
@@ -198,7 +199,9 @@ listen_keys(app, player, {
   leave: () => scene_pane.leave(),
   next_pane,
 });
+offer_unsaved(app);
 window.addEventListener("beforeunload", (e) => {
-  if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault();
+  app.keep_place();
+  if (app.dirty) e.preventDefault(); // the browser asks: its tab may be closed for good
 });
 app.client.connect();

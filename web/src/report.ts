@@ -114,7 +114,6 @@ function show(report: Report): void {
   });
   let fitted = false;
   app.on_done.on((done) => {
-    scene?.setZero(done.zero);
     scene?.setTools(shapes);
     if (done.extents.cutting) scene?.setBoxes([{ name: t("extents"), kind: "extents", box: done.extents.cutting }]);
     if (!fitted) scene?.view("fit");

@@ -89,3 +89,20 @@ test("steps go on from where the slider stands, whatever was told before", async
   await answer("state", { number: 1, at: 0 });
   expect(socket.sent.filter((q) => q.do === "state").at(-1)!.number).toBe(10);
 });
+
+test("a cut is of the text that is shown: it is run first, unless it was run", async () => {
+  const { app, socket, answer } = await run_over();
+  const asked = (): string[] => socket.sent.map((q) => q.do).filter((what) => ["open", "cut"].includes(what));
+  const question = { stock: "box:0,0,0,1,1,1", tools: [] };
+  void app.run_cut(question);
+  await settle();
+  expect(asked()).toEqual(["open", "cut"]);
+  await answer("cut", {});
+  app.set_text("G1 X2");
+  void app.run_cut(question);
+  await settle();
+  expect(asked()).toEqual(["open", "cut", "open"]);
+  expect(socket.sent.filter((q) => q.do === "open").at(-1)!.text).toBe("G1 X2");
+  await answer("open", { file: "a.nc", text: "G1 X2", digest: "1" });
+  expect(asked()).toEqual(["open", "cut", "open", "cut"]);
+});

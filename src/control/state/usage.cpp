@@ -13,16 +13,19 @@ void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, 
   constexpr std::uint32_t most = 100'000'000;  // T has eight digits
   if (origin.line == 0 || number > most) return;
   if (kind == UseKind::tool) called_ = number;
+  const std::uint32_t tool = in_spindle_ != 0 ? in_spindle_ : called_;
+  const bool of_tool = kind == UseKind::length || kind == UseKind::radius;  // two tools may share an offset: the first use of each
+  const auto is_kept = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
   constexpr std::size_t tabled = 65'536;  // beyond, they are few: looked for in the list
   if (number < tabled) {
-    if (number < seen.size() && seen[number]) return;
+    if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_kept))) return;
     if (number >= seen.size()) seen.resize(number + 1);
     seen[number] = true;
-  } else if (std::any_of(all_.begin(), all_.end(), [&](const Use& use) { return use.kind == kind && use.number == number; })) {
+  } else if (std::any_of(all_.begin(), all_.end(), is_kept)) {
     return;
   }
-  all_.push_back({kind, number, origin, zero, in_spindle_ != 0 ? in_spindle_ : called_});
+  all_.push_back({kind, number, origin, zero, tool});
 }
 
 void ProgramUse::pass(const Origin& origin) {

@@ -19,11 +19,14 @@ import type {
   State,
 } from "../protocol/types";
 import { greet } from "./greet";
+import { has_texts } from "./has_texts";
 import { Latest, debounce, spaced } from "./latest";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
 import { clamp } from "./time";
+import { take_program_unit } from "./units";
+import { Unsaved, type KeptText } from "./unsaved";
 
 const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
 const most_problems = 10_000; // more than anybody reads; the rest is the same again
@@ -38,6 +41,7 @@ export class App {
   tables: { file: string; edited: JsonTable } | null = null; // of the machine of that program: laid over its set-up
   text: string | null = null; // as edited; null where the file is not held here
   saved_text: string | null = null;
+  ran: string | null = null; // the text that the session has run: path, state and sheet are of it
   digest: string | null = null; // of what lies on the disk: saving names what it replaces
   running = false;
   progress: Progress | null = null;
@@ -68,6 +72,7 @@ export class App {
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
   readonly on_files = new Signal<string>(); // a new one has been saved
+  readonly unsaved = new Unsaved();
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;
@@ -138,10 +143,11 @@ export class App {
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
       if (question.text === undefined) this.found_on_disk(opened);
-      this.text = question.text ?? opened.text ?? null;
+      this.text = this.ran = question.text ?? opened.text ?? null;
       this.keep_place();
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
+      if (this.text !== null && !this.dirty) this.unsaved.offer(opened.file, this.text);
     } catch (e) {
       if (this.opening) return;
       this.running = false;
@@ -164,6 +170,13 @@ export class App {
       question.tables = this.tables.edited;
     if (this.dirty && this.text !== null) question.text = this.text;
     await this.open(question, this.instant);
+  }
+
+  /// What is asked of the session is about the text that it has run: what stands in the editor is run first, unless it
+  /// is that. False: it cannot be opened, which has been told.
+  async run_shown(): Promise<boolean> {
+    if (this.text !== this.ran) await this.run_again();
+    return this.opened !== null;
   }
 
   stop(): void {
@@ -207,6 +220,7 @@ export class App {
   }
 
   async run_cut(question: CutQuestion): Promise<void> {
+    if (!(await this.run_shown())) return;
     this.last_cut = question;
     this.findings = [];
     this.cut = null;
@@ -242,27 +256,15 @@ export class App {
       await this.client.ask("language", { lang });
       await this.greet(this.client); // names of controls
       if (!this.opened) return this.on_line.emit("open");
-      if (!this.has_texts()) return this.ask_again(); // nothing that the run has said is in the other language
+      if (!has_texts(this)) {
+        this.on_opened.emit(this.opened); // nothing that the run has said is in the other language
+        return this.states.want({ at: this.instant });
+      }
       this.recut = this.cut_ready;
       await this.run_again();
     } catch (e) {
       this.tell(e);
     }
-  }
-
-  /// Sentences that came with the run.
-  private has_texts(): boolean {
-    return (
-      this.running ||
-      this.problems.length > 0 ||
-      this.findings.length > 0 ||
-      Boolean(this.done?.unstated) ||
-      this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message")
-    );
-  }
-  private ask_again(): void {
-    if (this.opened) this.on_opened.emit(this.opened);
-    this.states.want({ at: this.instant });
   }
 
   tell(e: unknown): void {
@@ -271,6 +273,7 @@ export class App {
 
   private async greet(client: Client): Promise<void> {
     this.hello = await greet(client);
+    this.unsaved.of_folder(this.hello.folder);
   }
 
   private async line_changed(line: LineState): Promise<void> {
@@ -285,24 +288,33 @@ export class App {
     const file = again?.question.file ?? this.hello?.last;
     if (!file) return;
     const question: OpenQuestion = again ? { ...again.question } : { file };
-    const unsaved = remembered<{ file: string; text: string } | null>("unsaved", null, "tab");
-    if (unsaved?.file === file) {
-      await this.reopen_unsaved(question, unsaved.text, again?.at ?? 0);
-      return;
-    }
+    const mine = this.dirty && this.opened?.file === file ? { text: this.text!, digest: this.digest } : null,
+      unsaved = mine ?? this.unsaved.own(file); // what the browser has no room for is still here
+    if (unsaved) return this.reopen_unsaved(question, unsaved, again?.at ?? 0);
     delete question.text;
     await this.open(question, again?.at ?? 0);
   }
 
-  /// The edited text is run, but what lies on the disk is asked first, so that saving still knows what it replaces.
-  private async reopen_unsaved(question: OpenQuestion, text: string, at: number): Promise<void> {
+  /// The edited text is run, but what lies on the disk is asked first: saving replaces the file that it was made from,
+  /// and no other.
+  private async reopen_unsaved(
+    question: OpenQuestion,
+    kept: Pick<KeptText, "text" | "digest">,
+    at: number,
+  ): Promise<void> {
     delete question.text;
     try {
       this.found_on_disk(await this.client.ask("open", question));
     } catch (e) {
       return this.tell(e);
     }
-    await this.open({ ...question, text }, at);
+    this.digest = kept.digest ?? this.digest;
+    await this.open({ ...question, text: kept.text }, at);
+  }
+  /// A text of an earlier visit, of the program that is open.
+  async take_unsaved(kept: KeptText): Promise<void> {
+    this.unsaved.drop(kept);
+    await this.reopen_unsaved({ file: kept.file, ...this.choice }, kept, this.instant);
   }
 
   private found_on_disk(opened: Opened): void {
@@ -333,6 +345,7 @@ export class App {
   private take_done(done: Done): void {
     this.done = done;
     this.running = false;
+    take_program_unit(this.opened?.file ?? "", done.units);
     this.on_done.emit(done);
     this.on_run.emit();
     this.seek(this.wanted?.at ?? 0);
@@ -376,11 +389,12 @@ export class App {
     }
   }
 
-  private keep_place(): void {
+  /// At once: the page is about to go.
+  keep_place(): void {
     if (!this.opened || !this.wanted) return;
     const { text: _, ...question } = this.wanted.question;
     this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is over the old place is still to be gone to
     remember("open", this.wanted, "tab");
-    remember("unsaved", this.dirty ? { file: this.opened.file, text: this.text } : null, "tab");
+    this.unsaved.keep(this.opened.file, this.dirty ? this.text : null, this.digest);
   }
 }

@@ -16,12 +16,34 @@ export function remembered<T>(name: string, otherwise: T, store: "local" | "tab"
   }
 }
 
-export function remember(name: string, value: unknown, store: "local" | "tab" = "local"): void {
-  if (store === "tab" && !tab_is_kept) return;
+/// False: the store is full or forbidden.
+export function remember(name: string, value: unknown, store: "local" | "tab" = "local"): boolean {
+  if (store === "tab" && !tab_is_kept) return false;
   try {
     storage(store).setItem(`kadr.${name}`, JSON.stringify(value));
+    return true;
   } catch {
-    /* full or forbidden */
+    return false;
+  }
+}
+
+/// Of the local store.
+export function forget(name: string): void {
+  try {
+    localStorage.removeItem(`kadr.${name}`);
+  } catch {
+    /* forbidden */
+  }
+}
+
+/// Names in the local store that begin so.
+export function names_kept(begins: string): string[] {
+  try {
+    return Object.keys(localStorage)
+      .filter((name) => name.startsWith(`kadr.${begins}`))
+      .map((name) => name.slice("kadr.".length));
+  } catch {
+    return [];
   }
 }
 

@@ -260,6 +260,7 @@ export interface SheetTool {
   lines?: number[];
   outline?: [number, number][];
   comment?: string;
+  shared?: { word: string; tools: number[] }[]; // of its offsets: other tools that use them too
 }
 export interface Sheet {
   program: string;
@@ -355,6 +356,7 @@ export interface Panel {
   held: boolean;
   limit: string;
   channels: PanelChannel[];
+  digest: string; // of the program as the machine runs it
 }
 /// One of several; `waits`: its axes have come to a waiting code, who else has (`here`) of those who must (`channels`).
 export interface PanelChannel {
@@ -608,6 +610,7 @@ export interface Questions {
     },
   ];
   panel: [object, Panel];
+  machine_source: [object, { text: string; digest: string }];
   press: [{ key: PanelKey }, object];
   switches: [
     {

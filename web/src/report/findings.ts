@@ -2,7 +2,8 @@
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
 import { fill, h } from "../ui/dom";
-import { clock, short } from "../ui/figures";
+import { volume_unit } from "../model/units";
+import { clock, length_told, volume_figure, volume_told } from "../ui/figures";
 import { icon } from "../ui/icons";
 import { fact } from "../ui/summary";
 
@@ -29,10 +30,10 @@ export class FindingsPanel {
       h(
         "dl",
         { class: "facts" },
-        ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`),
-        ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`),
-        ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`),
-        ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`),
+        ...fact(t("stock"), volume_told(c.stock)),
+        ...fact(t("removed"), volume_told(c.removed)),
+        ...fact(t("left"), volume_told(c.left)),
+        ...fact(t("cell"), length_told(c.resolution)),
       ),
       app.findings.length ? null : h("p", { class: "good" }, t("nothing_hit")),
       ...app.findings.slice(0, most_shown).map((f) =>
@@ -72,9 +73,12 @@ export class FindingsPanel {
         h(
           "tr",
           null,
-          ...[t("tool"), `${t("removed")}, ${t("mm3")}`, t("time"), t("greatest_rate")].map((x) =>
-            h("th", { scope: "col" }, x),
-          ),
+          ...[
+            t("tool"),
+            `${t("removed")}, ${volume_unit()}`,
+            t("time"),
+            `${t("greatest_rate")}, ${volume_unit()}/${t("second")}`,
+          ].map((x) => h("th", { scope: "col" }, x)),
         ),
       ),
       h(
@@ -85,9 +89,9 @@ export class FindingsPanel {
             "tr",
             null,
             h("td", null, `T${x.tool}`),
-            h("td", null, short(x.removed, 1)),
+            h("td", null, volume_figure(x.removed)),
             h("td", null, clock(x.seconds)),
-            h("td", null, short(x.greatest_rate, 1)),
+            h("td", null, volume_figure(x.greatest_rate)),
           ),
         ),
       ),

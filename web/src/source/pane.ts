@@ -9,6 +9,7 @@ import { virtual_view } from "./virtual";
 import type { apply_fix } from "./problems";
 import type { Fix, State } from "../protocol/types";
 
+const of_machine = -1; // in the place of a file's number: the program as a machine runs it
 const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
 
 /// What a text that may be edited is shown with; a report has none.
@@ -25,6 +26,7 @@ export class SourcePane {
   private view: SourceView | null = null;
   private shown_file = 0;
   private name = "";
+  private other: (() => void) | null = null; // the machine runs another text: shows it
 
   constructor(
     private app: App,
@@ -35,7 +37,7 @@ export class SourcePane {
     app.on_opened.on(() => this.show_program());
     app.on_dirty.on(() => this.head());
     app.on_state.on((s) => {
-      if (!s) return;
+      if (!s || this.shown_file === of_machine) return;
       const file = s.file ?? 0;
       if (file !== this.shown_file) this.show_file(file, s.file_name ?? "");
       this.view?.show_line(s.line, beside(s));
@@ -47,6 +49,38 @@ export class SourcePane {
   show(line: number): void {
     if (this.shown_file !== 0) this.show_file(0, "");
     this.view?.show_line(line);
+  }
+  /// The program as a machine runs it, which is not what stands in the editor; null: that goes.
+  show_machine(text: string | null): void {
+    if (text === null) {
+      if (this.shown_file === of_machine) this.show_file(0, "");
+      return;
+    }
+    const lines = text.replace(/\n$/, "").split("\n"),
+      from_line = async (from: number, count: number): Promise<string[]> => lines.slice(from - 1, from - 1 + count);
+    this.replace_view(of_machine, () =>
+      virtual_view(
+        this.host,
+        lines.length,
+        from_line,
+        () => undefined,
+        (line, told) => this.explained(line, told),
+      ),
+    );
+    this.head();
+  }
+  get shows_machine(): boolean {
+    return this.shown_file === of_machine;
+  }
+  /// The line that it is on; 0: none is marked.
+  mark_machine(line: number): void {
+    if (this.shown_file === 0 || this.shows_machine) this.view?.show_line(line);
+  }
+  /// Says that the machine runs another text than the one that is shown; `show`: that one is wanted.
+  tell_machine(show: (() => void) | null): void {
+    if (Boolean(show) === Boolean(this.other)) return;
+    this.other = show;
+    this.head();
   }
   fix(fix: Fix): void {
     if (this.view?.editor) {
@@ -65,27 +99,32 @@ export class SourcePane {
       this.view.editor.state.doc.toString() === app.text
     )
       return this.head();
+    if (this.shows_machine && this.name === app.opened?.file) return this.head();
     this.name = app.opened?.file ?? "";
     this.show_file(0, "");
   }
 
   private show_file(file: number, name: string): void {
     const { app } = this;
-    this.view?.close();
-    this.host.replaceChildren();
-    this.shown_file = file;
     const picked = (line: number): void => this.picked(line, file);
-    if (file === 0 && app.text !== null && this.editing)
-      this.view = this.editing.view(app, this.host, app.text, picked, () => void save(app));
-    else
-      this.view = virtual_view(
+    this.replace_view(file, () => {
+      if (file === 0 && app.text !== null && this.editing)
+        return this.editing.view(app, this.host, app.text, picked, () => void save(app));
+      return virtual_view(
         this.host,
         file === 0 ? (app.opened?.lines ?? 0) : called_lines,
         async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines,
         picked,
         (line, text) => this.explained(line, text),
       );
+    });
     this.head(name);
+  }
+  private replace_view(file: number, made: () => SourceView): void {
+    this.view?.close();
+    this.host.replaceChildren();
+    this.shown_file = file;
+    this.view = made();
   }
 
   private async explained(line: number, text: string): Promise<string> {
@@ -99,16 +138,26 @@ export class SourcePane {
     fill(
       this.title,
       called || app.opened?.file || t("source"),
+      this.shows_machine && h("span", { class: "note" }, ` ${t("as_machine_runs")}`),
       app.dirty && h("span", { class: "dirty", title: t("unsaved") }, " ●"),
     );
     fill(
       this.tools,
+      this.other &&
+        !this.shows_machine &&
+        h(
+          "span",
+          { class: "machine-other", title: t("machine_other_long") },
+          `${t("machine_other")} `,
+          button(t("machine_other_show"), this.other),
+        ),
       this.shown_file !== 0 &&
         button(t("back_to_program"), () => {
           this.show_file(0, "");
         }),
       app.opened && !app.opened.editable && h("span", { class: "note" }, t("read_only")),
       app.opened?.editable &&
+        !this.shows_machine &&
         button(t("save"), () => void save(app), {
           disabled: !app.dirty || !app.hello?.may_change,
           title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change"),

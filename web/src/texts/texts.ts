@@ -21,6 +21,9 @@ export function set_language(lang: Language): void {
 }
 export const on_language = (f: () => void): (() => void) => changed.on(f);
 
+/// Everything that is written is written anew: its figures are in another unit.
+export const write_anew = (): void => changed.emit(current);
+
 /// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session
 /// knows: it stands for itself.
 export function t(key: TextKey, with_?: Record<string, string | number>): string {

@@ -20,20 +20,31 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
   if (document.querySelector("dialog.docked .compare")) return;
   const file = h("select", { "aria-label": t("other_version") }),
     told = h("p", { class: "note", "aria-live": "polite" }),
+    stale = h("p", { class: "hint stale", "aria-live": "polite", hidden: true }, t("compare_again")),
     list = h("ol", { class: "differences" }),
     host = h("div", { class: "merge" });
-  let merge: MergeView | null = null;
+  let merge: MergeView | null = null,
+    compared: string | null | undefined; // undefined: nothing has been compared
+  const tell_changes = (): void => {
+    stale.hidden = compared === undefined || compared === app.text;
+  };
   const here = app.opened!.file,
     folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
   const go = async (): Promise<void> => {
     if (!file.value) return;
-    const wanted = file.value;
+    const wanted = file.value,
+      shown = app.text,
+      saved = app.saved_text;
     verbs.begin();
     told.textContent = t("comparing");
     list.replaceChildren();
+    compared = undefined;
     try {
-      const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
+      if (!(await app.run_shown())) return void (told.textContent = "");
+      const c = await app.client.ask("compare", wanted === here ? { text: saved ?? "" } : { file: wanted });
       told.textContent = c.text;
+      compared = shown;
+      tell_changes();
       list.replaceChildren(
         ...c.differences.map((d) =>
           h(
@@ -51,16 +62,17 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
       app.tell(e);
     }
     merge?.destroy();
-    const other = wanted === here ? app.saved_text : await text_of(app, wanted);
-    if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
+    const other = wanted === here ? saved : await text_of(app, wanted);
+    if (other === null || shown === null) told.textContent += ` ${t("no_text_here")}`;
     else
       merge = new MergeView({
         a: side(other),
-        b: side(app.text, (n) => verbs.line(n)),
+        b: side(shown, (n) => verbs.line(n)),
         parent: host,
         collapseUnchanged: { margin: 3, minSize: 8 },
       });
   };
+  const off = [app.on_text.on(tell_changes), app.on_dirty.on(() => void fill_files(app, folder, here, file))];
   open_dialog(
     t("compare"),
     h(
@@ -73,12 +85,14 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
         button(t("compare"), () => void go(), { class: "main" }),
         told,
       ),
+      stale,
       list,
       host,
     ),
     {
       docked: "left",
       closed: () => {
+        for (const f of off) f();
         merge?.destroy();
         verbs.begin();
       },
@@ -102,6 +116,7 @@ const side = (doc: string, clicked?: (line: number) => void) => ({
 });
 
 async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
+  const chosen = select.value;
   try {
     const { entries } = await app.client.ask("files", { folder });
     const names = entries
@@ -113,6 +128,7 @@ async function fill_files(app: App, folder: string, here: string, select: HTMLSe
       app.dirty && h("option", { value: here }, t("as_saved", { file: here })),
       ...names.map((n) => h("option", { value: n }, n)),
     );
+    if ([...select.options].some((o) => o.value === chosen)) select.value = chosen;
   } catch (e) {
     app.tell(e);
   }

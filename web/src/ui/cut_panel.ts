@@ -5,7 +5,7 @@ import { shape_of } from "../model/tool_shape";
 import type { Box, PartAnswer, Tool } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { clock, short } from "./figures";
+import { clock, length_told, short, volume_told } from "./figures";
 import { icon } from "./icons";
 import { tool_picture } from "./outline";
 import { fact } from "./summary";
@@ -107,10 +107,10 @@ export class CutPanel {
     else
       fill(
         this.form,
-        h("h3", null, t("stock")),
+        h("h3", null, `${t("stock")}, ${t("mm")}`),
         this.stock_form(),
         this.fixtures_form(),
-        h("h3", null, t("tools")),
+        h("h3", null, `${t("tools")}, ${t("mm")}`),
         this.files_form(),
         ...this.tools.map((x) => this.tool_form(x)),
         button(t("add_tool"), () => {
@@ -320,19 +320,19 @@ export class CutPanel {
         h(
           "dl",
           { class: "facts" },
-          ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`),
-          ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`),
-          ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`),
-          ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`),
+          ...fact(t("stock"), volume_told(c.stock)),
+          ...fact(t("removed"), volume_told(c.removed)),
+          ...fact(t("left"), volume_told(c.left)),
+          ...fact(t("cell"), length_told(c.resolution)),
         ),
       this.part &&
         h(
           "p",
           { class: "note" },
           t("part_told", {
-            left: short(this.part.left, 1),
+            left: volume_told(this.part.left),
             triangles: short(this.part.triangles),
-            cell: short(this.part.cell, 3),
+            cell: length_told(this.part.cell),
           }),
         ),
       ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),

@@ -1,9 +1,35 @@
 // How figures are written: the same everywhere on the page.
+import { in_unit, length_unit, places, turns, unit, volume, volume_unit } from "../model/units";
+
 export function coordinate(v: number | undefined | null): string {
   if (v === undefined || v === null || !Number.isFinite(v)) return "–";
   const s = v.toFixed(3);
   return s === "-0.000" ? "0.000" : s;
 }
+
+/// Of mm: in the unit that is shown, without its name.
+export function length(mm: number | undefined | null): string {
+  if (mm === undefined || mm === null || !Number.isFinite(mm)) return "–";
+  const s = in_unit(mm).toFixed(places());
+  return Number(s) === 0 ? s.replace("-", "") : s;
+}
+/// … with its name.
+export const length_told = (mm: number | undefined | null): string => `${length(mm)} ${length_unit()}`;
+
+/// Of a position: degrees of a rotary axis stay what they are.
+export const axis_value = (axis: string, v: number | undefined | null): string =>
+  turns(axis) ? coordinate(v) : length(v);
+
+/// Of mm/min, without its name.
+export function feed(mm_min: number | undefined | null, digits = 0): string {
+  if (mm_min === undefined || mm_min === null) return "–";
+  return short(in_unit(mm_min), digits + (unit() === "inch" ? 1 : 0));
+}
+
+/// Of mm³.
+export const volume_figure = (mm3: number | undefined | null): string =>
+  mm3 === undefined || mm3 === null ? "–" : short(volume(mm3), unit() === "inch" ? 4 : 1);
+export const volume_told = (mm3: number | undefined | null): string => `${volume_figure(mm3)} ${volume_unit()}`;
 
 export function short(v: number | undefined | null, digits = 0): string {
   if (v === undefined || v === null || !Number.isFinite(v)) return "–";

@@ -4,7 +4,8 @@ import { colour_of_tool, is_ramp, ramp, type Range, type Rgba, type Theme } from
 import type { ColourBy } from "../scene/types";
 import { t, type TextKey } from "../texts/texts";
 import { h } from "./dom";
-import { clock, coordinate, short } from "./figures";
+import { feed_unit, in_unit, length_unit } from "../model/units";
+import { clock, length, short } from "./figures";
 
 export interface Coloured {
   by: ColourBy;
@@ -43,14 +44,16 @@ export function legend(c: Coloured): HTMLElement | null {
 
 /// The figure at each tick of a ramp.
 export function ramp_figures(by: ColourBy, [low, high]: Range): string[] {
-  const places = high - low > 20 ? 0 : high - low > 2 ? 1 : 3;
-  const told = (v: number): string => (by === "time" ? clock(v) : by === "depth" ? coordinate(v) : short(v, places));
+  const shown = (v: number): number => (by === "feed" || by === "speed" ? in_unit(v) : v),
+    wide = shown(high) - shown(low);
+  const places = wide > 20 ? 0 : wide > 2 ? 1 : 3;
+  const told = (v: number): string => (by === "time" ? clock(v) : by === "depth" ? length(v) : short(shown(v), places));
   if (!(high > low)) return low <= high ? [told(low)] : [];
   return Array.from({ length: ticks }, (_, i) => told(low + ((high - low) * i) / (ticks - 1)));
 }
 
 const units_of = (by: ColourBy): string =>
-  by === "time" ? "" : by === "depth" ? t("mm") : by === "slowed" ? "%" : t("mm_min");
+  by === "time" ? "" : by === "depth" ? length_unit() : by === "slowed" ? "%" : feed_unit();
 
 function ramp_legend(by: ColourBy, range: Range | null): HTMLElement | null {
   const figures = range ? ramp_figures(by, range) : [];

@@ -5,7 +5,8 @@ import type { Operator } from "../model/operator";
 import type { Panel, PanelChannel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { coordinate, short } from "./figures";
+import { axis_unit, feed_unit } from "../model/units";
+import { axis_value, feed, short } from "./figures";
 import { RestartPanel } from "./restart_panel";
 import { ShiftPanel } from "./shift_panel";
 import { TablesPanel } from "./tables_panel";
@@ -253,7 +254,7 @@ export class OperatorPanel {
     if (p.number !== this.codes.number)
       this.codes = { number: p.number, now: new Set(p.modal.map((m) => m.code)), before: this.codes.now };
     const is_new = (code: string): boolean => this.codes.before.size > 0 && !this.codes.before.has(code);
-    const cell = (v: number | null | undefined): HTMLElement => h("td", null, coordinate(v ?? undefined));
+    const cell = (a: string, v: number | null | undefined): HTMLElement => h("td", null, axis_value(a, v));
     fill(
       this.figures,
       h(
@@ -269,13 +270,22 @@ export class OperatorPanel {
             h("th", { scope: "col" }, t("work")),
             h("th", { scope: "col" }, t("machine_position")),
             h("th", { scope: "col" }, t("to_go")),
+            h("th", null),
           ),
         ),
         h(
           "tbody",
           null,
           ...this.operator.axes.map((a) =>
-            h("tr", null, h("th", { scope: "row" }, a), cell(p.position[a]), cell(p.machine[a]), cell(p.togo[a])),
+            h(
+              "tr",
+              null,
+              h("th", { scope: "row" }, a),
+              cell(a, p.position[a]),
+              cell(a, p.machine[a]),
+              cell(a, p.togo[a]),
+              h("td", { class: "unit" }, axis_unit(a)),
+            ),
           ),
         ),
       ),
@@ -284,9 +294,9 @@ export class OperatorPanel {
         { class: "row wrap" },
         ...(
           [
-            ["F", short(p.feed, 1)],
-            ["V", short(p.speed, 0)],
-            ["S", p.rpm === null ? "–" : short(p.rpm)],
+            ["F", `${feed(p.feed, 1)} ${feed_unit()}`],
+            ["V", `${feed(p.speed)} ${feed_unit()}`],
+            ["S", p.rpm === null ? "–" : `${short(p.rpm)} ${t("rev_min")}`],
             ["T", p.tool ?? "–"],
             ["D", p.offsets.D ?? "–"],
             ["H", p.offsets.H ?? "–"],
@@ -335,7 +345,7 @@ export class OperatorPanel {
           h(
             "div",
             { class: "row wrap" },
-            ...c.axes.map((a) => h("span", null, h("b", null, a), ` ${coordinate(c.position[a])}`)),
+            ...c.axes.map((a) => h("span", null, h("b", null, a), ` ${axis_value(a, c.position[a])}`)),
           ),
         ),
       ),

@@ -56,7 +56,11 @@ export class RestartPanel {
     const wanted = JSON.stringify([may, r.sheet, r.ways, [...r.leave], r.searching, this.element.open]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
-    fill(this.element, h("summary", null, h("b", null, t("restart"))), this.body);
+    fill(
+      this.element,
+      h("summary", null, h("b", null, t("restart")), " ", h("span", { class: "dim" }, t("in_mm"))),
+      this.body,
+    );
     if (!this.element.open) return;
     redraw(this.body, () =>
       fill(

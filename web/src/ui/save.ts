@@ -35,6 +35,7 @@ async function conflict(app: App, file: string, text: string): Promise<void> {
   const name = file.replace(/(\.[^./]*)?$/, (end) => `_2${end}`);
   try {
     await app.client.ask("save", { file: name, text, digest: null });
+    app.unsaved.keep(file, null, null); // it stands in the copy
     await app.open({ file: name, ...app.choice }, app.instant);
   } catch (e) {
     app.tell(e);
@@ -43,13 +44,14 @@ async function conflict(app: App, file: string, text: string): Promise<void> {
 
 /// What is not saved here is asked about before another program is opened.
 export async function may_leave(app: App): Promise<boolean> {
-  return (
-    !app.dirty ||
-    (await ask(t("unsaved"), t("unsaved_long", { file: app.opened?.file ?? "" }), [
-      ["leave", t("discard")],
-      ["cancel", t("cancel")],
-    ])) !== "cancel"
-  );
+  if (!app.dirty) return true;
+  const file = app.opened?.file ?? "";
+  const answer = await ask(t("unsaved"), t("unsaved_long", { file }), [
+    ["leave", t("discard")],
+    ["cancel", t("cancel")],
+  ]);
+  if (answer === "leave") app.unsaved.keep(file, null, null);
+  return answer === "leave";
 }
 
 export async function may_replace(file: string): Promise<boolean> {

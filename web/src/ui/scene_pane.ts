@@ -17,7 +17,8 @@ import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { filter_form } from "./filters";
-import { coordinate, short } from "./figures";
+import { feed_unit, length_unit } from "../model/units";
+import { coordinate, feed, length, length_told, short } from "./figures";
 import { Flags, flags_of } from "./flags";
 import { legend } from "./legend";
 import { icon } from "./icons";
@@ -82,6 +83,7 @@ export class ScenePane {
       this.draw();
       this.mark();
     });
+    app.on_done.on((done) => this.scene?.setZero(done.zero)); // before anything is placed by it
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
     app.on_opening.on(() => this.scene?.setJoints([]));
@@ -159,7 +161,7 @@ export class ScenePane {
         figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({
           kind: "figure" as const,
           at,
-          text: coordinate(box[1][k]! - box[0][k]!),
+          text: length_told(box[1][k]! - box[0][k]!),
         })),
       );
     this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
@@ -201,25 +203,25 @@ export class ScenePane {
     const [a, b] = ends;
     if (!a) return this.measuring ? t("measure_how") : "";
     const named = (e: typeof a): string =>
-      `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${coordinate(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
-    const at = (p: Point): string => `X ${coordinate(p[0])}  Y ${coordinate(p[1])}  Z ${coordinate(p[2])}`;
+      `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${length(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
+    const at = (p: Point): string => `X ${length(p[0])}  Y ${length(p[1])}  Z ${length(p[2])} ${length_unit()}`;
     if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
     const d = distance.delta.map(Math.abs) as Point;
-    const parts = `ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}`;
+    const parts = `ΔX ${length(d[0])}  ΔY ${length(d[1])}  ΔZ ${length(d[2])} ${length_unit()}`;
     const angle = distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`;
-    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ${parts}${angle}`;
+    return `${named(a)} – ${named(b)}\n${t("distance")} ${length_told(distance.distance)}   ${parts}${angle}`;
   }
 
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
     const kind = t(`motion_${Math.min(spline, v.kind)}` as TextKey);
-    const radius = v.radius ? ` · R ${coordinate(v.radius)}` : "",
-      length = v.length ? ` · L ${coordinate(v.length)}` : "";
+    const radius = v.radius ? ` · R ${length(v.radius)}` : "",
+      long = v.length ? ` · L ${length(v.length)}` : "";
     this.tip.textContent = [
-      `${t("line_n", { line: v.line })} · ${kind}${radius}${length} · T${v.tool}`,
-      `X ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}`,
-      `${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`,
+      `${t("line_n", { line: v.line })} · ${kind}${radius}${long} · T${v.tool}`,
+      `X ${length(v.at[0])}  Y ${length(v.at[1])}  Z ${length(v.at[2])} ${length_unit()}`,
+      `${v.feed ? `F ${feed(v.feed, 1)} · ` : ""}V ${feed(v.speed)} ${feed_unit()}`,
     ].join("\n");
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
@@ -327,7 +329,7 @@ export class ScenePane {
     const at = low + part * (high - low);
     this.scene?.setSection(axis, at, flip);
     const told = this.below.querySelector(".section-told");
-    if (told) told.textContent = `${"XYZ"[axis]} ${coordinate(at)}`;
+    if (told) told.textContent = `${"XYZ"[axis]} ${length_told(at)}`;
   }
 
   private set_filter(f: Partial<SceneFilter>): void {

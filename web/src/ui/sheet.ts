@@ -6,13 +6,15 @@ import type { Shape } from "../model/tool_shape";
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, h } from "./dom";
-import { clock, coordinate } from "./figures";
+import { axis_unit, length_unit } from "../model/units";
+import { axis_value, clock, length } from "./figures";
 import { tool_picture } from "./outline";
 import { extents, fact } from "./summary";
 
 export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes: Shape[]): Promise<void> {
   let sheet: Sheet;
   try {
+    if (!(await app.run_shown())) return;
     sheet = await app.client.ask("sheet", {});
   } catch (e) {
     return app.tell(e);
@@ -68,14 +70,24 @@ export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLEle
 }
 
 function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
-  const head = ["", t("tool"), t("name"), "R", "L", t("corrector"), t("time"), t("lines"), t("comment")];
+  const head = [
+    "",
+    t("tool"),
+    t("name"),
+    `R, ${length_unit()}`,
+    `L, ${length_unit()}`,
+    t("corrector"),
+    t("time"),
+    t("lines"),
+    t("comment"),
+  ];
   return h(
     "table",
     { class: "list sheet-tools" },
     h(
       "thead",
       null,
-      h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 7, 8].includes(i) ? "text" : "" }, x))),
+      h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 5, 7, 8].includes(i) ? "text" : "" }, x))),
     ),
     h(
       "tbody",
@@ -93,9 +105,20 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
           h("td", null, tool_picture(shape, `T${x.number}`, 48, 72)),
           h("td", null, `T${x.number}`),
           h("td", { class: "text" }, x.name ?? ""),
-          h("td", null, coordinate(x.radius)),
-          h("td", null, coordinate(x.length)),
-          h("td", null, String(x.corrector ?? "–")),
+          h("td", null, length(x.radius)),
+          h("td", null, length(x.length)),
+          h(
+            "td",
+            { class: "text" },
+            String(x.corrector || "–"),
+            ...(x.shared ?? []).map((s) =>
+              h(
+                "div",
+                { class: "hint shared" },
+                t("also_used", { word: s.word, tools: s.tools.map((n) => `T${n}`).join(", ") }),
+              ),
+            ),
+          ),
           h("td", null, clock(x.seconds)),
           h("td", { class: "text" }, (x.lines ?? []).slice(0, 12).join(", ")),
           h("td", { class: "text" }, x.comment ?? ""),
@@ -122,7 +145,7 @@ function zeros(s: Sheet): HTMLElement {
             "td",
             { class: "text" },
             Object.entries(z.values)
-              .map(([a, v]) => `${a} ${coordinate(v)}`)
+              .map(([a, v]) => `${a} ${axis_value(a, v)} ${axis_unit(a)}`)
               .join(", ") || t("zero_unstated"),
           ),
         ),

@@ -4,7 +4,8 @@ import type { App } from "../model/app";
 import type { Axes, Passes, State } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
-import { clock, coordinate, short } from "./figures";
+import { axis_unit, feed_unit, length_unit } from "../model/units";
+import { axis_value, clock, feed, length, short } from "./figures";
 import { icon } from "./icons";
 import { Latest } from "../model/latest";
 
@@ -106,7 +107,7 @@ export class StatePane {
 
   private positions(s: State): HTMLElement {
     const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
-    const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, coordinate(axes?.[name]));
+    const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, axis_value(name, axes?.[name]));
     const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report knows the path alone
     return h(
       "table",
@@ -121,6 +122,7 @@ export class StatePane {
           h("th", { scope: "col" }, t("work")),
           has_machine && h("th", { scope: "col" }, t("machine_position")),
           h("th", { scope: "col" }, t("to_go")),
+          h("th", null),
         ),
       ),
       h(
@@ -134,6 +136,7 @@ export class StatePane {
             cell(s.position, n),
             has_machine && cell(s.machine, n),
             cell(s.togo, n),
+            h("td", { class: "unit" }, axis_unit(n)),
           ),
         ),
       ),
@@ -144,9 +147,9 @@ export class StatePane {
     return h(
       "div",
       { class: "figures" },
-      figure("F", short(s.feed, 1), t("feed_programmed")),
-      figure("V", short(s.speed, 0), t("feed_reached")),
-      s.rpm !== null && figure("S", short(s.rpm), t("spindle")),
+      figure("F", feed(s.feed, 1), t("feed_programmed"), feed_unit()),
+      figure("V", feed(s.speed), t("feed_reached"), feed_unit()),
+      s.rpm !== null && figure("S", short(s.rpm), t("spindle"), t("rev_min")),
       s.limits ? h("div", { class: "limits" }, `${t("limited_by")} ${s.limits}`) : null,
     );
   }
@@ -160,8 +163,8 @@ export class StatePane {
       "div",
       { class: "figures" },
       figure("T", String(s.tool || "–"), name || t("tool")),
-      knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")),
-      knows && figure(`H${o.H || ""}`, lengths, t("length")),
+      knows && figure(`D${o.D || ""}`, length(o.radius), t("radius"), length_unit()),
+      knows && figure(`H${o.H || ""}`, lengths, t("length"), length_unit()),
     );
   }
 
@@ -189,7 +192,9 @@ export class StatePane {
       "div",
       { class: "row zero" },
       h("span", { class: "dim" }, t("zero")),
-      ...Object.entries(s.zero ?? {}).map(([a, v]) => h("span", null, h("b", null, a), ` ${coordinate(v)}`)),
+      ...Object.entries(s.zero ?? {}).map(([a, v]) =>
+        h("span", null, h("b", null, a), ` ${axis_value(a, v)} ${axis_unit(a)}`),
+      ),
     );
   }
 
@@ -242,24 +247,24 @@ export class StatePane {
 }
 
 /// Of the axes those that have a length; along Z alone, as on a mill, without its letter.
-export function lengths_told(length: Axes | undefined): string {
-  const all = Object.entries(length ?? {}),
+export function lengths_told(lengths: Axes | undefined): string {
+  const all = Object.entries(lengths ?? {}),
     some = all.filter(([, v]) => Math.abs(v) >= 0.0005);
-  if (!some.length) return all.length ? coordinate(0) : "–";
+  if (!some.length) return all.length ? length(0) : "–";
   return some.length === 1 && some[0]![0] === "Z"
-    ? coordinate(some[0]![1])
-    : some.map(([a, v]) => `${a}${coordinate(v)}`).join(" ");
+    ? length(some[0]![1])
+    : some.map(([a, v]) => `${a}${axis_value(a, v)}`).join(" ");
 }
 
 const value = (v: number | string | null): string =>
   typeof v === "number" ? String(Number(v.toPrecision(9))) : (v ?? "–");
 
-function figure(name: string, v: string, title: string): HTMLElement {
+function figure(name: string, v: string, title: string, its_unit = ""): HTMLElement {
   return h(
     "div",
-    { class: "figure", title },
+    { class: "figure", title: its_unit ? `${title}, ${its_unit}` : title },
     h("span", { class: "figure-name" }, name),
     h("span", { class: "figure-value" }, v),
-    h("span", { class: "figure-title" }, title),
+    h("span", { class: "figure-title" }, its_unit ? `${its_unit} · ${title}` : title),
   );
 }

@@ -4,7 +4,8 @@ import type { App } from "../model/app";
 import { debounce } from "../model/latest";
 import { on_language, t } from "../texts/texts";
 import { h } from "./dom";
-import { short } from "./figures";
+import { feed_unit } from "../model/units";
+import { feed, short } from "./figures";
 
 export class SpeedStrip {
   readonly element = h("div", { class: "strip" });
@@ -67,7 +68,7 @@ export class SpeedStrip {
               this.hint(
                 i === null || i === undefined
                   ? ""
-                  : t("strip_at", { speed: short(b.greatest[i]), feed: short(b.feed[i]) }),
+                  : t("strip_at", { speed: feed(b.greatest[i]), feed: feed(b.feed[i]), unit: feed_unit() }),
               );
             },
           ],

@@ -3,7 +3,8 @@ import type { App } from "../model/app";
 import type { Box } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
-import { clock, coordinate, short } from "./figures";
+import { in_unit, length_unit, unit } from "../model/units";
+import { clock, length, short } from "./figures";
 import { icon } from "./icons";
 
 export class SummaryPanel {
@@ -51,7 +52,13 @@ export class SummaryPanel {
       h(
         "thead",
         null,
-        h("tr", null, ...[t("tool"), t("name"), "R", "L", t("time"), ""].map((x) => h("th", { scope: "col" }, x))),
+        h(
+          "tr",
+          null,
+          ...[t("tool"), t("name"), `R, ${length_unit()}`, `L, ${length_unit()}`, t("time"), ""].map((x) =>
+            h("th", { scope: "col" }, x),
+          ),
+        ),
       ),
       h(
         "tbody",
@@ -62,8 +69,8 @@ export class SummaryPanel {
             null,
             h("td", null, `T${x.tool}`),
             h("td", { class: "text" }, x.name ?? ""),
-            h("td", null, coordinate(x.radius)),
-            h("td", null, coordinate(x.length)),
+            h("td", null, length(x.radius)),
+            h("td", null, length(x.length)),
             h("td", null, clock(x.seconds)),
             h(
               "td",
@@ -82,7 +89,11 @@ export class SummaryPanel {
 }
 
 const metres = (mm: number): string =>
-  mm >= 1000 ? `${(mm / 1000).toFixed(2)} ${t("m")}` : `${mm.toFixed(1)} ${t("mm")}`;
+  unit() === "inch"
+    ? `${in_unit(mm).toFixed(1)} ${t("inch")}`
+    : mm >= 1000
+      ? `${(mm / 1000).toFixed(2)} ${t("m")}`
+      : `${mm.toFixed(1)} ${t("mm")}`;
 export const fact = (name: string, v: string): HTMLElement[] => [h("dt", null, name), h("dd", null, v)];
 
 export function extents(e: { cutting: Box | null; all: Box | null }, axes: string[] = ["X", "Y", "Z"]): HTMLElement {
@@ -91,9 +102,9 @@ export function extents(e: { cutting: Box | null; all: Box | null }, axes: strin
       "tr",
       null,
       h("th", { scope: "row" }, name),
-      h("td", null, coordinate(b?.[0][i])),
-      h("td", null, coordinate(b?.[1][i])),
-      h("td", null, b ? coordinate(b[1][i]! - b[0][i]!) : "–"),
+      h("td", null, length(b?.[0][i])),
+      h("td", null, length(b?.[1][i])),
+      h("td", null, b ? length(b[1][i]! - b[0][i]!) : "–"),
     );
   const names = ["X", "Y", "Z"].map((n, i) => axes[i] ?? n);
   const part = (title: string, b: Box | null): Node[] => [
@@ -110,9 +121,9 @@ export function extents(e: { cutting: Box | null; all: Box | null }, axes: strin
         "tr",
         null,
         h("th", null),
-        h("th", { scope: "col" }, t("from")),
-        h("th", { scope: "col" }, t("to")),
-        h("th", { scope: "col" }, t("size")),
+        h("th", { scope: "col" }, `${t("from")}, ${length_unit()}`),
+        h("th", { scope: "col" }, `${t("to")}, ${length_unit()}`),
+        h("th", { scope: "col" }, `${t("size")}, ${length_unit()}`),
       ),
     ),
     h("tbody", null, ...part(t("extents_cutting"), e.cutting), ...part(t("extents_all"), e.all)),

@@ -28,7 +28,11 @@ export class TablesPanel {
     private operator: Operator,
     private changed: (edited: JsonTable) => void,
   ) {
-    fill(this.element, h("summary", null, h("b", null, t("tables"))), this.body);
+    fill(
+      this.element,
+      h("summary", null, h("b", null, t("tables")), " ", h("span", { class: "dim" }, t("in_mm"))),
+      this.body,
+    );
     this.element.addEventListener("toggle", () => void this.load());
     operator.on_panel.on((p) => {
       this.element.hidden = !p;
@@ -39,7 +43,11 @@ export class TablesPanel {
     });
     operator.on_stood.on(() => void this.load());
     on_language(() => {
-      fill(this.element, h("summary", null, h("b", null, t("tables"))), this.body);
+      fill(
+        this.element,
+        h("summary", null, h("b", null, t("tables")), " ", h("span", { class: "dim" }, t("in_mm"))),
+        this.body,
+      );
       this.draw();
     });
     this.element.hidden = true;

@@ -1,6 +1,7 @@
 // The bar above: what is open and with which control, machine and set-up it runs; language, light, shop mode.
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
+import { choose_unit, unit } from "../model/units";
 import { language, on_language, set_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
@@ -84,6 +85,7 @@ export class Topbar {
         },
         { "aria-pressed": this.shop, title: t("shop_long") },
       ),
+      this.units(),
       this.languages(),
       this.bar,
     );
@@ -132,6 +134,13 @@ export class Topbar {
       machines,
       setup,
     );
+  }
+
+  /// How figures are shown; programs in inches begin in inches.
+  private units(): HTMLElement {
+    const one = (its: "mm" | "inch"): HTMLElement =>
+      button(t(its), () => choose_unit(its), { "aria-pressed": unit() === its, title: t("units_long") });
+    return h("span", { class: "switch", role: "group", "aria-label": t("units") }, one("mm"), one("inch"));
   }
 
   private languages(): HTMLElement {

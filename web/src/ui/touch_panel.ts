@@ -97,7 +97,11 @@ export class TouchPanel {
       ]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
-    fill(this.element, h("summary", null, h("b", null, t("touch"))), this.body);
+    fill(
+      this.element,
+      h("summary", null, h("b", null, t("touch")), " ", h("span", { class: "dim" }, t("in_mm"))),
+      this.body,
+    );
     if (this.element.open)
       redraw(this.body, () =>
         fill(

@@ -3,7 +3,8 @@ import type { App } from "../model/app";
 import { WorstLines } from "../model/worst";
 import { on_language, t } from "../texts/texts";
 import { fill, h } from "./dom";
-import { short } from "./figures";
+import { feed_unit } from "../model/units";
+import { feed } from "./figures";
 
 const shown = 20;
 
@@ -40,7 +41,9 @@ export class WorstPanel {
           h(
             "tr",
             null,
-            ...[t("line"), t("lost_s"), t("takes_s"), "F", t("slowest_v")].map((x) => h("th", { scope: "col" }, x)),
+            ...[t("line"), t("lost_s"), t("takes_s"), `F, ${feed_unit()}`, `${t("slowest_v")}, ${feed_unit()}`].map(
+              (x) => h("th", { scope: "col" }, x),
+            ),
           ),
         ),
         h(
@@ -68,8 +71,8 @@ export class WorstPanel {
               ),
               h("td", null, w.lost.toFixed(2)),
               h("td", null, w.seconds.toFixed(2)),
-              h("td", null, short(w.feed)),
-              h("td", null, short(w.least)),
+              h("td", null, feed(w.feed)),
+              h("td", null, feed(w.least)),
             ),
           ),
         ),
