@@ -125,5 +125,7 @@
   X(reference_in_cycle) X(reference_missed) X(look_ahead_wrong) X(call_without_program) X(dwell_missing) X(table_kind_unknown) X(pocket_words_wrong) X(machine_code_unknown) X(offset_number_large) \
   /* 32-bit figures of Grbl (spec/grbl 1.3, 5.2), its speed range; LinuxCNC 2.9; probes of which nothing is stated */ \
   X(single_arc_turns) X(single_arc_path) X(single_arc_refused) X(single_arc_passed) X(speed_beyond_setting) X(percent_passed_over) \
-  X(sub_in_sub) X(machine_move_with_offset) X(probe_unstated)
+  X(sub_in_sub) X(machine_move_with_offset) X(probe_unstated) \
+  /* block search at the start, end-position switches, gantry axes (nct 13.1, 20.6, 22.1) */ \
+  X(search_not_reached) X(search_forgets) X(switch_positive) X(switch_negative) X(gantry_apart)
 // clang-format on
