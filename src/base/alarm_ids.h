@@ -126,11 +126,13 @@
   /* 32-bit figures of Grbl (spec/grbl 1.3, 5.2), its speed range; LinuxCNC 2.9; probes of which nothing is stated */ \
   X(single_arc_turns) X(single_arc_path) X(single_arc_refused) X(single_arc_passed) X(speed_beyond_setting) X(percent_passed_over) \
   X(sub_in_sub) X(machine_move_with_offset) X(probe_unstated) \
+  /* block search at the start, end-position switches, gantry axes (nct 13.1, 20.6, 22.1) */ \
+  X(search_not_reached) X(search_forgets) X(switch_positive) X(switch_negative) X(gantry_apart) \
   /* the checklist: advice of Kadr's own (docs/checklist.md) */ \
   X(point_forgotten) X(length_of_other) X(radius_of_other) X(length_not_called) X(feed_too_small) X(feed_too_large) \
   X(feed_per_tooth) X(tap_feed) X(cut_without_spindle) X(direction_of_others) X(coolant_forgotten) X(hole_lost) X(hole_twice) \
   X(levels_swapped) X(approach_short) X(compensation_left_on) X(compensation_ends_in_cut) X(arc_against_neighbours) \
   X(arc_nearly_full) X(rapid_below_zero) X(rapid_sideways_low) X(tool_change_low) X(units_changed) X(work_offset_once) \
   X(lines_unreachable) X(subprogram_uncalled) X(jump_to_nowhere) X(jump_to_two) X(mode_left_on) X(coordinate_far) \
-  X(tool_not_stated) X(tool_unused) X(speed_beyond_spindle)
+  X(tool_unused) X(speed_beyond_spindle)
 // clang-format on

@@ -44,6 +44,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"colon_is_label", &Grammar::colon_is_label},
     {"condition_alone", &Grammar::condition_alone},
     {"condition_words", &Grammar::condition_words},
+    {"conditions_are_values", &Grammar::conditions_are_values},
     {"assignment_and_words", &Grammar::assignment_and_words},
     {"percent_frames", &Grammar::percent_frames},
     {"ports_without_number", &Grammar::ports_without_number},

@@ -61,7 +61,7 @@ Readers readers_of(Setup& setup) {
   readers.merge(readers_of_machine(setup));
   readers.merge(readers_of_events(setup));
   const Reader nothing = [](const Json&, const std::string&) {};  // for others: the referee of the golden cases, people; or not served yet
-  for (const char* key : {"search", "frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
+  for (const char* key : {"frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
   return readers;
 }
 

@@ -37,13 +37,15 @@ struct ToolOffset {
 };
 
 struct AxisLimits {
-  std::optional<double> rapid;                      // mm/min
-  std::optional<std::pair<double, double>> limits;  // machine mm
-  std::optional<std::pair<double, double>> zone3;   // machine mm, forbidden inside (nct 22.3)
-  bool no_acceleration = false;                     // `"acceleration": null`: motions take no time to speed up
-  std::optional<double> acceleration;               // mm/s²
-  std::optional<double> jerk_time;                  // s, 0: linear
-  double position_error = 0;                        // mm; the axis stays that far from the command
+  std::optional<double> rapid;                        // mm/min
+  std::optional<std::pair<double, double>> limits;    // machine mm
+  std::optional<std::pair<double, double>> zone3;     // machine mm, forbidden inside (nct 22.3)
+  std::optional<std::pair<double, double>> switches;  // machine mm: where the end-position switches are hit (nct 22.1)
+  std::optional<double> apart;                        // mm: how far a gantry axis may be from its master (nct 20.6)
+  bool no_acceleration = false;                       // `"acceleration": null`: motions take no time to speed up
+  std::optional<double> acceleration;                 // mm/s²
+  std::optional<double> jerk_time;                    // s, 0: linear
+  double position_error = 0;                          // mm; the axis stays that far from the command
 };
 
 /// Rotary axes of a five-axis machine in words (nct 25.1).
@@ -177,6 +179,7 @@ struct Setup {
   std::string plane;                     // "XC": axes of the plane in order
   std::map<std::string, bool> diameter;  // axes in diameter programming
   bool single_block = false;
+  std::string search;                     // "N50": the run begins by a block search for that block (nct 13.1); empty: at the start
   std::map<std::string, double> signals;  // of the PLC
   std::vector<SetupEvent> events;
   std::string clock;  // "2014-05-18T15:32:41", a date there is; empty: a fixed day, so that the same input gives the same output

@@ -34,7 +34,7 @@ bool is_neutral(const Json& value) {
   return value.is_structured() && std::all_of(value.begin(), value.end(), is_neutral);
 }
 
-bool is_unserved(std::string_view path) { return path == "search" || path == "frame"; }
+bool is_unserved(std::string_view path) { return path == "frame"; }
 
 Sentence range_words(SetupRange range) {
   const bool least = range.least > -1e299, most = range.most < 1e299;

@@ -10,6 +10,14 @@
 namespace kadr::setup_reader {
 namespace {
 
+/// "N50".
+void search_target(const Json& value, const std::string& key, Setup& setup) {
+  setup.search = word(value, key);
+  const bool fits = setup.search.size() > 1 && setup.search.size() <= 9 && (setup.search[0] == 'N' || setup.search[0] == ':') &&
+                    std::all_of(setup.search.begin() + 1, setup.search.end(), is_digit);
+  if (!setup.search.empty() && !fits) wrong(key, "a block number, \"N30\"");
+}
+
 using When = SetupEvent::When;
 using Do = SetupEvent::Do;
 
@@ -140,6 +148,7 @@ Readers readers_of_events(Setup& s) {
          if (!v.is_array()) wrong(k, "a list [ … ]");
          for (std::size_t i = 0; i < v.size(); ++i) s.events.push_back(event(v[i], k + "[" + std::to_string(i) + "]"));
        })},
+      {"search", or_null([&](const Json& v, const std::string& k) { search_target(v, k, s); })},
       {"clock", or_null([&](const Json& v, const std::string& k) { clock(v, k, s); })},
       {"ini", or_null(to_word(s.ini))},
       {"channel", or_null(to_whole(s.channel, 1, most_channels))},

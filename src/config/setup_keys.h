@@ -33,6 +33,7 @@ enum class SetupNames : std::uint8_t {
   fixed,  // the keys that have rows of their own
   any,
   axis,
+  axis_of_any,    // of the channels
   axis_or_all,    // or "*"
   axis_or_plane,  // or "G17", "G18", "G19": a basic rotation
   offset,         // numbers of rows …

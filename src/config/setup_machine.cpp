@@ -33,6 +33,8 @@ AxisLimits axis_limits(const Json& value, const std::string& key) {
               {"acceleration", acceleration},
               {"jerk_time", jerk_time},
               {"zone3", to_span(axis.zone3)},
+              {"switches", to_span(axis.switches)},
+              {"apart", or_null([&](const Json& item, const std::string& name) { axis.apart = within(item, name, ranges::distance); })},
               {"position_error", or_null(to_range(axis.position_error, ranges::distance))}});
   return axis;
 }

@@ -162,6 +162,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
     case SetupNames::fixed:
     case SetupNames::any: return true;
     case SetupNames::axis: return def_ == nullptr || among(axes_);
+    case SetupNames::axis_of_any: return def_ == nullptr || among(all_axes_);
     case SetupNames::axis_or_all: return def_ == nullptr || name == "*" || among(all_axes_);
     case SetupNames::axis_or_plane:
     case SetupNames::work_offset:
@@ -196,6 +197,7 @@ std::vector<std::string> SetupNamesOf::all(SetupNames kind) const {
   std::vector<std::string> names;
   switch (kind) {
     case SetupNames::axis: return axes_;
+    case SetupNames::axis_of_any: return all_axes_;
     case SetupNames::axis_or_all:
       names = all_axes_;
       names.emplace_back("*");
@@ -251,6 +253,7 @@ SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
 SetupWords SetupNamesOf::kind_name(SetupNames kind) {
   switch (kind) {
     case SetupNames::axis:
+    case SetupNames::axis_of_any:
     case SetupNames::axis_or_all:
     case SetupNames::axis_or_plane: return {"axis", "оси"};
     case SetupNames::work_offset: return {"work offset", "нуля детали"};

@@ -9,9 +9,9 @@ namespace kadr {
 
 SetupParameters::SetupParameters(const Setup& setup, const std::vector<std::string>& axes)
     : setup_(setup), channel_{std::to_string(setup.channel), ""} {
-  std::size_t number = 1;
   for (const auto& [channel, other] : setup.channels)
-    if (channel < setup.channel) number += other.axes.empty() ? 3 : other.axes.size();
+    if (channel < setup.channel) first_ += other.axes.empty() ? 3 : other.axes.size();
+  std::size_t number = first_;
   for (const std::string& name : axes) axes_.push_back({name, std::to_string(number++), ""});
 }
 

@@ -20,6 +20,8 @@ class SetupParameters {
   /// `axes`: names of the channel's axes; numbers of axes run on through the channels (nct 1.2). The set-up must outlive it.
   SetupParameters(const Setup& setup, const std::vector<std::string>& axes);
 
+  /// Number of the channel's first axis.
+  std::size_t first_axis() const { return first_; }
   double of_channel(const char* parameter) const { return value(parameter, channel_); }
   bool of_channel(const char* parameter, ParameterBit bit) const { return value(parameter, channel_, bit); }
   double of_axis(const char* parameter, std::size_t axis) const { return value(parameter, axes_[axis]); }
@@ -31,6 +33,7 @@ class SetupParameters {
   bool value(const char* parameter, const Indices& indices, ParameterBit bit) const;
 
   const Setup& setup_;
+  std::size_t first_ = 1;
   Indices channel_;
   std::vector<Indices> axes_;
 };

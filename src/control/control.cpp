@@ -122,8 +122,36 @@ void Control::set_signal(const std::string& name, double value) {
   if (const AxisSignal asked = axis_signal(name); !asked.axis.empty())
     side->couple_axis(*interpreter_, std::string(asked.axis), asked.link, value != 0);
   if (on_signal) on_signal(name, value != 0);
+  if (on_far_axes) on_far_axes();
   if (side->waiting_suspended()) interpreter_->waiting.meeting.reset();
 }
+const std::vector<FarAxis>& Control::far_axes() const {
+  static const std::vector<FarAxis> none;
+  const MachineSide* const side = machine_side();
+  return side == nullptr ? none : side->far_axes();
+}
+void Control::drop_far(const FarAxis& axis) {
+  if (MachineSide* const side = machine_side()) side->drop_far(*interpreter_, axis);
+}
+void Control::lead_axis(std::size_t axis, double machine) {
+  if (MachineSide* const side = machine_side()) side->lead_axis(*interpreter_, axis, machine);
+}
+bool Control::may_exchange(std::size_t axis) const {
+  const MachineSide* const side = machine_side();
+  return side != nullptr && side->may_exchange(*interpreter_, axis);
+}
+void Control::exchange_far(std::size_t axis, double machine, bool on) {
+  if (MachineSide* const side = machine_side()) side->exchange_far(axis, machine, on);
+}
+bool Control::is_parked(std::size_t axis) const {
+  const MachineSide* const side = machine_side();
+  return side != nullptr && side->is_parked(axis);
+}
+bool Control::rolls_over(std::size_t axis) const {
+  const MachineSide* const side = machine_side();
+  return side != nullptr && side->rolls_over(axis);
+}
+int Control::axis_number(std::size_t axis) const { return interpreter_->def.axis_numbers[axis]; }
 void Control::set_optional_stop(bool on) { interpreter_->optional_stop_on = on; }
 void Control::set_skip(int number, bool on) {
   if (number >= 1 && number < 10) interpreter_->skip_switches[static_cast<std::size_t>(number)] = on;
@@ -141,11 +169,15 @@ void Control::take_common(const Control& from) { interpreter_->take_common(*from
 void Control::couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on) {
   for (const std::string& name : axes)
     if (MachineSide* const side = machine_side()) side->couple_axis(*interpreter_, name, link, on);
+  if (on_far_axes) on_far_axes();
 }
 void Control::convert_spindle(int number, bool to_axis) {
   if (MachineSide* const side = machine_side()) side->convert_spindle(number, to_axis);
 }
-void Control::power_cycle() { interpreter_->power_cycle(); }
+void Control::power_cycle() {
+  interpreter_->power_cycle();
+  if (on_far_axes) on_far_axes();
+}
 void Control::set_time(double now_ms, double cutting_ms) {
   if (MachineSide* const side = machine_side()) side->set_time(now_ms, cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms));
 }

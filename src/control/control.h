@@ -18,6 +18,7 @@
 #include "config/setup.h"
 #include "config/setup_file.h"
 #include "config/state_file.h"
+#include "control/state/far_axis.h"
 #include "control/state/run_limits.h"
 #include "control/state/search_rules.h"
 #include "control/state/snapshot.h"
@@ -134,6 +135,22 @@ class Control {
   void take_common(const Control& from);
   /// Axes follow the masters that N2101 names, or not any more (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
+  /// Axes of this channel that hang on those of others now (nct 20.2, 20.3).
+  const std::vector<FarAxis>& far_axes() const;
+  /// Called when the machine's logic may have changed far_axes(); the axes of both channels stand.
+  std::function<void()> on_far_axes;
+  /// It cannot be: the axis is its own again, with a warning.
+  void drop_far(const FarAxis& axis);
+  /// The axis has been moved along with that of another channel; those that follow it in this channel go with it. Machine coordinate.
+  void lead_axis(std::size_t axis, double machine);
+  /// The axis may be exchanged with a linear one.
+  bool may_exchange(std::size_t axis) const;
+  /// From the next block on the axis drives that of another channel, which stands there, or is its own again.
+  void exchange_far(std::size_t axis, double machine, bool on);
+  bool is_parked(std::size_t axis) const;
+  bool rolls_over(std::size_t axis) const;
+  /// Number of an axis: these run on through the channels (nct 1.2).
+  int axis_number(std::size_t axis) const;
   /// The machine has made an axis of the spindle (nct 11.8): it stands, its loop is closed; or a spindle of it again.
   void convert_spindle(int number, bool to_axis);
   /// Power off and on: the program is over, and what only the power kept is lost (nct 23.1.4, 23.5).

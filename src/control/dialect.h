@@ -16,6 +16,7 @@
 #include "config/state_file.h"
 #include "control/block/arc.h"
 #include "control/control.h"
+#include "control/state/far_axis.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -48,6 +49,14 @@ class MachineSide {
   /// Spindle `slave` follows `master`; 0: no more. `slave` 0: all spindles.
   virtual void synchronise(int slave, int master) = 0;
   virtual void couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) = 0;
+  // ---- axes that hang on those of other channels: Control has the same
+  virtual const std::vector<FarAxis>& far_axes() const = 0;
+  virtual void drop_far(Interpreter& m, const FarAxis& axis) = 0;
+  virtual void lead_axis(Interpreter& m, std::size_t axis, double machine) = 0;
+  virtual bool may_exchange(const Interpreter& m, std::size_t axis) const = 0;
+  virtual void exchange_far(std::size_t axis, double machine, bool on) = 0;
+  virtual bool is_parked(std::size_t axis) const = 0;
+  virtual bool rolls_over(std::size_t axis) const = 0;
   virtual void convert_spindle(int number, bool to_axis) = 0;
   /// ms since the start of the run, and ms at feed since the last call.
   virtual void set_time(double now_ms, double cut_ms) = 0;

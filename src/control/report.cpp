@@ -34,8 +34,9 @@ void Interpreter::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
-/// Addresses of several characters by their names (`,C`, `XDE`).
+/// Addresses of several characters by their names (`,C`, `XDE`); a piece of the text stays as it is written: `]` is no `,A`.
 Alarm Interpreter::with_names(Alarm alarm) const {
+  if (alarm.id == AlarmId::expression_syntax || alarm.id == AlarmId::unexpected_character) return alarm;
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
     if (alarm.args[i].is_number() || alarm.args[i].text().size() != 1 || alarm.args[i].text()[0] <= 'Z') continue;
     const char address = alarm.args[i].text()[0];

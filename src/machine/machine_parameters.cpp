@@ -21,6 +21,10 @@ MachineParameters machine_parameters(const Setup& setup, const std::vector<std::
     p.zone2_most[a] = given.of_axis("1006", a);
     p.zone2_least[a] = given.of_axis("1007", a);
     p.in_position[a] = given.of_axis("0516", a);
+    const double master = given.of_axis("2101", a) - static_cast<double>(given.first_axis());
+    if (!given.of_axis("2102", a, {4, "PSN"}) || !(master >= 0 && master < static_cast<double>(axes.size()))) continue;
+    p.gantry |= 1U << a;
+    p.gantry_master[a] = static_cast<std::size_t>(master);
   }
   return p;
 }

@@ -2,6 +2,7 @@
 // Parameters of the set-up that the machine itself obeys: safety zones and the in-position window (nct 4.1.1, 22), by axis of
 // the channel. What a program writes into zone 2 acts from G23 on (22.2; ZoneChange); INFERRED: into the others, after the next start.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,16 @@
 namespace kadr {
 
 struct MachineParameters {
-  AxisMask zone2_axes = 0;         // N1000 #1 RE2
-  AxisMask zone3_axes = 0;         // N1000 #2 RE3
-  Axes zone2_most{};               // N1006, machine coordinates
-  Axes zone2_least{};              // N1007
-  bool outside_forbidden = false;  // N1001 #0 EXT
-  bool zone2_on = false;           // N1001 #1 STE
-  bool checks_before = false;      // N1001 #2 CBM
-  Axes in_position{};              // N0516 Inpos, mm or degrees
+  AxisMask zone2_axes = 0;                            // N1000 #1 RE2
+  AxisMask zone3_axes = 0;                            // N1000 #2 RE3
+  Axes zone2_most{};                                  // N1006, machine coordinates
+  Axes zone2_least{};                                 // N1007
+  bool outside_forbidden = false;                     // N1001 #0 EXT
+  bool zone2_on = false;                              // N1001 #1 STE
+  bool checks_before = false;                         // N1001 #2 CBM
+  Axes in_position{};                                 // N0516 Inpos, mm or degrees
+  AxisMask gantry = 0;                                // N2102 #4 PSN: drives that go with that of their master
+  std::array<std::size_t, max_axes> gantry_master{};  // N2101: by axis of the channel
 };
 
 /// A value with an index goes before one without, a bit before the whole value (as ParameterStore).

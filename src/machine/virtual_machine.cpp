@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/tolerance.h"
 #include "motion/time/estimate.h"
@@ -50,6 +51,21 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   never_in_position_ = 0;
   for (std::size_t i = 0; i < roles_.count; ++i)
     if (std::abs(position_error(setup, names_[i])) > parameters.in_position[i]) never_in_position_ |= AxisMask{1} << i;
+  for (AxisMask left = parameters.gantry; left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    watch_gantry(setup, axis, parameters.gantry_master[axis]);
+  }
+}
+
+/// 20.6. INFERRED: the parameter of the limit has no number in the manual, the set-up states it; the drives stand apart by the difference
+/// of what it says of each, wherever they move to.
+void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
+  const auto found = setup.machine.find(names_[axis]);
+  if (found == setup.machine.end() || !found->second.apart || apart_) return;
+  const double apart = std::abs(position_error(setup, names_[axis]) - position_error(setup, names_[master]));
+  if (!(apart > *found->second.apart + tol::same_point)) return;
+  apart_ = alarm(AlarmId::gantry_apart, {}, std::string_view(names_[axis]), apart, *found->second.apart);
+  gantry_ = AxisMask{1} << axis | AxisMask{1} << master;
 }
 
 tl::unexpected<Alarm> VirtualMachine::beyond(std::size_t axis, double machine) const {
@@ -88,16 +104,19 @@ Status VirtualMachine::check_curve(const Motion& motion) const {
 }
 
 bool VirtualMachine::has_limits() const {
-  if (never_in_position_ != 0 || (zones_ && zones_->in_force())) return true;
+  if (never_in_position_ != 0 || apart_ || (zones_ && zones_->in_force())) return true;
   return limited_ != 0;
 }
 
 Status VirtualMachine::take(const Action& action) {
   missing_ = 0;
+  gantry_moved_ = false;
   if (const auto* motion = std::get_if<Motion>(&action.what)) {
     KADR_TRY(check(*motion));
     for (std::size_t i = 0; motion->in_position && i < roles_.count; ++i)
       if (motion->machine[i] != position_.machine[i]) missing_ |= never_in_position_ & AxisMask{1} << i;
+    for (std::size_t i = 0; apart_ && i < roles_.count; ++i)
+      gantry_moved_ = gantry_moved_ || ((gantry_ >> i & 1U) != 0 && motion->machine[i] != position_.machine[i]);
     position_.take(*motion);
   } else if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     position_.take(*frame);
@@ -133,6 +152,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
 
 Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
   auto* const motion = std::get_if<Motion>(&action.what);
+  if (motion != nullptr && hung_ != 0) leave_hung(*motion);
   if (motion == nullptr || motion->kind != MotionKind::probe) return take(action);
   if (zones_ && zones_->checks_before()) KADR_TRY(check(*motion));
   const ProbeAnswer answer = probe(*motion);
@@ -143,9 +163,43 @@ Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
 }
 
 Status VirtualMachine::in_position() const {
+  if (gantry_moved_) return fail(*apart_);
   if (missing_ == 0) [[likely]]
     return {};
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
+}
+
+/// The control may not know yet how far the axis has come.
+void VirtualMachine::leave_hung(Motion& motion) const {
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    if ((hung_ >> i & 1U) == 0) continue;
+    motion.to[i] += position_.machine[i] - motion.machine[i];
+    motion.machine[i] = position_.machine[i];
+  }
+}
+
+Status VirtualMachine::follow(const Axes& work, const Axes& machine, AxisMask moved) {
+  Motion motion;
+  motion.kind = MotionKind::feed;
+  motion.named = moved;
+  motion.to = position_.work;
+  motion.machine = position_.machine;
+  for (std::size_t i = 0; i < roles_.count; ++i)
+    if ((moved >> i & 1U) != 0) motion.to[i] = work[i], motion.machine[i] = machine[i];
+  KADR_TRY(check(motion));
+  position_.work = motion.to;
+  position_.machine = motion.machine;
+  return {};
+}
+
+void VirtualMachine::exchange(std::size_t axis, VirtualMachine& with, std::size_t other) {
+  std::swap(names_[axis], with.names_[other]);
+  std::swap(least_[axis], with.least_[other]);
+  std::swap(most_[axis], with.most_[other]);
+  const bool has = (limited_ >> axis & 1U) != 0, had = (with.limited_ >> other & 1U) != 0;
+  limited_ = had ? limited_ | AxisMask{1} << axis : limited_ & ~(AxisMask{1} << axis);
+  with.limited_ = has ? with.limited_ | AxisMask{1} << other : with.limited_ & ~(AxisMask{1} << other);
+  if (zones_ && with.zones_) zones_->exchange(axis, *with.zones_, other);
 }
 
 VirtualMachine::Memory VirtualMachine::memory() const {

@@ -54,8 +54,8 @@ class VirtualMachine {
   Status take(const Action& action);
 
   /// Whether the axes have come into position after the motion taken last, where it asks for that.
-  ///   alarms  position_error (axis): INFERRED: an axis that moved and stays further from the command than N0516
-  ///   manual  NCT 4.1.1, 6.3
+  ///   alarms  gantry_apart (axis, difference, limit), whatever it asks for (20.6); position_error (axis): INFERRED: an axis that moved and
+  ///   stays further from the command than N0516 manual  NCT 4.1.1, 6.3
   Status in_position() const;
 
   /// What a straight probe motion from here meets on its way.
@@ -68,6 +68,16 @@ class VirtualMachine {
   /// The actions since then are not carried out after all.
   void go_back(const ToolPosition& to) { position_ = to; }
   const AxisRoles& roles() const { return roles_; }
+
+  // ---- axes that hang on those of other channels (nct 20.2, 20.3)
+
+  /// The axis goes with one of another channel: no motion of this one moves it.
+  void hang(std::size_t axis, bool on) { hung_ = on ? hung_ | AxisMask{1} << axis : hung_ & ~(AxisMask{1} << axis); }
+  /// It, and what follows it here, has come there: work and machine coordinates.
+  ///   alarms  as take(); then nothing has moved
+  Status follow(const Axes& work, const Axes& machine, AxisMask moved);
+  /// The axis and one of another channel's machine have been exchanged: each keeps its name, its limits and where it stands.
+  void exchange(std::size_t axis, VirtualMachine& with, std::size_t other);
 
   /// What it remembers from batch to batch.
   struct Memory {
@@ -85,6 +95,8 @@ class VirtualMachine {
  private:
   Status check(const Motion& motion) const;
   Status check_curve(const Motion& motion) const;
+  void watch_gantry(const Setup& setup, std::size_t axis, std::size_t master);
+  void leave_hung(Motion& motion) const;
   tl::unexpected<Alarm> beyond(std::size_t axis, double machine) const;
 
   std::vector<std::string> names_;
@@ -93,8 +105,12 @@ class VirtualMachine {
   Axes most_{};
   AxisMask limited_ = 0;  // axes that have a limit
   std::optional<Zones> zones_;
+  AxisMask hung_ = 0;
   AxisMask never_in_position_ = 0;  // axes that stay further from the command than they may
   AxisMask missing_ = 0;            // of the last motion
+  std::optional<Alarm> apart_;      // the drives of a gantry axis are further from each other than they may be …
+  AxisMask gantry_ = 0;             // … this one, its master
+  bool gantry_moved_ = false;       // by the last motion
   Probe probe_;
   Compression compression_;
   ToolPosition position_;

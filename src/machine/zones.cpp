@@ -4,6 +4,7 @@
 #include "machine/zones.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/tolerance.h"
 
@@ -14,6 +15,13 @@ namespace {
 std::optional<std::pair<double, double>> zone3_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.zone3) return found->second.zone3;
+  return std::nullopt;
+}
+
+/// Likewise the end-position switches.
+std::optional<std::pair<double, double>> switches_of(const Setup& setup, const std::string& axis) {
+  for (const std::string& name : {axis, std::string("*")})
+    if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.switches) return found->second.switches;
   return std::nullopt;
 }
 
@@ -35,6 +43,12 @@ Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, cons
   constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
   for (std::size_t i = 0; i < roles.count; ++i)
     if (ends.least[i] > -none || ends.most[i] < none) ends_.axes |= AxisMask{1} << i;
+  for (std::size_t i = 0; i < roles.count; ++i) {
+    const auto switches = switches_of(setup, names[i]);
+    if (!switches) continue;
+    switches_.axes |= AxisMask{1} << i;
+    std::tie(switches_.least[i], switches_.most[i]) = *switches;
+  }
   const MachineParameters p = machine_parameters(setup, names);
   checks_before_ = p.checks_before;
   if (p.zone2_on && p.zone2_axes != 0) of_parameters_ = zone_of({true, p.outside_forbidden, p.zone2_axes, p.zone2_least, p.zone2_most});
@@ -47,6 +61,23 @@ Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, cons
   }
   suspended2_ = is_signal(setup, "CP_LIM2DIS");
   suspended3_ = is_signal(setup, "CP_LIM3DIS");
+}
+
+void Zones::swap_ends(ZoneBox& a, std::size_t axis, ZoneBox& b, std::size_t other) {
+  const bool has = a.has(axis), had = b.has(other);
+  const auto put = [](ZoneBox& box, std::size_t i, bool on) {
+    box.axes = on ? box.axes | AxisMask{1} << i : box.axes & ~(AxisMask{1} << i);
+  };
+  put(a, axis, had);
+  put(b, other, has);
+  std::swap(a.least[axis], b.least[other]);
+  std::swap(a.most[axis], b.most[other]);
+}
+
+void Zones::exchange(std::size_t axis, Zones& with, std::size_t other) {
+  std::swap(names_[axis], with.names_[other]);
+  swap_ends(ends_, axis, with.ends_, other);
+  swap_ends(switches_, axis, with.switches_, other);
 }
 
 Zones::Zone2 Zones::zone_of(const ZoneChange& zone) const {
@@ -126,8 +157,9 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
 
 /// 22.1 to 22.3: of all zones the first that is reached. Of what CBM has let pass only the limits are left, for curves.
 Status Zones::on_the_way(const MachinePath& path) const {
-  if (checks_before_ && path.straight()) return {};
   Reached first;
+  limits_reached(path, switches_, {AlarmId::switch_positive, AlarmId::switch_negative}, first);
+  if (checks_before_ && path.straight()) return first.part <= 1 ? Status(fail(first.alarm)) : Status();
   limits_reached(path, ends_, {AlarmId::zone1_reached_positive, AlarmId::zone1_reached_negative}, first);
   if (outside2()) limits_reached(path, zone2_.box, {AlarmId::zone2_reached_positive, AlarmId::zone2_reached_negative}, first);
   const auto inside = [&](bool in_force, const ZoneBox& box, AlarmId id) {

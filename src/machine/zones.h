@@ -4,6 +4,7 @@
 //   zone 1   end positions                                forbidden outside
 //   zone 2   working area: of the parameters, or of G22   forbidden outside, or inside
 //   zone 3   of the parameters                            forbidden inside
+//   switches at the ends of an axis (22.1)                forbidden outside, looked at on the way alone
 //
 // With CBM (N1001 #2) the control looks before the motion: at its end point, then at the way through a zone forbidden inside.
 // Without it, and for a curve that bulges over a limit, the motion runs into the zone: the first one on its way is named.
@@ -31,11 +32,14 @@ class Zones {
   /// (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
+  /// The axis and one of another channel have been exchanged (20.3): each keeps its name, its end positions and switches.
+  void exchange(std::size_t axis, Zones& with, std::size_t other);
+
   /// The machine's logic holds a check off: 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
   void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
 
   /// Some end position, zone 2 or zone 3 is in force: a motion may be refused.
-  bool in_force() const { return ends_.axes != 0 || zone2_.on || zone3_.axes != 0; }
+  bool in_force() const { return ends_.axes != 0 || switches_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
   // ---- to be shown
@@ -51,7 +55,8 @@ class Zones {
 
   ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
   ///           zone2_entry, zone3_entry; else zone1_reached_positive, zone1_reached_negative, zone2_reached_positive,
-  ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside
+  ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside; always switch_positive,
+  ///           switch_negative (axis, switch)
   ///   law     without CBM an axis beyond a limit may go inwards; with CBM no end point there is allowed
   Status check(const ToolPosition& from, const Motion& motion) const;
 
@@ -72,6 +77,7 @@ class Zones {
     Alarm alarm;
   };
 
+  static void swap_ends(ZoneBox& a, std::size_t axis, ZoneBox& b, std::size_t other);
   Zone2 zone_of(const ZoneChange& zone) const;
   ZoneBox open2() const;
   ZoneBox closed3() const;
@@ -82,7 +88,7 @@ class Zones {
 
   std::vector<std::string> names_;
   AxisRoles roles_;
-  ZoneBox ends_;
+  ZoneBox ends_, switches_;
   Zone2 of_parameters_, zone2_;
   ZoneBox zone3_;
   bool checks_before_ = false;

@@ -36,9 +36,9 @@ class Collector {
 
   void see(const Action& action) {
     if (const auto* const select = std::get_if<ToolSelect>(&action.what); select != nullptr && !rules_.tool_on_m6)
-      tool_ = BlockSearch::Code{fmt::format("T{}", select->tool), action.origin};
+      tool_ = BlockSearch::Code{fmt::format("T{}", select->tool), action.origin, action};
     if (const auto* const change = std::get_if<ToolChange>(&action.what); change != nullptr && rules_.tool_on_m6)
-      tool_ = BlockSearch::Code{fmt::format("T{} M6", change->tool), action.origin};
+      tool_ = BlockSearch::Code{fmt::format("T{} M6", change->tool), action.origin, action};
     const std::uint32_t code = m_code_of(action);
     if (code == 0) return;
     const auto group = std::find_if(rules_.groups.begin(), rules_.groups.end(), [&](const auto& g) {
@@ -49,7 +49,7 @@ class Collector {
     auto& list = in_group ? grouped_ : others_;
     const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
     std::erase_if(list, [&](const auto& noted) { return noted.first == key; });
-    list.emplace_back(key, BlockSearch::Code{fmt::format("M{}", code), action.origin});
+    list.emplace_back(key, BlockSearch::Code{fmt::format("M{}", code), action.origin, action});
   }
 
   void write(BlockSearch& search) {

@@ -14,6 +14,7 @@ struct BlockSearch {
   struct Code {
     std::string text;
     Origin origin;  // where it was programmed last
+    Action action;  // of the machine
   };
   /// Modal codes, feed, speed, offsets, variables, and where the tool must be: as if everything before had run (INFERRED, 13.1).
   Restart restart;

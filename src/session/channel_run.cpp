@@ -207,6 +207,32 @@ void ChannelRun::stand_at(const Axes& machine) {
   machine_.go_back(stand);
 }
 
+void ChannelRun::refuse(const Alarm& alarm) {
+  const AlarmReport report = settled().report_for(alarm, settled().origin());
+  (void)outlets_.alarm(report);
+  (void)stop(report);
+}
+
+Status ChannelRun::lead(std::size_t axis, double machine) {
+  const ToolPosition before = control_.tool_position();
+  control_.lead_axis(axis, machine);
+  const ToolPosition now = control_.tool_position();
+  AxisMask moved = 0;
+  for (std::size_t i = 0; i < control_.axes().size(); ++i)
+    if (i == axis || now.machine[i] != before.machine[i]) moved |= AxisMask{1} << i;
+  return machine_.follow(now.work, now.machine, moved);
+}
+
+void ChannelRun::exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on) {
+  ToolPosition mine = machine_.position(), its = with.machine_.position();
+  std::swap(mine.machine[axis], its.machine[other]);
+  control_.exchange_far(axis, mine.machine[axis], on);
+  with.control_.exchange_far(other, its.machine[other], on);
+  machine_.go_back(mine);
+  with.machine_.go_back(its);
+  exchange_limits(axis, with, other);
+}
+
 void ChannelRun::change_clock() {
   const double at = now();
   if (outlets_.clock != nullptr && clock_ != outlets_.clock) {

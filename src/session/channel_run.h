@@ -90,6 +90,9 @@ class ChannelRun {
   /// Something that all channels do together happens now: to the outlets.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
+  /// It does not go on, for what is no fault of a block.
+  void refuse(const Alarm& alarm);
+  void warn(const AlarmReport& warning);
 
   /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have a clock.
   double now();
@@ -111,6 +114,16 @@ class ChannelRun {
   /// Where the machine stands.
   const ToolPosition& position() const { return machine_.position(); }
   void stand_at(const Axes& machine);
+
+  // ---- axes that hang on those of other channels (nct 20.2, 20.3)
+  void hang(std::size_t axis, bool on) { machine_.hang(axis, on); }
+  /// The axis goes along to there.
+  ///   alarms  as VirtualMachine::follow()
+  Status lead(std::size_t axis, double machine);
+  /// The axis drives that of another channel, which drives this one; or each its own again.
+  void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
+  /// What stays so, of an exchange: not where the axes stand.
+  void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
   /// From here on the clock of the outlets counts; it goes on as the one before stood, but for the times spent so far.
   void change_clock();
   /// The alarm that stopped it is answered for: it may go on.
@@ -149,7 +162,6 @@ class ChannelRun {
   std::optional<CompensationFault> compensate(Control::State state, bool corner_failed);
   bool beside_contour() const { return queued_ ? queued_->beside() : compensation_.beside(); }
   State take(Control::State state);
-  void warn(const AlarmReport& warning);
   void hand_out(ToolPosition from);
   void give(Steps& steps, const Action& action);
   bool is_suspect(const Action& action) const;

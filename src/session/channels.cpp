@@ -102,6 +102,7 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     : channels_(channels),
       outlets_(outlets),
       logic_{Plc(setup.events), {}},
+      links_(channels, runs_),
       states_(channels.size(), State::running),
       stopped_(channels.size()),
       order_(channels.size()),
@@ -114,9 +115,17 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
     (void)runs_.back()->now();  // the clock runs from the start
   }
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    links_.relink(i);
+    channels[i].control->on_far_axes = [this, i] { links_.relink(i); };
+  }
   constexpr std::uint64_t never = ~std::uint64_t{0};
   common_.assign(channels.size(), never);
   share(0);
+}
+
+Channels::~Channels() {
+  for (Channel& channel : channels_) channel.control->on_far_axes = nullptr;
 }
 
 std::size_t Channels::index_of(int number) const {
@@ -179,9 +188,25 @@ void Channels::share(std::size_t by) {
   }
 }
 
+/// Axes of other channels follow those of this one. False: one of them must not, and the run stops.
+bool Channels::carry(std::size_t by) {
+  const Status carried = links_.carry(by);
+  if (carried) return true;
+  const Control& control = *channels_[by].control;
+  stopped_[by].report = control.report_for(carried.error(), control.origin());
+  if (outlets_.own[by].alarm(*stopped_[by].report)) {
+    stopped_[by] = {};
+    return true;
+  }
+  states_[by] = State::stopped;
+  if (outlets_.stop_together && !only_) stop_all(by);
+  return false;
+}
+
 ChannelRun::State Channels::step(std::size_t i) {
   const ChannelRun::State state = runs_[i]->step();
   share(i);
+  if (state != ChannelRun::State::stopped && !carry(i)) return ChannelRun::State::stopped;
   switch (state) {
     case ChannelRun::State::running:
     case ChannelRun::State::held: break;
@@ -202,7 +227,7 @@ ChannelRun::State Channels::step(std::size_t i) {
 }
 
 std::optional<Channels::Memory> Channels::memory() {
-  Memory now{{}, logic_.plc, states_, stopped_, rendezvous_, order_, common_, over_};
+  Memory now{{}, logic_.plc, states_, stopped_, rendezvous_, order_, common_, links_.memory(), over_};
   for (const auto& run : runs_) {
     auto own = run->memory();
     if (!own) return std::nullopt;
@@ -219,6 +244,7 @@ Status Channels::remember(const Memory& memory) {
   rendezvous_ = memory.rendezvous;
   order_ = memory.order;
   common_ = memory.common;
+  links_.remember(memory.links);
   over_ = memory.over;
   return {};
 }

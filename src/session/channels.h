@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "config/setup_file.h"
 #include "machine/rendezvous.h"
+#include "session/axis_links.h"
 #include "session/channel_run.h"
 
 namespace kadr {
@@ -77,6 +78,9 @@ class Channels {
  public:
   /// `profile`, `setup`: of the machine.
   Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
+  ~Channels();
+  Channels(const Channels&) = delete;  // the controls call it back
+  Channels& operator=(const Channels&) = delete;
 
   /// Carries the next block of the channel whose time is lowest out.
   ///   returns  ended: nothing more can come
@@ -111,6 +115,7 @@ class Channels {
     Rendezvous rendezvous;
     InOrder order;
     std::vector<std::uint64_t> common;
+    std::vector<LinkedAxis> links;
     bool over = false;
   };
   std::optional<Memory> memory();
@@ -120,6 +125,7 @@ class Channels {
   std::optional<std::size_t> next();
   ChannelRun::State step(std::size_t i);
   void share(std::size_t by);
+  bool carry(std::size_t by);
   void end();
   void begin_waiting(std::size_t i);
   void release(const Rendezvous::Met& met, std::size_t last);
@@ -134,6 +140,7 @@ class Channels {
   ChannelOutlets& outlets_;
   Logic logic_;
   std::vector<std::unique_ptr<ChannelRun>> runs_;
+  AxisLinks links_;
   std::vector<State> states_;
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;

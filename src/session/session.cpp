@@ -7,6 +7,7 @@
 
 #include "motion/look_ahead/control_speed.h"
 #include "motion/time/estimate.h"
+#include "session/block_search.h"
 #include "session/give_machine.h"
 #include "session/plc_commands.h"
 
@@ -18,6 +19,7 @@ struct SessionSnapshot::Content {
   std::optional<Channels::Memory> together;
   std::vector<std::optional<Planned::Memory>> planned;
   Session::State state = Session::State::running;
+  bool searched = false;
 };
 
 Session::Session(SessionSpec spec) : spec_(std::move(spec)) {}
@@ -26,6 +28,8 @@ Session::~Session() = default;
 tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec spec) {
   auto session = std::unique_ptr<Session>(new Session(std::move(spec)));  // the constructor is private
   give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);
+  if (!session->spec_.setup.search.empty() && !session->spec_.setup.channels.empty())
+    return tl::unexpected(ChannelsFault{{"search", "search: the program has several channels", "search: у УП несколько каналов"}, 0});
   auto channels = open_channels(*session->spec_.control, session->spec_.setup, std::move(session->spec_.program), session->spec_.limits);
   if (!channels) return tl::unexpected(std::move(channels.error()));
   session->channels_ = std::move(*channels);
@@ -93,6 +97,8 @@ Session::State Session::end(ChannelRun::State state) {
 }
 
 Session::State Session::go_on() {
+  if (!spec_.setup.search.empty() && !std::exchange(searched_, true))
+    if (const auto stood = begin_by_search()) return state_ = *stood;
   if (!begun_) begin();
   if (state_ == State::ended || state_ == State::stopped) return state_;
   const ChannelRun::State state = alone_ ? alone_->step() : channels_run_->step();
@@ -112,6 +118,34 @@ Session::State Session::together(ChannelRun::State state) {
   channels_run_->all();
   if (state == ChannelRun::State::held) return State::held;
   return stood ? State::stopped : State::ended;
+}
+
+/// The program begins at the block that `search` names, as the control's own block search brings it there (nct 13.1). INFERRED: how the
+/// axes come to where the block begins is not said; they stand there.
+///   returns  nothing: it goes on; else how it came to stand
+std::optional<Session::State> Session::begin_by_search() {
+  const auto asked = std::exchange(control().holds_before, nullptr);
+  const std::vector<InForce> at_first = control().in_force();
+  std::optional<BlockSearch> found;
+  {
+    StopPoint target;
+    target.block = static_cast<std::uint32_t>(std::stoul(spec_.setup.search.substr(1)));
+    Stepping stepping(*this);
+    found = search_block(*this, stepping, target);
+  }
+  control().holds_before = asked;
+  if (!found) {
+    if (state_ == State::stopped) return state_;
+    alone_->refuse(alarm(AlarmId::search_not_reached, {}, std::string_view(spec_.setup.search)));
+    return State::stopped;
+  }
+  change_outlets();
+  for (const BlockSearch::Code& code : found->carried_out) alone_->show(code.action);
+  for (const InForce& missing : found->forgotten)
+    if (std::find(at_first.begin(), at_first.end(), missing) == at_first.end())
+      alone_->warn(control().report_for(warning(AlarmId::search_forgets, {}, std::string_view(missing.code)), found->restart.at));
+  state_ = State::running;
+  return std::nullopt;
 }
 
 Session::State Session::run() {
@@ -177,6 +211,7 @@ std::optional<SessionSnapshot> Session::snapshot() {
   if (!begun_) begin();
   auto now = std::make_shared<SessionSnapshot::Content>();
   now->state = state_;
+  now->searched = searched_;
   if (alone_) {
     now->plc = logic_->plc;
     if (!(now->alone = alone_->memory())) return std::nullopt;
@@ -199,6 +234,7 @@ Status Session::restore(const SessionSnapshot& from) {
   for (std::size_t i = 0; i < planned_.size(); ++i)
     if (planned_[i] && then.planned[i]) planned_[i]->remember(*then.planned[i]);
   state_ = then.state;
+  searched_ = then.searched;
   return {};
 }
 

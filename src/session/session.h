@@ -135,6 +135,7 @@ class Session {
   void attach_planners();
   State end(ChannelRun::State state);
   State together(ChannelRun::State state);
+  std::optional<State> begin_by_search();
 
   SessionSpec spec_;
   std::vector<Channel> channels_;
@@ -143,6 +144,7 @@ class Session {
   std::vector<std::unique_ptr<Planned>> planned_;
   std::optional<SpeedRules> rules_;
   bool begun_ = false;
+  bool searched_ = false;       // as the set-up's `search` asks for
   std::vector<bool> attached_;  // Session::planned_ gets the steps
   // one channel alone, or …
   std::optional<Logic> logic_;

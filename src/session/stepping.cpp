@@ -61,6 +61,7 @@ bool Stepping::is_file(const std::string& file, std::uint16_t reader) const {
 
 bool Stepping::matches(const StopPoint& point, const Origin& origin, bool begins_call) const {
   if (point.line != 0 && (origin.line != point.line || !is_file(point.file, origin.file))) return false;
+  if (point.block && (!origin.has_block || origin.block != *point.block || !is_file(point.file, origin.file))) return false;
   if (point.tool != 0 && (tool_ != point.tool || tool_before_ == point.tool)) return false;
   if (point.number != 0 && origin.number != point.number) return false;
   if (point.pass != 0 && passes(point.line, point.file) != point.pass) return false;

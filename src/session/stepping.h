@@ -19,13 +19,14 @@ namespace kadr {
 
 /// Where a program is to be held: before a block for which all that is given holds.
 struct StopPoint {
-  std::uint32_t line = 0;    // 0: any
-  std::string file{};        // path or its last part; empty: the main program
-  std::uint32_t pass = 0;    // that the line comes for so many times since stepping began; 0: each time
-  std::string call{};        // the first block of a call: "O100", "L02" as Control::calls() names it
-  std::string condition{};   // "#100 > 5", or a value that is not 0
-  std::uint32_t number = 0;  // of the block in the run (Origin::number); 0: any
-  std::uint32_t tool = 0;    // comes into the spindle; 0: any
+  std::uint32_t line = 0;                // 0: any
+  std::string file{};                    // path or its last part; empty: the main program
+  std::uint32_t pass = 0;                // that the line comes for so many times since stepping began; 0: each time
+  std::string call{};                    // the first block of a call: "O100", "L02" as Control::calls() names it
+  std::string condition{};               // "#100 > 5", or a value that is not 0
+  std::uint32_t number = 0;              // of the block in the run (Origin::number); 0: any
+  std::uint32_t tool = 0;                // comes into the spindle; 0: any
+  std::optional<std::uint32_t> block{};  // its number N in the file
   friend bool operator==(const StopPoint&, const StopPoint&) = default;
 };
 

@@ -35,6 +35,7 @@ tl::expected<PlacedSetup, std::string> read(const Json& setup, const ControlDef*
 std::string sample_name(SetupNames kind, const ControlDef* def) {
   switch (kind) {
     case SetupNames::axis:
+    case SetupNames::axis_of_any:
     case SetupNames::axis_or_all:
     case SetupNames::axis_or_plane: return "X";
     case SetupNames::work_offset: return "G54";

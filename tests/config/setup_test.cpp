@@ -205,7 +205,14 @@ TEST(setup, state_of_an_earlier_run) {
 
 TEST(setup, not_served_yet) {
   read(R"({"search": "", "kinematics": {}, "clock": null, "tool_table": null, "events": [], "channel": null, "plane": ""})");
-  EXPECT_EQ(refusal(R"({"search": "N20"})"), "setup key 'search' is not served by this control yet");
+  EXPECT_EQ(refusal(R"({"frame": {"origin": {"X": 5}}})"), "setup key 'frame' is not served by this control yet");
+}
+
+TEST(setup, a_search_names_a_block) {
+  EXPECT_EQ(read(R"({"search": "N20"})").search, "N20");
+  EXPECT_EQ(read(R"({"search": ":5"})").search, ":5");
+  for (const char* const wrong : {"20", "N", "N2.5", "N123456789", "X5"})
+    EXPECT_NE(refusal(std::string(R"({"search": ")") + wrong + R"("})").find("a block number"), std::string::npos) << wrong;
 }
 
 TEST(setup, unknown_key_names_the_nearest) {

@@ -173,6 +173,7 @@ struct Memory {
   std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
   double spindle_part = 1;                                        // spindle override / 100
   double singular = 0;                                            // degrees: of the set-up's kinematics
+  int axes_in_all = 0;                                            // of all channels
   Axes servo_lag{};                                               // how far the set-up says that each axis stays from the command, mm
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};

@@ -279,6 +279,10 @@ void Nct::take_setup(Interpreter& m, const Setup& setup) {
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
   take_length_in_force(m);
+  axes_in_all = static_cast<int>(m.axis_count);
+  constexpr int by_default = 3;  // X, Y, Z
+  for (const auto& [number, channel] : setup.channels)
+    axes_in_all += channel.axes.empty() ? by_default : static_cast<int>(channel.axes.size());
   if (m.start_fault.empty()) m.start_fault = coupling_fault(m, setup.events);
   find_spindle_axes(m, setup);
   watch_tool_time(m);

@@ -76,6 +76,13 @@ class Nct : public Dialect, public MachineSide, public Memory {
   void set_answer(double to) override { answer = to; }
   void synchronise(int slave, int master) override;
   void couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) override;
+  const std::vector<FarAxis>& far_axes() const override { return couplings.far; }
+  void drop_far(Interpreter& m, const FarAxis& axis) override;
+  void lead_axis(Interpreter& m, std::size_t axis, double machine) override;
+  bool may_exchange(const Interpreter& m, std::size_t axis) const override;
+  void exchange_far(std::size_t axis, double machine, bool on) override;
+  bool is_parked(std::size_t axis) const override { return (drives.parked >> axis & 1U) != 0; }
+  bool rolls_over(std::size_t axis) const override { return settings.axes[axis].rolls; }
   void convert_spindle(int number, bool to_axis) override;
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }

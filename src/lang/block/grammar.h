@@ -118,6 +118,7 @@ struct Grammar {
   bool short_words = false;                                 // WH[…], SI[30]: the first two letters are enough (spec/fanuc 5.4)
   bool colon_is_label = false;                              // `:0100` is O0100 (spec/fanuc 1.1)
   bool condition_alone = false;                             // `[#1 LT 10] M99 P10`: IF without the word (spec/haas 2.3)
+  bool conditions_are_values = true;                        // #1=[#2 EQ 3] gives 1 or 0, IF[#1] is a condition (spec/fanuc 5.3, 5.4: no)
   bool condition_words = true;                              // IF[…] G0 X1: words of a block behind a condition (spec/fanuc 5.4: no)
   bool assignment_and_words = false;                        // IF[…] THEN #7=1 S800 (spec/haas 2.3)
   bool ports_without_number = false;                        // POPEN, PCLOS (spec/fanuc 5.9)

@@ -29,10 +29,12 @@ class Compiler : public StepWriter {
       if (found == nullptr) return grammar_.macro ? Status() : end_of_expression(begin);
       if (found->binding == 0) return fail(alarm(AlarmId::operator_unknown, span(begin, begin + length), std::string_view(found->text)));
       if (found->binding < least_binding) return {};
+      const bool left_is_condition = is_condition_;
       cursor_.at += length;
       KADR_TRY(enter(begin));
       KADR_TRY(sum(found->binding + 1));
       --depth_;
+      KADR_TRY(joined(found->op, begin, left_is_condition));
       KADR_TRY(step(found->op, 0, begin, -1));
     }
   }
@@ -45,7 +47,7 @@ class Compiler : public StepWriter {
     if (c != '-' && c != '+') return value();
     ++cursor_.at;
     KADR_TRY(enter(begin));
-    KADR_TRY(factor());
+    KADR_TRY(of_numbers([this] { return factor(); }));
     --depth_;
     return c == '-' ? step(Op::negate, 0, begin, 0) : Status();
   }
@@ -53,17 +55,7 @@ class Compiler : public StepWriter {
   /// number | #value | [expression] | function operand | AXNUM[…] | PRM[…]
   Status value() {
     cursor_.skip_blanks();
-    const std::size_t begin = cursor_.at;
-    const char c = cursor_.peek();
-    if (is_digit(c) || c == '.') return number();
-    if (c == '#') {
-      ++cursor_.at;
-      if (grammar_.named_variables != nullptr && named_here()) return named(begin, Op::variable_at);
-      return grammar_.macro ? variable(begin) : variable_of_value(begin);
-    }
-    if (c == '[') return bracket();
-    if (is_letter(c)) return word();
-    return wrong(begin);
+    return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });
   }
 
   /// The number that the steps from `first` on give is the program's own: names have numbers too, and it is none of them.
@@ -119,13 +111,15 @@ class Compiler : public StepWriter {
   }
 
   Status relation() {
+    in_condition_ = true;
     KADR_TRY(sum(1));
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at;
     std::size_t length = 0;
     const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
-      if (cursor_.peek() == ']' && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
+      const bool holds_one = grammar_.conditions_are_values || is_condition_;
+      if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
     }
@@ -149,6 +143,19 @@ class Compiler : public StepWriter {
   }
 
  private:
+  Status number_here() {
+    const std::size_t begin = cursor_.at;
+    const char c = cursor_.peek();
+    if (is_digit(c) || c == '.') return number();
+    if (c == '#') {
+      ++cursor_.at;
+      if (grammar_.named_variables != nullptr && named_here()) return named(begin, Op::variable_at);
+      return grammar_.macro ? variable(begin) : variable_of_value(begin);
+    }
+    if (is_letter(c)) return word();
+    return wrong(begin);
+  }
+
   Status number() {
     const std::size_t begin = cursor_.at;
     Number read;
@@ -161,6 +168,7 @@ class Compiler : public StepWriter {
       const std::size_t at = cursor_.at;
       double number = 0;
       KADR_TRY(given_name(number));
+      is_condition_ = false;
       return step(Op::variable_at, number, at, 1);
     }
     const std::size_t begin = cursor_.at++;

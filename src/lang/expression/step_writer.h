@@ -2,6 +2,7 @@
 // Where an expression is read and its steps are written. For expression_compiler only.
 
 #include <algorithm>
+#include <utility>
 
 #include "base/ascii.h"
 #include "lang/expression/expression.h"
@@ -48,6 +49,27 @@ class StepWriter {
   }
 
  protected:
+  /// Where a condition is no value (spec/fanuc 5.3, 5.4) a comparison of two numbers is one, between the brackets of a condition only; AND,
+  /// OR, XOR join two conditions or two numbers; all else is of numbers.
+  Status joined(Op op, std::size_t at, bool left_is_condition) {
+    if (grammar_.conditions_are_values) return {};
+    const bool compares = is_comparison(op), joins = op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
+    const bool fits = joins ? left_is_condition == is_condition_ : !left_is_condition && !is_condition_ && (!compares || in_condition_);
+    if (!fits) return wrong(at);
+    is_condition_ = compares || (joins && is_condition_);
+    return {};
+  }
+
+  /// No condition stands in it, nor is it one.
+  template <class Compile>
+  Status of_numbers(Compile compile) {
+    const bool in_condition = std::exchange(in_condition_, false);
+    KADR_TRY(compile());
+    in_condition_ = in_condition;
+    is_condition_ = false;
+    return {};
+  }
+
   /// [#NAME]: the variable that SETVN has given that name (spec/fanuc 5.1).
   Status given_name(double& number) {
     const std::size_t open = cursor_.at;
@@ -144,6 +166,8 @@ class StepWriter {
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
+  bool in_condition_ = false;  // where conditions are no values: one may stand here …
+  bool is_condition_ = false;  // … and what was read last is one
 };
 
 }  // namespace kadr

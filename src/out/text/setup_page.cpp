@@ -31,7 +31,8 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
   switch (row.names) {
     case SetupNames::fixed:
     case SetupNames::any: return {};
-    case SetupNames::axis: return is_below ? (ru ? "имена осей" : "names of axes") : (ru ? "ось" : "an axis");
+    case SetupNames::axis:
+    case SetupNames::axis_of_any: return is_below ? (ru ? "имена осей" : "names of axes") : (ru ? "ось" : "an axis");
     case SetupNames::axis_or_all: return ru ? "имена осей или \"*\"" : "names of axes, or \"*\"";
     case SetupNames::axis_or_plane:
       return ru ? "имена осей; где есть базовые повороты, G17, G18, G19" : "names of axes; with basic rotations G17, G18, G19";

@@ -65,7 +65,7 @@ std::string setup_error(const std::string& json) {
 
 TEST(coupling, the_set_up_must_name_a_master) {
   const std::string event = R"("axes": ["X", "Y", "V"], "events": [{"when": {"code": "M41"}, "do": "synchronise", "axes": ["V"]}])";
-  EXPECT_EQ(setup_error(event), "events: N2101.V is not the number of another axis of the channel");
+  EXPECT_EQ(setup_error(event), "events: N2101.V is not the number of another axis");
   EXPECT_NE(setup_error(event + R"(, "parameters": {"N2101.V": 3})"), "");  // itself
   EXPECT_EQ(setup_error(event + R"(, "parameters": {"N2101.V": 2})"), "");
 }

@@ -18,11 +18,16 @@ int axis_named(const Interpreter& m, const std::string& name) {
   return found == m.axis_names.end() ? -1 : static_cast<int>(found - m.axis_names.begin());
 }
 
-/// The axis with the number in N2101 of this one, if it is another axis of the channel.
-std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) {
+double master_number(const Interpreter& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
-  return axis_numbered(m, store.value(store.named("2101"), m.def.axis_numbers[axis]), axis);
+  return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
+
+/// The axis with the number in N2101 of this one, if it is another axis of the channel.
+std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
+
+/// In this channel or in another one.
+bool has_master(const Interpreter& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
 
 bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
   const ParameterStore& store = nct_of(m).parameters;
@@ -81,12 +86,18 @@ std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, st
   return std::nullopt;
 }
 
+bool is_far_axis(const Interpreter& m, double number) {
+  const bool is_own = std::any_of(m.def.axis_numbers.begin(), m.def.axis_numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count),
+                                  [&](std::uint8_t own) { return own == number; });
+  return !is_own && number >= 1 && number <= nct_of(m).axes_in_all;
+}
+
 SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events) {
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
-      if (const int axis = axis_named(m, name); axis >= 0 && !master_of(m, static_cast<std::size_t>(axis)))
-        return {"events", "events: N2101." + name + " is not the number of another axis of the channel",
-                "events: N2101." + name + " не задаёт номер другой оси канала"};
+      if (const int axis = axis_named(m, name); axis >= 0 && !has_master(m, static_cast<std::size_t>(axis)))
+        return {"events", "events: N2101." + name + " is not the number of another axis",
+                "events: N2101." + name + " не задаёт номер другой оси"};
   return {};
 }
 
@@ -109,19 +120,53 @@ void couple_axis(Interpreter& m, const std::string& name, bool on) {
   const auto axis = static_cast<std::size_t>(found);
   Couplings& c = nct_of(m).couplings;
   constexpr int msy = 0, psn = 4;
+  const double sign = bit_of(m, axis, msy) ? -1 : 1;
+  const double number = master_number(m, axis);
+  if (!on && is_far_axis(m, number)) return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, false);
   if (!on && !bit_of(m, axis, psn)) {
     std::erase_if(c.followers, [&](const Follower& follower) { return follower.axis == axis; });
     c.axes &= ~(AxisMask{1} << axis);
   }
   if (!on || (c.axes >> axis & 1u) != 0) return;
+  if (is_far_axis(m, number) && !nct_of(m).settings.axes[axis].rolls)
+    return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, true);
   const auto master = master_of(m, axis);
   if (!master || follows(c, *master, axis)) {
     constexpr double parameter = 2101;
     m.warn(warning(AlarmId::coupling_parameter, {}, parameter));
     return;
   }
-  add(m, axis, *master, bit_of(m, axis, msy) ? -1 : 1);
+  add(m, axis, *master, sign);
 }
+
+void link_far(Interpreter& m, const FarAxis& axis, bool on) {
+  Couplings& c = nct_of(m).couplings;
+  std::erase_if(c.far, [&](const FarAxis& far) { return far.axis == axis.axis && far.link == axis.link; });
+  if (on) c.far.push_back(axis);
+  if (axis.link != AxisLink::follows) return;
+  const AxisMask bit = AxisMask{1} << axis.axis;
+  c.axes = on ? c.axes | bit : c.axes & ~bit;
+}
+
+void Nct::drop_far(Interpreter& m, const FarAxis& axis) {
+  link_far(m, axis, false);
+  const bool follows = axis.link == AxisLink::follows;
+  constexpr double parameter = 2101;
+  m.warn(follows ? warning(AlarmId::coupling_parameter, {}, parameter)
+                 : warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[axis.axis])));
+}
+
+/// What follows it in this channel goes with it.
+void Nct::lead_axis(Interpreter& m, std::size_t axis, double machine) {
+  Axes& now = m.position.machine;
+  now[axis] = machine;
+  for (const Follower& f : couplings.followers) now[f.axis] = couplings.lead[f.axis] + f.sign * now[f.master];
+  m.stand_at(Axes(now));
+}
+
+bool Nct::may_exchange(const Interpreter& m, std::size_t axis) const { return may_be_exchanged(m, axis); }
+
+void Nct::exchange_far(std::size_t axis, double machine, bool on) { drives.asked.push_back({axis, AxisLink::exchanged, on, machine}); }
 
 Status not_following(const Interpreter& m, AxisMask named) {
   const AxisMask wrong = named & nct_of(m).couplings.axes;

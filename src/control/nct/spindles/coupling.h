@@ -8,6 +8,7 @@
 #include "action/action.h"
 #include "base/result.h"
 #include "config/setup_file.h"
+#include "control/state/far_axis.h"
 
 namespace kadr {
 class Interpreter;
@@ -18,12 +19,16 @@ namespace kadr::nct {
 /// The axes that follow now; machine = lead + sign · machine of the master.
 struct Couplings {
   std::vector<Follower> followers;  // each after its master
+  std::vector<FarAxis> far;         // that follow axes of other channels, or are exchanged with them
   Axes lead{};                      // by axis
-  AxisMask axes = 0;                // that follow
+  AxisMask axes = 0;                // that follow, far ones too
 };
 
 /// The axis of the channel with that number, other than `axis`.
 std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, std::size_t axis);
+
+/// An axis of another channel has that number.
+bool is_far_axis(const Interpreter& m, double number);
 
 /// What the set-up's events ask for and cannot be: a sentence; empty: all can.
 SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events);
@@ -31,8 +36,12 @@ SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& e
 /// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
 void couple_gantries(Interpreter& m);
 
-/// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours.
+/// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours, but
+/// may be the master.
 void couple_axis(Interpreter& m, const std::string& name, bool on);
+
+/// An axis hangs on one of another channel, or not any more.
+void link_far(Interpreter& m, const FarAxis& axis, bool on);
 
 /// alarms  axis_follows: one of the named axes follows another
 Status not_following(const Interpreter& m, AxisMask named);

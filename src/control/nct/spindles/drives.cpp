@@ -26,6 +26,7 @@ bool is_free_axis(const Interpreter& m, std::size_t axis) {
   const bool turns_tool = five.group != MachineGroup::none;
   bool coupled = false;
   for (const Follower& f : nct.couplings.followers) coupled = coupled || f.axis == axis || f.master == axis;
+  for (const FarAxis& f : nct.couplings.far) coupled = coupled || (f.link == AxisLink::follows && f.axis == axis);
   const bool rolls = nct.settings.axes[axis].rolls && (m.def.rotary >> axis & 1U) != 0;
   return !coupled && !rolls &&
          !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(nct.settings.axes[axis].role)));
@@ -47,7 +48,7 @@ bool goes_other_way(const Interpreter& m, std::size_t axis) {
 /// The reversal comes after the exchange (INFERRED).
 AxisDrives drives_of(const Interpreter& m, const Drives& d) {
   AxisDrives all;
-  all.reversed = d.mirrored;
+  all.reversed = d.mirrored ^ d.far_reversed;
   for (AxisMask left = d.exchanged; left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
     const auto other = other_of(m, axis);
@@ -62,11 +63,16 @@ AxisDrives drives_of(const Interpreter& m, const Drives& d) {
 
 /// Of the axis, and of the one it is exchanged with: neither is in another exchange, and both are free.
 bool may_exchange(const Interpreter& m, std::size_t axis) {
-  const Drives& d = nct_of(m).drives;
   const auto other = other_of(m, axis);
-  if (!other || !is_free_axis(m, axis) || !is_free_axis(m, *other)) return false;
-  const bool both_linear = (m.def.rotary & (bit(axis) | bit(*other))) == 0;
-  return both_linear && d.now.of(axis) == axis && d.now.of(*other) == *other;
+  return other && may_be_exchanged(m, axis) && may_be_exchanged(m, *other);
+}
+
+/// The other channel's axis stands at `machine`. Nothing moves, the programmed coordinates are new.
+void exchange_far(Interpreter& m, std::size_t axis, double machine, bool on) {
+  Drives& d = nct_of(m).drives;
+  d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
+  d.far_reversed = on && goes_other_way(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
+  m.position.machine[axis] = machine;
 }
 
 void unpark(Interpreter& m, std::size_t axis) {
@@ -79,6 +85,10 @@ void unpark(Interpreter& m, std::size_t axis) {
 /// False: it cannot be.
 bool carry_out(Interpreter& m, const AskedOfAxis& asked) {
   Drives& d = nct_of(m).drives;
+  if (asked.machine) {
+    exchange_far(m, asked.axis, *asked.machine, asked.on);
+    return true;
+  }
   const AxisMask axis = bit(asked.axis);
   AxisMask& now = asked.link == AxisLink::exchanged ? d.exchanged : asked.link == AxisLink::reversed ? d.mirrored : d.parked;
   if (((now & axis) != 0) == asked.on) return true;
@@ -99,9 +109,19 @@ bool carry_out(Interpreter& m, const AskedOfAxis& asked) {
 
 }  // namespace
 
+bool may_be_exchanged(const Interpreter& m, std::size_t axis) {
+  const Drives& d = nct_of(m).drives;
+  return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && d.now.of(axis) == axis;
+}
+
 void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) {
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.axis_names[a] == name) nct_of(m).drives.asked.push_back({a, link, on});
+  const ParameterStore& store = nct_of(m).parameters;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if (m.axis_names[a] != name) continue;
+    const double other = store.value(store.named("2104"), m.def.axis_numbers[a]);
+    if (link == AxisLink::exchanged && is_far_axis(m, other)) link_far(m, {a, static_cast<int>(other), link, 1}, on);
+    else nct_of(m).drives.asked.push_back({a, link, on});
+  }
 }
 
 void carry_out_asked(Interpreter& m) {
@@ -117,7 +137,7 @@ void carry_out_asked(Interpreter& m) {
 
 void end_drives(Interpreter& m) {
   Drives& d = nct_of(m).drives;
-  if (d.now.is_own && d.parked == 0) return;
+  if (d.now.is_own && d.parked == 0 && d.far == 0) return;
   while (d.parked != 0) unpark(m, static_cast<std::size_t>(__builtin_ctz(d.parked)));
   d = {};
   carry_out_asked(m);

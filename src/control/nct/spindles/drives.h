@@ -1,6 +1,7 @@
 #pragma once
 // Axes that drive others than their own: exchanged, reversed; parked ones (spec/nct/20 20.2 to 20.5).
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct AskedOfAxis {
   std::size_t axis;
   AxisLink link;
   bool on;
+  std::optional<double> machine{};  // exchanged with an axis of another channel: where that stands
 };
 
 struct Drives {
@@ -26,9 +28,14 @@ struct Drives {
   AxisMask exchanged = 0;  // axes that have initiated it
   AxisMask mirrored = 0;
   AxisMask parked = 0;
-  Axes standing{};  // machine positions of the parked axes
+  AxisMask far = 0;           // axes that drive one of another channel
+  AxisMask far_reversed = 0;  // … the other way round
+  Axes standing{};            // machine positions of the parked axes
   std::vector<AskedOfAxis> asked;
 };
+
+/// It is linear, and neither coupled, exchanged, nor one of a five-axis machine.
+bool may_be_exchanged(const Interpreter& m, std::size_t axis);
 
 /// Until the next block begins.
 void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on);
