@@ -43,12 +43,13 @@ inline bool is_cut(const Motion& motion) {
 /// What of a motion's ends the watches look at, work coordinates, mm. Where the control has no such axis: 0.
 struct Ends {
   Vec3 from, to;
-  Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) {
+  bool turns;  // an arc: a full circle ends where it begins
+  Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) : turns(is_arc(motion.kind)) {
     const auto at = [&](const Axes& axes, std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(roles.xyz[i])]; };
     from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};
     to = {at(motion.to, 0), at(motion.to, 1), at(motion.to, 2)};
   }
-  bool sideways() const { return std::hypot(to.x - from.x, to.y - from.y) > least_way; }
+  bool sideways() const { return turns || std::hypot(to.x - from.x, to.y - from.y) > least_way; }
   bool down() const { return to.z < from.z - least_way; }
   static constexpr double least_way = 1e-6;  // mm
 };

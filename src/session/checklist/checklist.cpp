@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/ascii.h"
+#include "config/machine_axes.h"
 #include "config/setup_names.h"
 
 namespace kadr {
@@ -45,8 +46,7 @@ Checklist::Checklist(Session& session, std::size_t channel)
     : session_(session),
       channel_(channel),
       roles_(AxisRoles::of(session.channels()[channel].control->axes(), session.channels()[channel].control->rotary())),
-      steps_(roles_, session.stand(channel)),
-      feeds_(most_rpm_of(session.channels()[channel].setup)) {}
+      steps_(roles_, session.stand(channel)) {}
 
 void Checklist::attach() {
   session_.outlets(channel_).programmed = [this](const Action& action) { take(action); };
@@ -64,15 +64,16 @@ void Checklist::take(const Action& action) {
 
 std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const Control& control = *session_.channels()[channel_].control;
-  const ControlDef& def = session_.def();
-  TextWatch text(def);
+  ControlDef def = session_.def();
+  (void)fit_to_machine(def, session_.channels()[channel_].setup);  // what is wrong with it has been told
+  TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
   Advices advices = advices_;
   tools_.finish(system_names(def), advices);
   feeds_.finish(text.teeth(), advices);
   levels_.finish(advices);
   path_.finish(advices);
-  text.finish(control.ending().modal, advices);
+  text.finish(advices);
   return told(advices);
 }
 

@@ -63,19 +63,14 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   if (advance > of.most) of.most = advance, of.at_most = origin;
 }
 
-void FeedWatch::take_speed(double rpm, const Origin& origin, Advices& to) {
-  if (rpm > most_rpm_ && most_rpm_ > 0 && rpm != rpm_) to.add(AlarmId::speed_beyond_spindle, origin, 'S', rpm, most_rpm_);
-  rpm_ = rpm;
-}
-
 void FeedWatch::take(const Step& step, Advices& to) {
   const Action& action = step.action;
   if (const Motion* const motion = step.motion()) return take_motion(step, *motion, to);
   if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
     const bool turns = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    if (turns) take_speed(spindle->rpm, action.origin, to);
+    if (turns) rpm_ = spindle->rpm;
   } else if (const auto* const speed = std::get_if<Speed>(&action.what)) {
-    take_speed(speed->surface ? speed->rpm : speed->value, action.origin, to);
+    rpm_ = speed->surface ? speed->rpm : speed->value;
   } else if (const auto* const change = std::get_if<ToolChange>(&action.what)) {
     tool_ = change->tool;
   }

@@ -10,8 +10,6 @@ namespace kadr {
 
 class FeedWatch {
  public:
-  /// `teeth`: of the tools whose number of teeth the program's comments name.
-  explicit FeedWatch(double most_rpm) : most_rpm_(most_rpm) {}
   void take(const Step& step, Advices& to);
   /// Of the tools whose number of teeth the comments name.
   void finish(const std::map<std::uint32_t, int>& teeth, Advices& to);
@@ -19,9 +17,7 @@ class FeedWatch {
  private:
   void take_motion(const Step& step, const Motion& motion, Advices& to);
   void take_tap(const Motion& motion, const Origin& origin, Advices& to);
-  void take_speed(double rpm, const Origin& origin, Advices& to);
 
-  const double most_rpm_;  // of the spindle; 0: not known
   double rpm_ = 0;
   std::uint32_t tool_ = 0;
   bool small_told_ = false, large_told_ = false;

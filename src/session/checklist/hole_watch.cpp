@@ -7,24 +7,18 @@
 namespace kadr {
 
 void HoleWatch::take(const Step& step, Advices& to) {
-  if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) {
-    tool_ = change->tool;
-    holes_.clear();
-    return;
-  }
+  // Another tool, or a function of the machine (B90 of a table that the control does not lead): other holes.
+  if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what)) return holes_.clear();
   constexpr std::size_t most_holes = 20'000;
   const Motion* const motion = step.motion();
   if (motion == nullptr || !motion->of_cycle || motion->kind != MotionKind::feed || holes_.size() >= most_holes) return;
   const Ends ends(step.roles, step.from, *motion);
   if (!ends.down()) return;
-  for (std::size_t axis = 0; axis < step.roles.count; ++axis)  // a turned part has other holes there
-    if (step.roles.is_rotary(axis) && step.from.work[axis] != 0) return;
-  const auto micrometres = [](double mm) { return std::llround(mm * 1000); };
-  const auto& machine = motion->machine;  // a shift of the zero makes another hole
-  const auto at = [&](int axis) { return axis < 0 ? 0.0 : machine[static_cast<std::size_t>(axis)]; };
-  const auto& xyz = step.roles.xyz;
-  const bool is_new =
-      holes_.insert({micrometres(at(xyz[0])), micrometres(at(xyz[1])), micrometres(at(xyz[2])), motion->system, std::int64_t{tool_}}).second;
+  // Of the machine: a shifted zero makes another hole; a turned part too.
+  std::array<std::int64_t, max_axes + 1> hole{};
+  for (std::size_t axis = 0; axis < step.roles.count; ++axis) hole[axis] = std::llround(motion->machine[axis] * 1000);
+  hole.back() = motion->system;
+  const bool is_new = holes_.insert(hole).second;
   if (!is_new) to.add(AlarmId::hole_twice, step.action.origin, 0, ends.to.x, ends.to.y);
 }
 

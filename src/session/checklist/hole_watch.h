@@ -15,9 +15,7 @@ class HoleWatch {
   void take(const Step& step, Advices& to);
 
  private:
-  std::set<std::array<std::int64_t, 5>> holes_;  // X, Y, bottom in µm, work system, tool
-  std::uint32_t tool_ = 0;
-  std::uint32_t stint_ = 0;
+  std::set<std::array<std::int64_t, max_axes + 1>> holes_;  // of the tool in the spindle: machine coordinates, µm; work system
 };
 
 }  // namespace kadr

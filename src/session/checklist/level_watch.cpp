@@ -11,6 +11,8 @@ namespace kadr {
 namespace {
 
 constexpr double level = 0.01;  // mm: heights that are the same
+constexpr std::size_t most_drilled = 1000;
+constexpr double micrometre = 1000;  // of a mm
 
 bool turns(const Step& step, const Motion& motion) {
   for (std::size_t axis = 0; axis < step.roles.count; ++axis)
@@ -21,11 +23,12 @@ bool turns(const Step& step, const Motion& motion) {
 }  // namespace
 
 /// A shape that is written in one block only: the others of the program leave a gap many times their own span.
-void LevelWatch::take_point(const Vec3& at, const Origin& origin) {
-  const std::array values{at.x, at.y, at.z};
+void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
+  const std::array values{ends.to.x, ends.to.y, ends.to.z}, came_from{ends.from.x, ends.from.y, ends.from.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
+    if (std::fabs(v - came_from[i]) < level) continue;  // it stays where another block has put it
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
         if (where[0].line != origin.line || best[0] * sign <= -1e299) best[1] = best[0], where[1] = where[0];
@@ -43,7 +46,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   const Origin& origin = step.action.origin;
   const Ends ends(step.roles, step.from, motion);
   turned_ = turned_ || turns(step, motion);
-  if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, clearance_ = -1e300;
+  if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, approach_ = -1e300;
   if (motion.end_given != EndGiven::by_work || motion.kind == MotionKind::home) {
     z_by_machine_ = z_by_machine_ || (motion.named >> std::size_t(std::max(step.roles.xyz[2], 0)) & 1U) != 0;
     return;
@@ -53,33 +56,40 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   const bool from_machine = z_by_machine_;
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
   if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level && std::fabs(ends.to.z - plunge_->z) < level)
-    note_low(*plunge_);  // at feed it goes on sideways, not farther down: that was the way into the material
+    if (!is_drilled(*plunge_)) note_low(*plunge_);  // at feed it goes on sideways, not farther down: that was the way into the material
   plunge_.reset();
+  if (motion.of_cycle && motion.kind == MotionKind::rapid && ends.sideways()) take_point(ends, origin);
+  if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < most_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
     if (ends.sideways() || motion.of_cycle) {
       cuts_ = true, ++cuts_made_;
       lowest_ = std::min(lowest_, std::min(ends.from.z, ends.to.z));
-      take_point(ends.to, origin);
+      take_point(ends, origin);
     }
     if (!motion.of_cycle && ends.down()) lowest_ = std::min(lowest_, ends.to.z);
+    if (!motion.of_cycle && ends.down() && !ends.sideways() && ends.to.z < -level) ++feeds_down_;
   } else if (motion.kind == MotionKind::rapid && !motion.of_cycle && !turned_) {
+    if (ends.down() && !ends.sideways()) {
+      if (ends.to.z >= 0 && heights_.size() < most_drilled) heights_.insert(std::llround(ends.to.z * micrometre));
+      if (ends.to.z < -level && below_++ == 0) only_below_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
+    }
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
-    if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level) 
+    if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level)
       plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
     const bool straight_from_cut = was_cut_ && std::fabs(ends.to.z - ends.from.z) < level;
-    if (ends.sideways() && straight_from_cut && ends.to.z < -level && clearance_ > ends.to.z + level)
+    if (ends.sideways() && straight_from_cut && ends.to.z < -level && approach_ > ends.to.z + level)
       note_low({origin, AlarmId::rapid_sideways_low, (ends.from.x + ends.to.x) / 2, (ends.from.y + ends.to.y) / 2, std::max(ends.from.z, ends.to.z)});
-    if (ends.sideways() && !from_machine) clearance_ = std::max(clearance_, ends.to.z);
   }
+  if (motion.kind == MotionKind::rapid) approach_ = std::max(approach_, ends.to.z);
   was_cut_ = is_cut(motion) && !motion.of_cycle;
   z_ = ends.to.z;
 }
 
 void LevelWatch::take_change(const Origin& origin, Advices& to) {
-  if (cuts_ && !z_by_machine_ && !turned_ && clearance_ > -1e299 && z_ < clearance_ - level)
-    to.add(AlarmId::tool_change_low, origin, 0, z_, clearance_);
+  if (cuts_ && !z_by_machine_ && !turned_ && approach_ > -1e299 && z_ < approach_ - level)
+    to.add(AlarmId::tool_change_low, origin, 0, z_, approach_);
   cuts_ = false;
-  clearance_ = -1e300;
+  approach_ = -1e300;
 }
 
 void LevelWatch::take(const Step& step, Advices& to) {
@@ -88,13 +98,23 @@ void LevelWatch::take(const Step& step, Advices& to) {
     take_change(step.action.origin, to);
 }
 
+/// A hole of a cycle is there, as deep.
+bool LevelWatch::is_drilled(const Low& low) const {
+  constexpr double near = 1;  // mm
+  return std::any_of(drilled_.begin(), drilled_.end(),
+                     [&](const Vec3& hole) { return std::hypot(hole.x - low.x, hole.y - low.y) < near && hole.z < low.z + near; });
+}
+
 void LevelWatch::judge_lows(Advices& to) const {
-  constexpr double beside = 0.5;  // mm
-  const auto within = [](const Span& s, double v) { return v > s.least[0] + beside && v < s.most[0] - beside; };
   constexpr std::ptrdiff_t most = 2;  // of a kind: more of them are the habit of a CAM system, which knows what is cleared
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
-  for (const Low& low : lows_)
-    if (like(low.id) <= most && within(spans_[0], low.x) && within(spans_[1], low.y)) to.add(low.id, low.origin, low.id == AlarmId::rapid_below_zero ? 'Z' : '\0', low.z);
+  for (const Low& low : lows_) {
+    const bool plunges = low.id == AlarmId::rapid_below_zero;
+    // Where nothing is entered at feed, the tool may begin in a hole or beside the part.
+    if (like(low.id) <= most && (!plunges || feeds_down_ > 0)) to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
+  }
+  if (only_below_ && below_ == 1 && heights_.contains(std::llround(-only_below_->z * micrometre)))  // the height of another approach: a sign
+    to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
 
 void LevelWatch::finish(Advices& to) {

@@ -47,6 +47,7 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
     return p;
   }
   p.ccw = motion.kind == MotionKind::arc_ccw;
+  p.inch = motion.inch;
   p.center = motion.center;
   p.degrees = motion.turns * 360;
   for (std::size_t axis = 0; axis < step.roles.count; ++axis)
@@ -80,11 +81,18 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
 
 /// A circle is written with its end where it begins; one whose end is rounded by some micrometres is meant so.
 void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
-  constexpr double nearly = 340, small = 0.1, rounded = 0.003;  // degrees, of the radius, mm
+  constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;  // degrees, of the radius, mm
   const double apart = std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y);
   const double radius = std::hypot(arc.from.x - arc.center.x, arc.from.y - arc.center.y);
-  if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > rounded && apart < small * radius)
+  if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > (arc.inch ? coarse : fine) && apart < small * radius)
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
+}
+
+/// Only its beginning has a neighbour: to turn straight back there is a slip where no arc has led to it.
+void PathWatch::look_at_last_arc(const Piece& before, const Piece& arc, Advices& to) {
+  constexpr double back = 175;  // degrees
+  if (!arc.arc || arc.full || before.arc || before.first != arc.first || degrees_between(before.ends, arc.begins) < back) return;
+  to.add(AlarmId::arc_against_neighbours, arc.origin, 'G', arc.ccw ? "G2" : "G3");
 }
 
 void PathWatch::compensation_over(Advices& to) {
@@ -99,19 +107,21 @@ void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to
   const double way = std::hypot(motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]);
   if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && way > 0 && way < motion.tool_radius)
     to.add(AlarmId::approach_short, origin, 0, way, motion.tool_radius);
+  const bool compensated = motion.side != 0 || motion.radius_offset != 0;
+  const bool ends_here = compensated_ && !compensated && way > 0;
+  compensated_ = compensated;
   if (motion.side != 0) {
     if (!side_) side_ = origin;
     side_code_ = motion.side > 0 ? "G41" : "G42";
-  } else {
+  } else if (!compensated) {
     side_.reset();
   }
   constexpr int certain = 2;  // cuts
-  if (motion.side_step == SideStep::ends) {
-    side_.reset();
+  if (ends_here) {
+    ended_.reset();
     if (is_cut(motion)) ended_ = origin, cuts_since_ = 0;
-    else ended_.reset();
   } else if (ended_) {
-    const bool goes_on = is_cut(motion) && motion.side == 0 && ends.sideways() && std::fabs(ends.to.z - ends.from.z) < 1e-3;
+    const bool goes_on = is_cut(motion) && !compensated && ends.sideways() && std::fabs(ends.to.z - ends.from.z) < 1e-3;
     if (!goes_on) ended_.reset();
     else if (++cuts_since_ == certain) to.add(AlarmId::compensation_ends_in_cut, *ended_, 'G');
   }
@@ -127,6 +137,7 @@ void PathWatch::take(const Step& step, Advices& to) {
   auto piece = piece_of(step, *motion);
   if (piece) look_at_circle(*piece, to);
   if (piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece, to);
+  else if (!piece && last_[0] && last_[1]) look_at_last_arc(*last_[0], *last_[1], to);
   last_[0] = piece ? last_[1] : std::nullopt;
   last_[1] = piece;
 }

@@ -19,7 +19,7 @@ class PathWatch {
   /// A motion at feed in the plane, as its neighbours see it.
   struct Piece {
     Origin origin;
-    bool arc = false, ccw = false, full = false, helix = false;
+    bool arc = false, ccw = false, full = false, helix = false, inch = false;
     std::uint8_t first = 0, second = 1;
     Vec2 from, to, center;
     Vec2 begins, ends;  // directions at its ends, of length 1
@@ -27,6 +27,7 @@ class PathWatch {
   };
   static std::optional<Piece> piece_of(const Step& step, const Motion& motion);
   void look_at_arc(const Piece& before, const Piece& arc, const Piece& after, Advices& to) const;
+  static void look_at_last_arc(const Piece& before, const Piece& arc, Advices& to);
   static void look_at_circle(const Piece& arc, Advices& to);
   void look_at_side(const Step& step, const Motion& motion, Advices& to);
   void compensation_over(Advices& to);
@@ -34,7 +35,8 @@ class PathWatch {
   std::array<std::optional<Piece>, 2> last_;  // the two before
   std::optional<Origin> side_;                // of the first motion on a side, while there is one
   const char* side_code_ = "G41";
-  /// G40 has come in a motion: how many cuts in the plane have followed at the same depth.
+  bool compensated_ = false;                  // the motion before was
+  /// Compensation has ended in a cut: how many cuts in the plane have followed at the same depth.
   std::optional<Origin> ended_;
   int cuts_since_ = 0;
 };

@@ -89,13 +89,16 @@ void TextWatch::take_points(const Block& block) {
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= most_found) continue;
-      const std::string read = fmt::format("{:g} {}", w.value, def_.address(w.address).unit == WordUnit::angle ? "°" : inch_ ? "in" : "mm");
+      const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;  // 0.0001 in (spec/fanuc 1.3)
+      const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value, def_.address(w.address).unit == WordUnit::angle ? "°" : inch_ ? "in" : "mm");
       pointless_.push_back({advice(AlarmId::point_forgotten, w.where, AlarmArg(block.text_of(w.where)), AlarmArg(std::string_view(read))), origin_of(block)});
     }
   }
 }
 
 void TextWatch::take_codes(const Block& block) {
+  if (const Word* const s = block.find('S'); s != nullptr && !s->expression && most_rpm_ > 0 && s->value > most_rpm_)
+    add(AlarmId::speed_beyond_spindle, origin_of(block), s->where, s->value, most_rpm_);
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
@@ -108,8 +111,11 @@ void TextWatch::take_codes(const Block& block) {
     if (code->function == Function::plane_xy) in_xy_ = true;
     if (code->function == Function::plane_zx || code->function == Function::plane_yz || code->function == Function::select_plane) in_xy_ = w.code == 17_g;
     if (!began_) stated_.insert(code->function);
-    for (const Mode& mode : modes)
-      if (mode.on == code->function) switched_on_[mode.on] = origin_of(block);
+    if (main_over_) continue;
+    for (const Mode& mode : modes) {
+      if (mode.on == code->function) switched_on_[mode.on] = {origin_of(block), code->code};
+      if (mode.off == code->function) switched_on_.erase(mode.on);
+    }
   }
   began_ = began_ || axis_words;
 }
@@ -133,7 +139,7 @@ void TextWatch::take_cycle(const Block& block) {
     const CodeRow* const code = row(w);
     if (code == nullptr || w.address != 'G') continue;
     const bool drills = w.code >= 73_g && w.code <= 89_g && w.code != 80_g && w.code % 10 == 0 &&
-                        (code->function == Function::cycle || code->function == Function::drilling);
+                        (code->function == Function::cycle || code->function == Function::drilling || code->function == Function::canned_cycle);
     if (drills) {
       in_cycle_ = true, lost_ = false;
       cancelled_.reset();
@@ -201,8 +207,8 @@ void TextWatch::take_flow(const Block& block) {
     if (w.address == 'M' && (w.code == 97_m || w.code == 99_m) && block.has('P')) now.has_targets = true;
     if (w.address == 'M' && w.code == 99_m) now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
     const CodeRow* const code = row(w);
-    if (code != nullptr && code->function == Function::program_end) {
-      now.ends_program = true;
+    if (code != nullptr && (code->function == Function::program_end || code->function == Function::tape_end)) {
+      now.ends_program = main_over_ = true;
       ended_ = ended_ || (block.skip == 0 && s.condition_count == 0);
     }
   }
@@ -219,8 +225,9 @@ void TextWatch::take_comments(const Block& block) {
     const int teeth = teeth_named(text);
     if (teeth == 0) continue;
     const auto named = read_tool_comment(text, false).tool;
-    if (named && teeth_.size() < most_numbers) teeth_.try_emplace(*named, teeth);
-    else loose_teeth_ = teeth;
+    const bool beside_call = !named && block.has('T') && tool_ != 0;
+    if ((named || beside_call) && teeth_.size() < most_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
+    else loose_teeth_ = teeth;  // of the tool that is called next
   }
 }
 
@@ -228,8 +235,8 @@ void TextWatch::take(const Block& block) {
   take_comments(block);
   take_flow(block);
   take_points(block);
-  take_cycle(block);
   take_codes(block);
+  take_cycle(block);
 }
 
 void TextWatch::read(BlockReader reader, const StopToken& stop) {
@@ -260,7 +267,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
   });
 }
 
-void TextWatch::finish(const std::vector<std::string>& left_on, Advices& to) {
+void TextWatch::finish(Advices& to) {
   if (with_point_ >= 5 && without_point_ * 10 <= with_point_)
     for (const Advice& a : pointless_) found_.push_back(a);
   for (const Advice& a : found_) to.add(a);
@@ -280,13 +287,10 @@ void TextWatch::finish(const std::vector<std::string>& left_on, Advices& to) {
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }
-  for (const std::string& word : left_on)
-    for (const auto& [on, origin] : switched_on_) {
-      const auto mode = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.on == on; });
-      if (stated_.contains(mode->off) || stated_.contains(on)) continue;
-      const auto is_of = [&](const CodeRow& code) { return code.function == on && code.code == word; };
-      if (std::any_of(def_.codes.begin(), def_.codes.end(), is_of)) to.add(AlarmId::mode_left_on, origin, 'G', std::string_view(word));
-    }
+  for (const auto& [on, last] : switched_on_) {
+    const auto mode = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.on == on; });
+    if (!stated_.contains(mode->off) && !stated_.contains(on)) to.add(AlarmId::mode_left_on, last.first, 'G', std::string_view(last.second));
+  }
 }
 
 }  // namespace kadr

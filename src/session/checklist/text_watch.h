@@ -17,12 +17,12 @@ namespace kadr {
 
 class TextWatch {
  public:
-  explicit TextWatch(const ControlDef& def) : def_(def) {}
+  /// `most_rpm`: of the spindle; 0: not known. A control may turn it no faster and say nothing.
+  TextWatch(const ControlDef& def, double most_rpm) : def_(def), most_rpm_(most_rpm) {}
 
   /// All of it; `stop` is asked now and then.
   void read(BlockReader reader, const StopToken& stop);
-  /// `left_on`: code words in force after the run.
-  void finish(const std::vector<std::string>& left_on, Advices& to);
+  void finish(Advices& to);
   /// Of tools, as comments name them: "4 FLUTE", "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
 
@@ -54,6 +54,7 @@ class TextWatch {
   void add(AlarmId id, const Origin& origin, Span where, Args... args);
 
   const ControlDef& def_;
+  const double most_rpm_;
   std::vector<Advice> found_;
   // numbers without a point
   std::size_t with_point_ = 0, without_point_ = 0;
@@ -67,7 +68,8 @@ class TextWatch {
   // modes
   bool began_ = false;                       // a motion has come
   std::set<Function> stated_;                // before it
-  std::map<Function, Origin> switched_on_;   // where last
+  std::map<Function, std::pair<Origin, std::string>> switched_on_;  // where last, by which code
+  bool main_over_ = false;                   // the end of a program has come
   // flow
   std::vector<Section> sections_;
   std::set<std::uint32_t> calls_;

@@ -17,12 +17,14 @@ void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Or
 
 }  // namespace
 
+/// What a tapping cycle does with the spindle is over when its block is.
 void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
+  if (cycle_block_ && origin.number == *cycle_block_) return;
   if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
   turns_ = spindle.dir;
   if (spindle.dir == SpindleDir::stop) return;
   rpm_ = spindle.rpm;
-  now().started = true;
+  now().started = started_since_cut_ = true;
   ++starts_;
   if (spindle.dir == SpindleDir::cw) now().clockwise = true;
   else if (!now().counter_clockwise) now().counter_clockwise = origin;
@@ -30,17 +32,19 @@ void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
 
 void ToolWatch::take_motion(const Step& step, const Motion& motion) {
   Stint& stint = now();
+  if (motion.of_cycle) cycle_block_ = step.action.origin.number;
   const Ends ends(step.roles, step.from, motion);
   const bool works = is_cut(motion) && (motion.of_cycle ? ends.down() : ends.sideways()) && ends.to.z < stint.highest;
   if (motion.end_given == EndGiven::by_work && motion.kind != MotionKind::home) stint.highest = std::max(stint.highest, ends.to.z);
   if (!works) return;
+  started_since_cut_ = false;
   const Origin& origin = step.action.origin;
   if (!stint.cuts) {
     stint.cuts = origin;
     if (motion.length_offset == 0) stint.without_length = origin;
   }
   stint.wet = stint.wet || coolant_;
-  const bool turns = turns_ != SpindleDir::stop && rpm_ > 0;
+  const bool turns = turns_ != SpindleDir::stop && (rpm_ > 0 || zero_speeds_ > 1);
   const bool turned_by_cycle = motion.in_hole == HoleWork::taps || (motion.of_cycle && taps_rigidly_);
   if (turns || turned_by_cycle) stint.turned = true;
   else if (!stint.cuts_still) stint.cuts_still = origin;
@@ -57,6 +61,7 @@ void ToolWatch::take(const Step& step, Advices&) {
   } else if (const auto* const speed = std::get_if<Speed>(&action.what)) {
     rpm_ = speed->surface ? std::max(speed->rpm, 1.0) : speed->value;
     asks_speed_ = asks_speed_ || rpm_ > 0;
+    zero_speeds_ += rpm_ == 0;
   } else if (const auto* const function = std::get_if<MachineFunction>(&action.what)) {
     constexpr std::uint32_t rigid_tapping = 29;  // of Fanuc and Haas, by the machine's builder
     taps_rigidly_ = taps_rigidly_ || function->code == rigid_tapping;
@@ -71,6 +76,7 @@ void ToolWatch::take(const Step& step, Advices&) {
     if (change->tool == now().tool && !now().cuts) return;
     if (stints_.size() < most_stints) stints_.emplace_back();
     now().tool = change->tool;
+    now().started = started_since_cut_;  // S and M3 may stand before the change
   }
 }
 

@@ -43,9 +43,12 @@ class ToolWatch {
   SpindleDir turns_ = SpindleDir::stop;
   double rpm_ = 0;
   bool coolant_ = false;
+  bool started_since_cut_ = false;  // the spindle has been, since the last cut
   bool taps_rigidly_ = false;
+  std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block in which a cycle moved
   bool asks_speed_ = false;                          // an S has been given
   std::size_t starts_ = 0;                           // of the spindle
+  std::size_t zero_speeds_ = 0;                      // S0: a laser travels with it
   std::map<std::uint32_t, Origin> selected_;         // by T, not changed to yet
   std::uint32_t first_tool_ = 0;
   bool changes_ = false;
