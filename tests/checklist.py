@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+"""Runner of the checklist (docs/checklist.md): mistakes planted into clean programs are told at their line, and nothing else is told.
+
+    checklist.py --kadr build/kadr                   all
+    checklist.py --kadr build/kadr --only 'arc*'     mistakes of some ids
+    checklist.py --kadr build/kadr --table           what is found, by id and control, and each that is not
+    checklist.py --kadr build/kadr --update          writes tests/checklist/found.tsv anew
+
+Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*.nc and those of examples/ and makes each one mistake whose
+line and id it knows. The places are drawn by a fixed seed, at most so many of a kind in a program. What the control itself refuses (an alarm) is
+drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost.
+Clean: those programs, and all others of examples/ that check without an alarm, have no advice.
+Innocent: neither have the programs of tests/checklist/innocent.txt, which look like mistakes and are none: `== CONTROL name`, the program, and
+before it `setup: {…}` where one is needed.
+"""
+import collections
+import fnmatch
+import json
+import random
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+import harness
+from planted import mistakes
+from planted.part_program import Program
+
+HERE = Path(__file__).resolve().parent / 'checklist'
+EXAMPLES = harness.ROOT / 'examples'
+FOUND = HERE / 'found.tsv'
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
+ENDINGS = ('.nc', '.tap', '.ngc', '.nct')
+SEED, PLACES = 20261128, 4   # of a kind in a program
+LEAST_FOUND = 0.95
+
+
+def findings(kadr, control, text, setup):
+    """What `kadr check` finds, and whether the control stops."""
+    with tempfile.TemporaryDirectory(prefix='kadr_check_') as folder:
+        bench = harness.Kadr(kadr, folder)
+        bench.file('p.nc', '\n'.join(text) + '\n')
+        more = ()
+        if setup is not None:
+            bench.file('p.json', json.dumps(setup))
+            more = ('--setup', 'p.json')
+        done = bench.call('check', 'p.nc', '--control', control, '--format', 'json', '--lang', 'en', *more)
+    try:
+        found = json.loads(done.stdout)
+    except json.JSONDecodeError:
+        raise harness.Failure(f'no JSON: {done.stdout[:100]!r} {done.stderr[:300]!r}') from None
+    return [f for f in found if f['severity'] == 'advice'], [f for f in found if f['severity'] == 'alarm']
+
+
+def shown(advice):
+    return '; '.join(f'{a["line"]} {a["id"]}' for a in advice) or 'nothing'
+
+
+# ---- planted
+
+def programs():
+    """The programs that mistakes are planted into."""
+    bases = [Program(control, path) for control in CONTROLS for path in sorted((HERE / control).glob('*.nc'))]
+    for control in CONTROLS:
+        for path in sorted((EXAMPLES / control).iterdir()):
+            if path.suffix in ENDINGS and path.stem not in ('cover_koi8',):
+                bases.append(Program(control, path))
+    return bases
+
+
+def drawn(kadr, program):
+    """Of each kind the first places, in an order of the seed, at which the control does not stop.  returns mistakes with what was found"""
+    own = random.Random(f'{SEED} {program.name}')
+    kinds = collections.defaultdict(list)
+    for m in mistakes.all_of(program):
+        kinds[m.kind].append(m)
+    results, refused = [], 0
+    for places in kinds.values():
+        own.shuffle(places)
+        taken = 0
+        for m in places:
+            if taken == PLACES:
+                break
+            advice, alarms = findings(kadr, program.control, m.text, program.setup if m.setup is None else m.setup)
+            if alarms:
+                refused += 1
+                continue
+            taken += 1
+            results.append((program, m, advice, any(a['line'] == m.line and a['id'] in m.ids for a in advice)))
+    return results, refused
+
+
+def table(results):
+    """Of each id, by control: found of planted."""
+    counts = collections.defaultdict(lambda: [0, 0])
+    for program, m, _, found in results:
+        for key in ((m.ids[0], program.control), (m.ids[0], 'all')):
+            counts[key][0] += found
+            counts[key][1] += 1
+    return counts
+
+
+def print_table(results, refused):
+    counts = table(results)
+    used = [c for c in CONTROLS if any(key[1] == c for key in counts)] + ['all']
+    print('\t'.join(['id', *used]))
+    for name in sorted({key[0] for key in counts}):
+        print('\t'.join([name, *(f'{counts[name, c][0]}/{counts[name, c][1]}' if (name, c) in counts else '' for c in used)]))
+    print(f'{sum(r[3] for r in results)} of {len(results)} found; {refused} more are refused by the control')
+    for program, m, advice, found in results:
+        if not found:
+            print(f'not found: {program.name}: {m.kind}: {m.line} {"/".join(m.ids)}: `{m.text[m.line - 1].strip()}`; told: {shown(advice)}')
+
+
+def judge_planted(tally, results):
+    counts = table(results)
+    found = {name: count for (name, control), count in counts.items() if control == 'all'}
+    for line in FOUND.read_text(encoding='utf-8').splitlines()[1:]:
+        name, was, _ = line.split('\t')
+        tally.expect(int(was) == 0 or found.get(name, [0, 0])[0] > 0, f'planted {name}', f'{was} were found, now none')
+    share = sum(r[3] for r in results) / max(1, len(results))
+    missed = [f'{p.name} {m.line} {m.ids[0]} ({m.kind})' for p, m, _, is_found in results if not is_found]
+    tally.expect(share >= LEAST_FOUND, f'{share:.1%} of {len(results)} planted mistakes are found', '\n  '.join(missed))
+    tally.expect(len(results) >= 300, 'at least 300 mistakes', len(results))
+
+
+def write_found(results):
+    rows = [f'{name}\t{count[0]}\t{count[1]}' for (name, control), count in sorted(table(results).items()) if control == 'all']
+    FOUND.write_text('\n'.join(['id\tfound\tplanted', *rows]) + '\n', encoding='utf-8')
+
+
+# ---- clean, innocent
+
+def examples():
+    """Each program of examples/ with its control and its set-up; what belongs to no control is read as Kadr guesses."""
+    for path in sorted(EXAMPLES.rglob('*')):
+        if path.suffix in ENDINGS and path.parent.name not in ('docs', 'library'):
+            setup = path.with_suffix('.json')
+            control = path.parent.name if path.parent.name in CONTROLS else 'nct' if path.suffix == '.nct' else None
+            yield path, control, setup if setup.exists() else None
+
+
+def faults_of_example(kadr, example):
+    path, control, setup = example
+    more = [*(['--control', control] if control else []), *(['--setup', setup] if setup else [])]
+    done = harness.Kadr(kadr, path.parent).call('check', path.name, '--format', 'json', '--lang', 'en', *more)
+    try:
+        found = json.loads(done.stdout)
+    except json.JSONDecodeError:
+        return []   # none of Kadr's languages, without its control
+    return [f'{f["line"]} {f["id"]}: {f["line_text"].strip()}: {f["text"]}' for f in found if f['severity'] == 'advice']
+
+
+def innocents():
+    """The programs of innocent.txt: name, control, text, set-up."""
+    for part in re.split(r'^== ', (HERE / 'innocent.txt').read_text(encoding='utf-8'), flags=re.M)[1:]:
+        head, *lines = part.rstrip('\n').split('\n')
+        control, name = head.split(' ', 1)
+        setup = json.loads(lines.pop(0).removeprefix('setup:')) if lines[0].startswith('setup:') else None
+        yield name, control, lines, setup
+
+
+def faults_of_text(kadr, control, text, setup):
+    advice, alarms = findings(kadr, control, text, setup)
+    return [f'{a["line"]} {a["id"]}: {a["line_text"].strip()}: {a["text"]}' for a in [*alarms, *advice]]
+
+
+def main():
+    parser = harness.arguments(__doc__)
+    parser.add_argument('--only', default='*', help='only mistakes of ids that match')
+    parser.add_argument('--table', action='store_true', help='prints what is found and what is not')
+    parser.add_argument('--update', action='store_true', help='writes found.tsv')
+    options = harness.parsed(parser)
+    tally = harness.Tally()
+    bases = programs()
+    clean, results, refused = [], [], 0
+    for program, faults in zip(bases, harness.each(lambda p: faults_of_text(options.kadr, p.control, p.lines, p.setup), bases)):
+        if 'examples' not in program.name and (HERE / f'{program.name}.nc').exists():
+            tally.judge(f'clean {program.name}', faults)
+        if not faults:
+            clean.append(program)
+    for got, times in harness.each(lambda p: drawn(options.kadr, p), clean):
+        results += [r for r in got if fnmatch.fnmatch(r[1].ids[0], options.only)]
+        refused += times
+    if options.update:
+        write_found(results)
+    if options.table:
+        print_table(results, refused)
+    if options.only == '*':
+        judge_planted(tally, results)
+    all_examples = list(examples())
+    for example, faults in zip(all_examples, harness.each(lambda e: faults_of_example(options.kadr, e), all_examples)):
+        tally.judge(f'clean {example[0].relative_to(EXAMPLES)}', faults)
+    cases = list(innocents())
+    for (name, *_), faults in zip(cases, harness.each(lambda c: faults_of_text(options.kadr, *c[1:]), cases)):
+        tally.judge(f'innocent {name}', faults)
+    return tally.result()
+
+
+if __name__ == '__main__':
+    sys.exit(main())
