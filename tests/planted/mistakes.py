@@ -241,6 +241,8 @@ def cycle_mistakes(p):
 # ---- the contour
 
 def compensation_mistakes(p):
+    if p.control == 'correctors':   # its G41 says how a corrector is added, and no side
+        return
     for b in p.blocks:
         code = b.code('G', 41, 42)
         if not code or not b.sideways():
@@ -345,14 +347,20 @@ def flow_mistakes(p):
 
 
 def mode_mistakes(p):
+    """Of a program whose head does not state the mode, and whose end does not take it back by itself."""
+    moved = next((b.at for b in p.blocks if any(b.has(a) for a in 'XYZ')), 0)
+    if p.control in ('grbl', 'linuxcnc'):   # M2 and M30 bring G90 back
+        return
+    head = p.blocks[:moved + 1]
     on = {b.at for b in p.blocks if b.code('G', 91, 68)}
     for at in on:
         b = p.blocks[at]
         code = b.code('G', 91, 68)
         off = [c for c in p.blocks[at:] if c.code('G', 90 if code.number == 91 else 69)]
-        if code.number == 68 and off:
+        if code.number == 68 and off and not any(h.code('G', 69) for h in head):
             yield plant('G69 dropped', 'mode_left_on', at, p.replaced(off[0].at, off[0].code('G', 69), ''))
-        if code.number == 91 and len(off) == 1 and not b.section:
+        last = off and not any(c.has(a) for c in p.blocks[off[0].at:] for a in 'XYZ' if c.section == b.section)
+        if code.number == 91 and last and not b.section and not any(h.code('G', 90, 91) for h in head):
             yield plant('G90 dropped at the end', 'mode_left_on', at, p.replaced(off[0].at, off[0].code('G', 90), ''))
 
 
