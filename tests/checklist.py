@@ -8,7 +8,8 @@
 
 Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*.nc and those of examples/ and makes each one mistake whose
 line and id it knows. The places are drawn by a fixed seed, at most so many of a kind in a program. What the control itself refuses (an alarm) is
-drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost.
+drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost. What a rule does not see
+yet stands in tests/checklist/open.tsv with the reason: it is not in that share, and its row must go once all of it is found.
 Clean: those programs, and all others of examples/ that check without an alarm, have no advice.
 Innocent: neither have the programs of tests/checklist/innocent.txt, which look like mistakes and are none: `== CONTROL name`, the program, and
 before it `setup: {…}` where one is needed.
@@ -33,6 +34,26 @@ CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', '
 ENDINGS = ('.nc', '.tap', '.ngc', '.nct')
 SEED, PLACES = 20261128, 4   # of a kind in a program
 LEAST_FOUND = 0.95
+
+
+def open_rows():
+    """What is wrong today, of open.tsv: id and control, or `clean`/`innocent` and a name; with the reason."""
+    rows = [line.split('\t') for line in (HERE / 'open.tsv').read_text(encoding='utf-8').splitlines()[1:]]
+    return {(what, of): why for what, of, why in rows}
+
+
+OPEN = open_rows()
+
+
+def judge_without(tally, what, name, faults):
+    """As Tally.judge; what is open must still fail, else its row must go."""
+    if (what, name) in OPEN:
+        faults = [] if faults else ['it is mended: its row of open.tsv must go']
+    tally.judge(f'{what} {name}', faults)
+
+
+def is_open(program, mistake):
+    return (mistake.ids[0], program.control) in OPEN
 
 
 def findings(kadr, control, text, setup):
@@ -118,10 +139,15 @@ def judge_planted(tally, results):
     for line in FOUND.read_text(encoding='utf-8').splitlines()[1:]:
         name, was, _ = line.split('\t')
         tally.expect(int(was) == 0 or found.get(name, [0, 0])[0] > 0, f'planted {name}', f'{was} were found, now none')
-    share = sum(r[3] for r in results) / max(1, len(results))
-    missed = [f'{p.name} {m.line} {m.ids[0]} ({m.kind})' for p, m, _, is_found in results if not is_found]
-    tally.expect(share >= LEAST_FOUND, f'{share:.1%} of {len(results)} planted mistakes are found', '\n  '.join(missed))
-    tally.expect(len(results) >= 300, 'at least 300 mistakes', len(results))
+    for name, control in OPEN:
+        if name not in ('clean', 'innocent'):
+            got = counts.get((name, control), [0, 0])
+            tally.expect(got[0] < got[1], f'open: {name} of {control}', 'all are found, or none is planted: its row of open.tsv must go')
+    closed = [r for r in results if not is_open(r[0], r[1])]
+    share = sum(r[3] for r in closed) / max(1, len(closed))
+    missed = [f'{p.name} {m.line} {m.ids[0]} ({m.kind})' for p, m, _, is_found in closed if not is_found]
+    tally.expect(share >= LEAST_FOUND, f'{share:.1%} of {len(closed)} planted mistakes are found', '\n  '.join(missed))
+    tally.expect(len(closed) >= 300, 'at least 300 mistakes', len(closed))
 
 
 def write_found(results):
@@ -176,7 +202,7 @@ def main():
     clean, results, refused = [], [], 0
     for program, faults in zip(bases, harness.each(lambda p: faults_of_text(options.kadr, p.control, p.lines, p.setup), bases)):
         if 'examples' not in program.name and (HERE / f'{program.name}.nc').exists():
-            tally.judge(f'clean {program.name}', faults)
+            judge_without(tally, 'clean', program.name, faults)
         if not faults:
             clean.append(program)
     for got, times in harness.each(lambda p: drawn(options.kadr, p), clean):
@@ -190,10 +216,10 @@ def main():
         judge_planted(tally, results)
     all_examples = list(examples())
     for example, faults in zip(all_examples, harness.each(lambda e: faults_of_example(options.kadr, e), all_examples)):
-        tally.judge(f'clean {example[0].relative_to(EXAMPLES)}', faults)
+        judge_without(tally, 'clean', str(example[0].relative_to(EXAMPLES)), faults)
     cases = list(innocents())
-    for (name, *_), faults in zip(cases, harness.each(lambda c: faults_of_text(options.kadr, *c[1:]), cases)):
-        tally.judge(f'innocent {name}', faults)
+    for (name, control, *_), faults in zip(cases, harness.each(lambda c: faults_of_text(options.kadr, *c[1:]), cases)):
+        judge_without(tally, 'innocent', f'{control} {name}', faults)
     return tally.result()
 
 

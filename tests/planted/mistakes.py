@@ -101,7 +101,7 @@ def spindle_mistakes(p):
         taps = cut.cycle in (74, 84)
         if not taps:   # many controls start the spindle in the cycle
             yield plant('M3 dropped', 'cut_without_spindle', cut.at, p.replaced(b.at, word, 'M8' if word.number == 13 else ''))
-        if len(changes) > 1:
+        if len(changes) > 1 and not taps:   # a tap turns both ways
             yield plant('M4 for M3', 'direction_of_others', b.at, p.replaced(b.at, word, {'3': 'M4', '03': 'M04', '13': 'M14'}[word.text]))
         cuts = [c for c in stint if c.cuts() and not taps]
         for before in cuts[1:len(cuts) - 1:3]:
@@ -174,11 +174,11 @@ def feed_mistakes(p):
         if not whole:
             yield plant('a feed per turn in G94', 'feed_too_small', b.at, p.replaced(b.at, feed, 'F0.2'))
         if p.control not in ('s2c42', 'gost'):
-            yield plant('three digits too many in F', 'feed_too_large', b.at, p.replaced(b.at, feed, f'F{feed.number * 1000:g}' + '.' * feed.text.endswith('.')))
+            yield plant('four digits too many in F', 'feed_too_large', b.at, p.replaced(b.at, feed, f'F{feed.number * 10000:.0f}' + '.' * feed.text.endswith('.')))
     for b in p.blocks[:12]:
         minutes = b.code('G', 94)
         first = next((c for c in p.blocks[b.at + 1:] if (c.motion or c.cycle) and c.find('F')), None)
-        if minutes and first and p.control not in ('s2c42', 'gost', 'grbl', 'mach3', 'linuxcnc'):
+        if minutes and first and not any(c.calls for c in p.blocks) and p.control not in ('s2c42', 'gost', 'grbl', 'mach3', 'linuxcnc'):
             yield plant('G95 for G94', 'feed_too_large', first.at, p.replaced(b.at, minutes, 'G95'))
 
 
@@ -235,7 +235,8 @@ def cycle_mistakes(p):
             line = p.lines[at]
             swapped = line.replace(f'Z{z.text}', '@').replace(f'R{r.text}', f'R{z.text}').replace('@', f'Z{r.text}')
             yield plant('R and Z exchanged', 'levels_swapped', at, [*p.lines[:at], swapped, *p.lines[at + 1:]])
-            yield plant('sign of Z lost', 'levels_swapped', at, p.replaced(at, z, f'Z{z.text.lstrip("-")}'))
+            if abs(p.value(z)) >= p.value(r):
+                yield plant('sign of Z lost', 'levels_swapped', at, p.replaced(at, z, f'Z{z.text.lstrip("-")}'))
 
 
 # ---- the contour
@@ -274,7 +275,7 @@ def arc_mistakes(p):
         at = next((c for c in reversed(p.blocks[:b.at]) if c.sideways()), None)
         if full and at and at.find('X') and at.find('Y'):
             center = p.value(b.find('I'))
-            for off in (0.002, 0.01, 0.03):
+            for off in (0.005, 0.01, 0.03):
                 sign = -1 if (arc.number == 2) == (center > 0) else 1
                 end = f'X{at.find("X").text} Y{p.written("Y", p.value(at.find("Y")) + sign * off)}'
                 line = re.sub(r'G0?[23].*?(?=I)', lambda m, e=end, a=arc: f'G{a.text} {e} ', p.lines[b.at], count=1)
@@ -287,6 +288,18 @@ def arc_mistakes(p):
 
 # ---- heights
 
+def inside(p, at):
+    """Whether the tool stands over what is cut, not beside it, when the block comes: beside the stock a rapid may go down."""
+    place = {}
+    for b in p.blocks[:at]:
+        place.update({w.letter: p.value(w) for w in b.words if w.letter in 'XY' and not b.incremental})
+    for letter in 'XY':
+        ends = [p.value(w) for b in p.blocks if b.cuts() and not b.incremental for w in b.words if w.letter == letter]
+        if letter not in place or not ends or not min(ends) + 0.6 < place[letter] < max(ends) - 0.6:
+            return False
+    return True
+
+
 def rapid_mistakes(p):
     lowest = 0
     for b in p.blocks:
@@ -295,11 +308,11 @@ def rapid_mistakes(p):
             continue
         low = p.value(z) < min(lowest, 0) - 0.02
         if b.motion == 1 and not b.sideways():
-            if low and b.code('G', 1):
+            if low and b.code('G', 1) and inside(p, b.at):
                 code = b.code('G', 1)
                 yield plant('G0 for G1 downwards', 'rapid_below_zero', b.at, p.replaced(b.at, code, 'G' + '0' * len(code.text)))
             lowest = min(lowest, p.value(z))
-        elif b.motion == 0 and not b.sideways() and 0 < p.value(z) < 10 and -p.value(z) < lowest - 0.02:
+        elif b.motion == 0 and not b.sideways() and 0 < p.value(z) < 10 and -p.value(z) < lowest - 0.02 and inside(p, b.at):
             yield plant('sign of Z before the cut', 'rapid_below_zero', b.at, p.replaced(b.at, z, 'Z' + p.written('Z', -p.value(z))))
 
 
@@ -338,7 +351,8 @@ def flow_mistakes(p):
             yield plant('call of another subprogram', 'subprogram_uncalled', at, [l.replace(f'P{call.calls}', f'P{other}') if i == call.at else l for i, l in enumerate(p.lines)])
     for b in gotos:
         target = re.search(r'GOTO (\d+)', p.lines[b.at])[1]
-        for wrong in ('9999', target + '5', '1' + target):
+        numbers = {w.text for c in p.blocks for w in c.words if w.letter == 'N'}
+        for wrong in sorted({'9999', target + '5', '1' + target} - numbers):
             yield plant('number of GOTO', 'jump_to_nowhere', b.at, [l.replace(f'GOTO {target}', f'GOTO {wrong}') if i == b.at else l for i, l in enumerate(p.lines)])
         for twin in p.blocks[b.at + 1::4]:
             number = twin.find('N')
