@@ -9,7 +9,7 @@
 Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*.nc and those of examples/ and makes each one mistake whose
 line and id it knows. The places are drawn by a fixed seed, at most so many of a kind in a program. What the control itself refuses (an alarm) is
 drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost. What a rule does not see
-yet stands in tests/checklist/open.tsv with the reason: it is not in that share, and its row must go once all of it is found.
+yet stands in tests/checklist/open.tsv with the reason: it counts in that share all the same, and its row must go once all of it is found.
 Clean: those programs, and all others of examples/ that check without an alarm, have no advice.
 Innocent: neither have the programs of tests/checklist/innocent.txt, which look like mistakes and are none: `== CONTROL name`, the program, and
 before it `setup: {…}` where one is needed.
@@ -143,11 +143,10 @@ def judge_planted(tally, results):
         if name not in ('clean', 'innocent'):
             got = counts.get((name, control), [0, 0])
             tally.expect(got[0] < got[1], f'open: {name} of {control}', 'all are found, or none is planted: its row of open.tsv must go')
-    closed = [r for r in results if not is_open(r[0], r[1])]
-    share = sum(r[3] for r in closed) / max(1, len(closed))
-    missed = [f'{p.name} {m.line} {m.ids[0]} ({m.kind})' for p, m, _, is_found in closed if not is_found]
-    tally.expect(share >= LEAST_FOUND, f'{share:.1%} of {len(closed)} planted mistakes are found', '\n  '.join(missed))
-    tally.expect(len(closed) >= 300, 'at least 300 mistakes', len(closed))
+    share = sum(r[3] for r in results) / max(1, len(results))
+    missed = [f'{p.name} {m.line} {m.ids[0]} ({m.kind}){" open" if is_open(p, m) else ""}' for p, m, _, is_found in results if not is_found]
+    tally.expect(share >= LEAST_FOUND, f'{share:.1%} of {len(results)} planted mistakes are found', '\n  '.join(missed))
+    tally.expect(len(results) >= 300, 'at least 300 mistakes', len(results))
 
 
 def write_found(results):
