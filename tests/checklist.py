@@ -52,6 +52,10 @@ def judge_without(tally, what, name, faults):
     tally.judge(f'{what} {name}', faults)
 
 
+# Their place is the first cut with it, which another block, or a subprogram, may make. The program without the mistake has no advice.
+AT_FIRST_CUT = {'feed_too_small', 'feed_too_large', 'feed_per_tooth', 'cut_without_spindle', 'length_of_other', 'length_not_called'}
+
+
 def is_open(program, mistake):
     return (mistake.ids[0], program.control) in OPEN
 
@@ -107,7 +111,7 @@ def drawn(kadr, program):
                 refused += 1
                 continue
             taken += 1
-            results.append((program, m, advice, any(a['line'] == m.line and a['id'] in m.ids for a in advice)))
+            results.append((program, m, advice, any((a['line'] == m.line or a['id'] in AT_FIRST_CUT) and a['id'] in m.ids for a in advice)))
     return results, refused
 
 

@@ -132,7 +132,8 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
     // Where a block was refused, what follows it is not what the program means: its errors come first.
     if (!interrupted() && collectors[i].faults == 0 && !only_subprograms)
       for (AlarmReport& advice : checklists[i].reports(stop_token())) (void)collectors[i].take(std::move(advice));
-    if (const auto note = i == session->own() ? unstated(*channels[i].control, *job.def, job.setup, job.stated) : std::nullopt) (void)collectors[i].take(*note);
+    if (const auto note = i == session->own() ? unstated(*channels[i].control, *job.def, job.setup, job.stated) : std::nullopt)
+      (void)collectors[i].take(*note);
     count.faults += collectors[i].faults;
     count.warnings += collectors[i].warnings;
     count.advices += collectors[i].advices;

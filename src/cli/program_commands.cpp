@@ -231,13 +231,15 @@ void add_check(CLI::App& app, Commands& c) {
                           told("the control of the files that are like the pattern; may be repeated",
                                "УЧПУ для файлов, похожих на образец; можно повторять")),
         "PATTERN=ID", "ОБРАЗЕЦ=УЧПУ");
-  CLI::Option* const explained = takes(check->add_option("--explain", o.explained,
-                                                         told("what a finding means and what to do about it, by its id",
-                                                              "что значит сообщение и что с ним делать, по имени"))
-                                           ->check([](const std::string& name) {
-                                             return alarm_named(name) != no_alarm ? std::string() : told("no finding has this name: ", "нет сообщения с таким именем: ") + name;
-                                           }),
-                                       "ID", "ИМЯ");
+  CLI::Option* const explained = takes(
+      check
+          ->add_option("--explain", o.explained,
+                       told("what a finding means and what to do about it, by its id", "что значит сообщение и что с ним делать, по имени"))
+          ->check([](const std::string& name) {
+            return alarm_named(name) != no_alarm ? std::string()
+                                                 : told("no finding has this name: ", "нет сообщения с таким именем: ") + name;
+          }),
+      "ID", "ИМЯ");
   check->callback([programs, explained] {
     if (programs->count() == 0 && explained->count() == 0) throw CLI::RequiredError(programs->get_name());
   });

@@ -20,7 +20,8 @@ bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>&
 
 }  // namespace
 
-std::optional<AlarmReport> unstated(const Control& control, const ControlDef& def, const Setup& setup, const std::set<std::string>& stated) {
+std::optional<AlarmReport> unstated(const Control& control, const ControlDef& def, const Setup& setup,
+                                    const std::set<std::string>& stated) {
   const std::vector<AlarmId>& disabled = setup.disabled;
   if (std::find(disabled.begin(), disabled.end(), AlarmId::not_stated) != disabled.end()) return std::nullopt;
   const auto counts = [](UseKind kind) {

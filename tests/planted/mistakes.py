@@ -26,7 +26,7 @@ def point_dropped(p):
         return
     for b in p.blocks:
         for w in b.words:
-            if w.letter in 'XYZIJRQ' and w.text.endswith('.') and w.number:
+            if w.letter in 'XYZIJR' and w.text.endswith('.') and w.number:
                 yield plant('point dropped', 'point_forgotten', b.at, p.replaced(b.at, w, w.letter + w.text[:-1]))
 
 
@@ -172,7 +172,7 @@ def feed_mistakes(p):
         if feed is None or b.cycle in (74, 84) or not (b.motion or b.cycle) or b.has('G', 65):
             continue
         if not whole:
-            yield plant('a feed per turn in G94', 'feed_too_small', b.at, p.replaced(b.at, feed, 'F0.2'))
+            yield plant('a feed per turn in G94', ('feed_too_small', 'feed_per_tooth'), b.at, p.replaced(b.at, feed, 'F0.2'))
         if p.control not in ('s2c42', 'gost'):
             yield plant('four digits too many in F', 'feed_too_large', b.at, p.replaced(b.at, feed, f'F{feed.number * 10000:.0f}' + '.' * feed.text.endswith('.')))
     for b in p.blocks[:12]:
@@ -260,7 +260,7 @@ def compensation_mistakes(p):
         start = next((c for c in reversed(p.blocks[:b.at]) if c.sideways()), None)
         x, y = b.find('X'), b.find('Y')
         if start and x and y and start.find('X') and start.find('Y'):
-            for dx, dy in ((-2, 0), (0, -3), (-1, -2), (-3, -1)):
+            for dx, dy in ((-2, 0), (0, -2.5), (-1, -2), (-1, -1)):
                 lines = p.replaced(start.at, start.find('Y'), 'Y' + p.written('Y', p.value(y) + dy))
                 lines[start.at] = lines[start.at].replace(f'X{start.find("X").text}', 'X' + p.written('X', p.value(x) + dx), 1)
                 yield plant('approach shorter than the radius', 'approach_short', b.at, lines)

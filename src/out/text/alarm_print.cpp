@@ -33,7 +33,7 @@ const char* sarif_level(Severity severity) {
 constexpr const char* green = "32";
 
 const char* colour_of(Severity severity) {
-  if (severity == Severity::note) return "1;36";  // bold cyan
+  if (severity == Severity::note) return "1;36";    // bold cyan
   if (severity == Severity::advice) return "1;35";  // bold magenta
   return severity == Severity::warning ? "1;33" : "1;31";
 }

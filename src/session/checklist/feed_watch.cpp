@@ -12,9 +12,10 @@ namespace {
 constexpr std::size_t most_tools = 1000;
 
 /// Pitches of ISO 261 and threads for an inch of ASME B1.1, B1.20.1 and ISO 228.
-constexpr std::array pitches{0.2, 0.225, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0};
-constexpr std::array threads_an_inch{80.0, 72.0, 64.0, 56.0, 48.0, 44.0, 40.0, 36.0, 32.0, 28.0, 27.0, 24.0, 20.0, 19.0, 18.0, 16.0, 14.0,
-                                     13.0, 12.0, 11.5, 11.0, 10.0, 9.0,  8.0,  7.0,  6.0,  5.0,  4.5,  4.0};
+constexpr std::array pitches{0.2,  0.225, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0,
+                             1.25, 1.5,   1.75, 2.0, 2.5,  3.0, 3.5,  4.0, 4.5, 5.0, 5.5,  6.0};
+constexpr std::array threads_an_inch{80.0, 72.0, 64.0, 56.0, 48.0, 44.0, 40.0, 36.0, 32.0, 28.0, 27.0, 24.0, 20.0, 19.0, 18.0,
+                                     16.0, 14.0, 13.0, 12.0, 11.5, 11.0, 10.0, 9.0,  8.0,  7.0,  6.0,  5.0,  4.5,  4.0};
 
 /// `near`: how far it may be off, F and S are rounded.
 bool is_pitch(double mm, double near) {

@@ -8,7 +8,8 @@ namespace kadr {
 
 void HoleWatch::take(const Step& step, Advices& to) {
   // Another tool, or a function of the machine (B90 of a table that the control does not lead): other holes.
-  if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what)) return holes_.clear();
+  if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what))
+    return holes_.clear();
   constexpr std::size_t most_holes = 20'000;
   const Motion* const motion = step.motion();
   if (motion == nullptr || !motion->of_cycle || motion->kind != MotionKind::feed || holes_.size() >= most_holes) return;

@@ -55,10 +55,17 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   inch_ = motion.inch;
   const bool from_machine = z_by_machine_;
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
-  if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level && std::fabs(ends.to.z - plunge_->z) < level)
+  if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level &&
+      std::fabs(ends.to.z - plunge_->z) < level)
     if (!is_drilled(*plunge_)) note_low(*plunge_);  // at feed it goes on sideways, not farther down: that was the way into the material
   plunge_.reset();
-  if (motion.of_cycle && motion.kind == MotionKind::rapid && ends.sideways()) take_point(ends, origin);
+  if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();  // it was the way to the next cut, not out of the part
+  if (motion.of_cycle && to_hole_ && to_hole_->second.number == origin.number) take_point(to_hole_->first, origin);
+  to_hole_.reset();
+  if (motion.kind == MotionKind::rapid && ends.sideways()) {
+    if (motion.of_cycle) take_point(ends, origin);
+    else to_hole_.emplace(ends, origin);  // some cycles begin behind it, in the same block
+  }
   if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < most_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
     if (ends.sideways() || motion.of_cycle) {
@@ -76,20 +83,24 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
     if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level)
       plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
-    const bool straight_from_cut = was_cut_ && std::fabs(ends.to.z - ends.from.z) < level;
+    constexpr double least_way = 2;  // mm
+    const bool straight_from_cut =
+        was_cut_ && std::fabs(ends.to.z - ends.from.z) < level && std::hypot(ends.to.x - ends.from.x, ends.to.y - ends.from.y) > least_way;
+    if (ends.sideways()) sideways_.reset();
     if (ends.sideways() && straight_from_cut && ends.to.z < -level && approach_ > ends.to.z + level)
-      note_low({origin, AlarmId::rapid_sideways_low, (ends.from.x + ends.to.x) / 2, (ends.from.y + ends.to.y) / 2, std::max(ends.from.z, ends.to.z)});
+      sideways_ = Low{origin, AlarmId::rapid_sideways_low, (ends.from.x + ends.to.x) / 2, (ends.from.y + ends.to.y) / 2, ends.to.z};
   }
-  if (motion.kind == MotionKind::rapid) approach_ = std::max(approach_, ends.to.z);
+  if (motion.kind == MotionKind::rapid && ends.to.z != ends.from.z) approach_ = std::max(approach_, ends.to.z);
   was_cut_ = is_cut(motion) && !motion.of_cycle;
   z_ = ends.to.z;
 }
 
 void LevelWatch::take_change(const Origin& origin, Advices& to) {
-  if (cuts_ && !z_by_machine_ && !turned_ && approach_ > -1e299 && z_ < approach_ - level)
+  if (cuts_ && !z_by_machine_ && !turned_ && approach_ > -1e299 && z_ < approach_ / 2)
     to.add(AlarmId::tool_change_low, origin, 0, z_, approach_);
   cuts_ = false;
   approach_ = -1e300;
+  sideways_.reset();
 }
 
 void LevelWatch::take(const Step& step, Advices& to) {
@@ -111,25 +122,30 @@ void LevelWatch::judge_lows(Advices& to) const {
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
     // Where nothing is entered at feed, the tool may begin in a hole or beside the part.
-    if (like(low.id) <= most && (!plunges || feeds_down_ > 0)) to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
+    const double border = plunges ? -0.01 : 0.5;  // mm: a contour begins at its border; a rapid along it is outside of the part
+    const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
+    if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))
+      to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
   }
-  if (only_below_ && below_ == 1 && heights_.contains(std::llround(-only_below_->z * micrometre)))  // the height of another approach: a sign
+  if (only_below_ && below_ == 1 &&
+      heights_.contains(std::llround(-only_below_->z * micrometre)))  // the height of another approach: a sign
     to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
 
 void LevelWatch::finish(Advices& to) {
   judge_lows(to);
-  constexpr std::size_t enough = 8;
+  constexpr std::size_t enough = 4;
   if (cuts_made_ < enough) return;
   constexpr std::array<const char*, 3> names{"X", "Y", "Z"};
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     const Span& s = spans_[i];
     const double low = s.least[1], high = s.most[1];
     const double others = high - low;
-    if (!(others > 0)) continue;
+    if (!(others >= 0 && others < 1e299)) continue;
     const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
+    constexpr double unknown = 250;                                 // mm: where all others lie in one place
     const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;  // times the span of the others; mm
-    const auto is_far = [&](double by) { return by > many * others && by > least; };
+    const auto is_far = [&](double by) { return by > many * others && by > (others > 0 ? least : unknown); };
     if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))
       to.add(AlarmId::coordinate_far, s.at_most[0], names[i][0], names[i], s.most[0], std::string_view(range));
     if (is_far(low - s.least[0]) && !is_far(s.most[0] - high))

@@ -3,10 +3,12 @@
 #include "session/checklist/path_watch.h"
 
 #include <cmath>
+#include <set>
 
 namespace kadr {
 namespace {
 
+constexpr std::size_t most_kinks = 1000;
 constexpr double pi = 3.14159265358979323846;
 
 double degrees_between(Vec2 a, Vec2 b) { return std::fabs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / pi; }
@@ -61,22 +63,23 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
 }
 
 /// With the other code the arc has the same centre where I and J give it, the one mirrored in its chord where R does.
-void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after, Advices& to) const {
+void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
   const auto retraces = [&](const Piece& other) {
     return other.arc && std::hypot(other.center.x - arc.center.x, other.center.y - arc.center.y) < 0.01;
   };
-  if (retraces(before) || retraces(after)) return;
-  const auto kinks = [&](Vec2 begins, Vec2 ends) { return std::pair(degrees_between(before.ends, begins), degrees_between(ends, after.begins)); };
+  if (kinks_.size() >= most_kinks || retraces(before) || retraces(after)) return;
+  const auto kinks = [&](Vec2 begins, Vec2 ends) {
+    return std::pair(degrees_between(before.ends, begins), degrees_between(ends, after.begins));
+  };
   const auto fits = [](std::pair<double, double> k) { return k.first <= smooth && k.second <= smooth; };
   const auto now = kinks(arc.begins, arc.ends);
   const char* const other = arc.ccw ? "G2" : "G3";
   const Vec2 chord = unit(arc.to - arc.from);
   const bool same_centre = fits(kinks({-arc.begins.x, -arc.begins.y}, {-arc.ends.x, -arc.ends.y}));
   const bool mirrored_centre = fits(kinks(mirrored(arc.begins, chord), mirrored(arc.ends, chord)));
-  if (now.first > corner && now.second > corner && (same_centre || mirrored_centre))
-    to.add(AlarmId::arc_against_neighbours, arc.origin, 'G', other);
+  if (now.first > corner && now.second > corner && (same_centre || mirrored_centre)) kinks_.push_back({arc.origin, other});
 }
 
 /// A circle is written with its end where it begins; one whose end is rounded by some micrometres is meant so.
@@ -88,11 +91,17 @@ void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
 
-/// Only its beginning has a neighbour: to turn straight back there is a slip where no arc has led to it.
-void PathWatch::look_at_last_arc(const Piece& before, const Piece& arc, Advices& to) {
-  constexpr double back = 175;  // degrees
-  if (!arc.arc || arc.full || before.arc || before.first != arc.first || degrees_between(before.ends, arc.begins) < back) return;
-  to.add(AlarmId::arc_against_neighbours, arc.origin, 'G', arc.ccw ? "G2" : "G3");
+/// The contour is over. Where it ends at its beginning, its first piece is its last one's neighbour.
+void PathWatch::close() {
+  constexpr double same = 0.01;  // mm
+  if (last_[0] && last_[1] && first_.size() > 1) {
+    const Vec2 apart = last_[1]->to - first_[0].from;
+    if (std::hypot(apart.x, apart.y) < same) {
+      look_at_arc(*last_[0], *last_[1], first_[0]);
+      look_at_arc(*last_[1], first_[0], first_[1]);
+    }
+  }
+  first_.clear();
 }
 
 void PathWatch::compensation_over(Advices& to) {
@@ -104,7 +113,8 @@ void PathWatch::compensation_over(Advices& to) {
 void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to) {
   const Ends ends(step.roles, step.from, motion);
   const Origin& origin = step.action.origin;
-  const double way = std::hypot(motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]);
+  const double way =
+      std::hypot(motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]);
   if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && way > 0 && way < motion.tool_radius)
     to.add(AlarmId::approach_short, origin, 0, way, motion.tool_radius);
   const bool compensated = motion.side != 0 || motion.radius_offset != 0;
@@ -136,12 +146,21 @@ void PathWatch::take(const Step& step, Advices& to) {
   look_at_side(step, *motion, to);
   auto piece = piece_of(step, *motion);
   if (piece) look_at_circle(*piece, to);
-  if (piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece, to);
-  else if (!piece && last_[0] && last_[1]) look_at_last_arc(*last_[0], *last_[1], to);
+  if (piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece);
+  if (!piece) close();
+  else if (first_.size() < 2) first_.push_back(*piece);
   last_[0] = piece ? last_[1] : std::nullopt;
   last_[1] = piece;
 }
 
-void PathWatch::finish(Advices& to) { compensation_over(to); }
+void PathWatch::finish(Advices& to) {
+  close();
+  constexpr std::size_t slips = 2;  // more of them are the shape that is wanted: corners that are cut in
+  std::set<std::uint32_t> lines;
+  for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
+  if (lines.size() <= slips)
+    for (const auto& [origin, other] : kinks_) to.add(AlarmId::arc_against_neighbours, origin, 'G', other);
+  compensation_over(to);
+}
 
 }  // namespace kadr

@@ -1,8 +1,10 @@
 #pragma once
-// The shape of the contour: arcs that turn back at both ends, arcs that go nearly all the way round, and where compensation begins and ends.
+// The shape of the contour: arcs that turn back at both ends, arcs that go nearly all the way round, and where compensation begins and
+// ends.
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "action/step.h"
 #include "session/checklist/advice.h"
@@ -26,16 +28,19 @@ class PathWatch {
     double degrees = 0;
   };
   static std::optional<Piece> piece_of(const Step& step, const Motion& motion);
-  void look_at_arc(const Piece& before, const Piece& arc, const Piece& after, Advices& to) const;
-  static void look_at_last_arc(const Piece& before, const Piece& arc, Advices& to);
+  void look_at_arc(const Piece& before, const Piece& arc, const Piece& after);
   static void look_at_circle(const Piece& arc, Advices& to);
   void look_at_side(const Step& step, const Motion& motion, Advices& to);
   void compensation_over(Advices& to);
 
-  std::array<std::optional<Piece>, 2> last_;  // the two before
-  std::optional<Origin> side_;                // of the first motion on a side, while there is one
+  void close();
+
+  std::array<std::optional<Piece>, 2> last_;           // the two before
+  std::vector<std::pair<Origin, const char*>> kinks_;  // arcs that turn back, and the code that would fit
+  std::vector<Piece> first_;                           // the first two of the contour
+  std::optional<Origin> side_;                         // of the first motion on a side, while there is one
   const char* side_code_ = "G41";
-  bool compensated_ = false;                  // the motion before was
+  bool compensated_ = false;  // the motion before was
   /// Compensation has ended in a cut: how many cuts in the plane have followed at the same depth.
   std::optional<Origin> ended_;
   int cuts_since_ = 0;

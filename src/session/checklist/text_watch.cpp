@@ -83,15 +83,19 @@ void TextWatch::take_points(const Block& block) {
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
-    if (w.address < 'A' || w.address > 'Z' || w.expression || w.code >= 0 || w.value == 0) continue;
+    if (w.address < 'A' || w.address > 'Z' || w.address == 'Q' || w.expression || w.code >= 0 || w.value == 0) continue;
     if (w.has_point) {
       with_point_ += def_.grammar.word(w.address).counted != 0;
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= most_found) continue;
       const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;  // 0.0001 in (spec/fanuc 1.3)
-      const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value, def_.address(w.address).unit == WordUnit::angle ? "°" : inch_ ? "in" : "mm");
-      pointless_.push_back({advice(AlarmId::point_forgotten, w.where, AlarmArg(block.text_of(w.where)), AlarmArg(std::string_view(read))), origin_of(block)});
+      const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
+                                           def_.address(w.address).unit == WordUnit::angle ? "°"
+                                           : inch_                                         ? "in"
+                                                                                           : "mm");
+      pointless_.push_back({advice(AlarmId::point_forgotten, w.where, AlarmArg(block.text_of(w.where)), AlarmArg(std::string_view(read))),
+                            origin_of(block)});
     }
   }
 }
@@ -109,7 +113,8 @@ void TextWatch::take_codes(const Block& block) {
     if (code->function == Function::incremental) absolute_ = false;
     if (code->function == Function::absolute) absolute_ = true;
     if (code->function == Function::plane_xy) in_xy_ = true;
-    if (code->function == Function::plane_zx || code->function == Function::plane_yz || code->function == Function::select_plane) in_xy_ = w.code == 17_g;
+    if (code->function == Function::plane_zx || code->function == Function::plane_yz || code->function == Function::select_plane)
+      in_xy_ = w.code == 17_g;
     if (!began_) stated_.insert(code->function);
     if (main_over_) continue;
     for (const Mode& mode : modes) {
@@ -138,8 +143,9 @@ void TextWatch::take_cycle(const Block& block) {
     const Word& w = block.words[i];
     const CodeRow* const code = row(w);
     if (code == nullptr || w.address != 'G') continue;
-    const bool drills = w.code >= 73_g && w.code <= 89_g && w.code != 80_g && w.code % 10 == 0 &&
-                        (code->function == Function::cycle || code->function == Function::drilling || code->function == Function::canned_cycle);
+    const bool drills =
+        w.code >= 73_g && w.code <= 89_g && w.code != 80_g && w.code % 10 == 0 &&
+        (code->function == Function::cycle || code->function == Function::drilling || code->function == Function::canned_cycle);
     if (drills) {
       in_cycle_ = true, lost_ = false;
       cancelled_.reset();
@@ -185,7 +191,8 @@ void TextWatch::take_flow(const Block& block) {
   if (block.statement.kind == StatementKind::o_word) has_o_words_ = true;
   const bool begins = block.marker == Marker::label;
   if (begins || sections_.empty()) {
-    if (sections_.size() < most_numbers) sections_.push_back({begins ? block.label : 0, origin_of(block), false, false, {}, {}, {}, 0, false});
+    if (sections_.size() < most_numbers)
+      sections_.push_back({begins ? block.label : 0, origin_of(block), false, false, {}, {}, {}, 0, false});
     if (begins) ended_ = false;
     if (sections_.size() > 1) absolute_ = false, in_xy_ = true;
   }
@@ -194,7 +201,8 @@ void TextWatch::take_flow(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind == StatementKind::go_to) {
     now.has_targets = true;
-    if (const auto target = constant(block, s.value); target && now.jumps.size() < most_numbers) now.jumps.try_emplace(*target, block.position.line);
+    if (const auto target = constant(block, s.value); target && now.jumps.size() < most_numbers)
+      now.jumps.try_emplace(*target, block.position.line);
   }
   if (ended_ && moves(block) && block.marker == Marker::none) {
     if (!now.behind_end) now.behind_end = origin_of(block);
@@ -205,7 +213,8 @@ void TextWatch::take_flow(const Block& block) {
     if (w.address == 'M' && (w.code == 98_m || w.code == 97_m)) note_call(block, w);
     if (w.address == 'G' && (w.code == 65_g || w.code == 66_g || w.code == 66.1_g)) note_call(block, w);
     if (w.address == 'M' && (w.code == 97_m || w.code == 99_m) && block.has('P')) now.has_targets = true;
-    if (w.address == 'M' && w.code == 99_m) now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
+    if (w.address == 'M' && w.code == 99_m)
+      now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
     const CodeRow* const code = row(w);
     if (code != nullptr && (code->function == Function::program_end || code->function == Function::tape_end)) {
       now.ends_program = main_over_ = true;
@@ -268,7 +277,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
 }
 
 void TextWatch::finish(Advices& to) {
-  if (with_point_ >= 5 && without_point_ * 10 <= with_point_)
+  if (with_point_ >= 4 && without_point_ * 4 <= with_point_)
     for (const Advice& a : pointless_) found_.push_back(a);
   for (const Advice& a : found_) to.add(a);
   std::set<std::uint32_t> labels;
@@ -282,14 +291,16 @@ void TextWatch::finish(Advices& to) {
       if (found == s.twice.end()) to.add(AlarmId::jump_to_nowhere, origin, 0, double(target));
       else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
     }
-    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.behaviour.goes_on_behind_end) to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
+    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.behaviour.goes_on_behind_end)
+      to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
     constexpr std::uint32_t of_codes = 9000;  // from here on codes may call them by parameters
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }
   for (const auto& [on, last] : switched_on_) {
     const auto mode = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.on == on; });
-    if (!stated_.contains(mode->off) && !stated_.contains(on)) to.add(AlarmId::mode_left_on, last.first, 'G', std::string_view(last.second));
+    if (!stated_.contains(mode->off) && !stated_.contains(on))
+      to.add(AlarmId::mode_left_on, last.first, 'G', std::string_view(last.second));
   }
 }
 

@@ -62,14 +62,14 @@ class TextWatch {
   bool inch_ = false;
   // drilling cycles, in the order of the text
   bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // G90, G17: for certain
-  std::optional<Advice> cancelled_;  // by a motion code
-  bool lost_ = false;                // positions have followed
+  std::optional<Advice> cancelled_;                         // by a motion code
+  bool lost_ = false;                                       // positions have followed
   std::optional<double> level_, bottom_;
   // modes
-  bool began_ = false;                       // a motion has come
-  std::set<Function> stated_;                // before it
+  bool began_ = false;                                              // a motion has come
+  std::set<Function> stated_;                                       // before it
   std::map<Function, std::pair<Origin, std::string>> switched_on_;  // where last, by which code
-  bool main_over_ = false;                   // the end of a program has come
+  bool main_over_ = false;                                          // the end of a program has come
   // flow
   std::vector<Section> sections_;
   std::set<std::uint32_t> calls_;

@@ -24,6 +24,7 @@ void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
   turns_ = spindle.dir;
   if (spindle.dir == SpindleDir::stop) return;
   rpm_ = spindle.rpm;
+  zero_speeds_ += rpm_ == 0;
   now().started = started_since_cut_ = true;
   ++starts_;
   if (spindle.dir == SpindleDir::cw) now().clockwise = true;
@@ -46,6 +47,7 @@ void ToolWatch::take_motion(const Step& step, const Motion& motion) {
   stint.wet = stint.wet || coolant_;
   const bool turns = turns_ != SpindleDir::stop && (rpm_ > 0 || zero_speeds_ > 1);
   const bool turned_by_cycle = motion.in_hole == HoleWork::taps || (motion.of_cycle && taps_rigidly_);
+  stint.mills = stint.mills || !turned_by_cycle;
   if (turns || turned_by_cycle) stint.turned = true;
   else if (!stint.cuts_still) stint.cuts_still = origin;
   note_row(stint.lengths, motion.length_offset, origin);
@@ -88,11 +90,13 @@ void ToolWatch::judge_spindles(Advices& to) const {
   if (!switches_a_beam)
     for (const Stint& s : stints_) {
       if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0, double(s.tool));
-      else if (s.cuts && !s.started && started >= 2 && s.tool != 0) to.add(AlarmId::cut_without_spindle, *s.cuts, 0, double(s.tool));
+      else if (s.cuts && s.mills && !s.started && started >= 2 && s.tool != 0)
+        to.add(AlarmId::cut_without_spindle, *s.cuts, 0, double(s.tool));
     }
   const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.clockwise && s.cuts; });
   for (const Stint& s : stints_)
-    if (s.counter_clockwise && !s.clockwise && s.cuts && clockwise >= 1) to.add(AlarmId::direction_of_others, *s.counter_clockwise, 'M', "M4");
+    if (s.counter_clockwise && !s.clockwise && s.cuts && clockwise >= 1)
+      to.add(AlarmId::direction_of_others, *s.counter_clockwise, 'M', "M4");
 }
 
 void ToolWatch::judge_coolant(Advices& to) const {
@@ -135,8 +139,10 @@ void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices&
   for (const Pair& p : pairs) {
     const bool usual = p.apart() == habit->first && habit->second > 1;
     if (p.apart() == 0 || usual) continue;
-    const bool of_other = tools.contains(p.row) || std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.row == p.row && o.tool != p.tool; });
-    const bool second_row = std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.tool == p.tool && o.apart() == habit->first && &o != &p; });
+    const bool of_other =
+        tools.contains(p.row) || std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.row == p.row && o.tool != p.tool; });
+    const bool second_row =
+        std::any_of(pairs.begin(), pairs.end(), [&](const Pair& o) { return o.tool == p.tool && o.apart() == habit->first && &o != &p; });
     const bool by_habit = habit->second > 1 && !second_row;
     const bool alone = pairs.size() == 1 && p.apart() % 10 != 0;
     if (of_other || by_habit || alone) to.add(id, p.origin, address, double(p.row), double(p.tool));

@@ -25,6 +25,7 @@ class ToolWatch {
     double highest = -1e300;                 // Z that it has been at, mm
     std::optional<Origin> cuts, cuts_still;  // its first cut; the first one with the spindle stopped
     std::optional<Origin> counter_clockwise;
+    bool mills = false;  // or drills: no tap
     bool clockwise = false, turned = false, started = false, wet = false;
     std::optional<Origin> without_length;  // its first cut had none
     Rows lengths, radii, systems;
@@ -46,10 +47,10 @@ class ToolWatch {
   bool started_since_cut_ = false;  // the spindle has been, since the last cut
   bool taps_rigidly_ = false;
   std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block in which a cycle moved
-  bool asks_speed_ = false;                          // an S has been given
-  std::size_t starts_ = 0;                           // of the spindle
-  std::size_t zero_speeds_ = 0;                      // S0: a laser travels with it
-  std::map<std::uint32_t, Origin> selected_;         // by T, not changed to yet
+  bool asks_speed_ = false;                   // an S has been given
+  std::size_t starts_ = 0;                    // of the spindle
+  std::size_t zero_speeds_ = 0;               // S0: a laser travels with it
+  std::map<std::uint32_t, Origin> selected_;  // by T, not changed to yet
   std::uint32_t first_tool_ = 0;
   bool changes_ = false;
 };

@@ -85,7 +85,7 @@ Status DrillingRun::check(const Interpreter& m) const {
 Result<bool> DrillingRun::next(Interpreter& m) {
   if (pass_ == job_.passes) return false;
   if (at_ == 0) {
-    KADR_TRY(begin_pass(m));
+    KADR_TRY(emit_of_cycle(*m.batch, [&] { return begin_pass(m); }));
     ++at_;
     return true;
   }
