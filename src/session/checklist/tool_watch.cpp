@@ -89,9 +89,9 @@ void ToolWatch::judge_spindles(Advices& to) const {
   const bool turned = std::any_of(stints_.begin(), stints_.end(), [](const Stint& s) { return s.turned; });
   if (!switches_a_beam)
     for (const Stint& s : stints_) {
-      if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0, double(s.tool));
+      if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0);
       else if (s.cuts && s.mills && !s.started && started >= 2 && s.tool != 0)
-        to.add(AlarmId::cut_without_spindle, *s.cuts, 0, double(s.tool));
+        to.add(AlarmId::cut_without_spindle, *s.cuts, 0);
     }
   const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.clockwise && s.cuts; });
   for (const Stint& s : stints_)
