@@ -297,7 +297,8 @@ void TextWatch::finish(Advices& to) {
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }
-  for (const auto& [on, last] : switched_on_) {
+  for (const auto& [function, last] : switched_on_) {
+    const Function on = function;
     const auto mode = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.on == on; });
     if (!stated_.contains(mode->off) && !stated_.contains(on))
       to.add(AlarmId::mode_left_on, last.first, 'G', std::string_view(last.second));

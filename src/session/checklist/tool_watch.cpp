@@ -90,8 +90,7 @@ void ToolWatch::judge_spindles(Advices& to) const {
   if (!switches_a_beam)
     for (const Stint& s : stints_) {
       if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0);
-      else if (s.cuts && s.mills && !s.started && started >= 2 && s.tool != 0)
-        to.add(AlarmId::cut_without_spindle, *s.cuts, 0);
+      else if (s.cuts && s.mills && !s.started && started >= 2 && s.tool != 0) to.add(AlarmId::cut_without_spindle, *s.cuts, 0);
     }
   const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.clockwise && s.cuts; });
   for (const Stint& s : stints_)
@@ -127,8 +126,9 @@ void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices&
   for (const Stint& s : stints_) {
     if (s.tool == 0 || !s.cuts) continue;
     tools.insert(s.tool);
-    for (const auto& [row, origin] : s.*rows)
-      if (std::none_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.tool == s.tool && p.row == row; }))
+    for (const auto& [number, origin] : s.*rows)
+      if (const std::uint32_t row = number;
+          std::none_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.tool == s.tool && p.row == row; }))
         pairs.push_back({s.tool, row, origin});
   }
   std::map<long, std::size_t> habits;
