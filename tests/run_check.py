@@ -127,8 +127,9 @@ def check_files_of_subprograms(kadr):
     kadr.file('one.ngc', 'o<one> sub\nG0 X#1\no<one> endsub\nG0 X3\n')     # a motion behind it: a program
     kadr.file('two.ngc', 'o<two> sub\nG0 X2\n')                            # the end of the definition is missing
     kadr.file('three.ngc', '(nothing)\n')
+    kadr.file('four.ngc', 'O00300 (of another control)\nG0 X1\n')        # a number alone: no word of a definition follows
     _, err = kadr.check('.', '--control', 'linuxcnc', expected=1)
-    for name in ('one.ngc', 'two.ngc', 'three.ngc'):
+    for name in ('one.ngc', 'two.ngc', 'three.ngc', 'four.ngc'):
         expect(f'{name}:' in err, f'{name} has no end, which is not told: {err}')
 
 

@@ -26,9 +26,11 @@ std::string plain(std::string_view line) {
 /// `o<name>sub` → `<name>`; empty: the line is no O line with that word.
 std::string label_before(const std::string& line, std::string_view word) {
   if (line.size() <= word.size() + 1 || line[0] != 'o') return {};
-  const std::size_t end = line[1] == '<' ? line.find('>') : line.find_first_not_of("0123456789", 1) - 1;
-  if (end == std::string::npos || end == 0 || line.compare(end + 1, word.size(), word) != 0) return {};
-  return line.substr(1, end);
+  const bool named = line[1] == '<';
+  const std::size_t last = named ? line.find('>') : line.find_first_not_of("0123456789", 1);
+  if (last == std::string::npos) return {};
+  const std::size_t end = named ? last + 1 : last;  // of the label
+  return end > 1 && line.compare(end, word.size(), word) == 0 ? line.substr(1, end - 1) : std::string();
 }
 
 }  // namespace

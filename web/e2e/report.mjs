@@ -40,6 +40,7 @@ async function drawn() {
     return n;
   });
   await page.keyboard.press("Escape");
+  await until("the sheet is closed", async () => !(await page.locator("img.sheet-picture").count()));
   return n;
 }
 const text = (selector) => page.locator(selector).first().innerText();
