@@ -7,6 +7,7 @@
 #include "config/control_file.h"
 #include "config/machine_profile.h"
 #include "lang/text/utf16.h"
+#include "session/checklist/checklist.h"
 #include "session/session.h"
 
 namespace kadr::quick_fix_test {
@@ -23,7 +24,10 @@ std::optional<AlarmReport> first(const std::string& control, const std::string& 
   };
   (*session)->outlets().warning = [&](const AlarmReport& report) { (void)take(report); };
   (*session)->outlets().alarm = take;
+  Checklist checklist(**session, 0);
+  checklist.attach();
   (void)(*session)->run();
+  for (const AlarmReport& advice : checklist.reports({})) (void)take(advice);
   return found;
 }
 
@@ -65,6 +69,27 @@ TEST(QuickFix, WritesLatinLetters) {
   EXPECT_EQ(fix->from, 4U);
   EXPECT_EQ(fix->to, 5U);
   EXPECT_EQ(fix->text, "Заменить на латинскую X");
+}
+
+/// The line of a program that the advice stands at, mended; the advice must be gone then.
+std::string mended_in(const std::string& control, std::string text, AlarmId id) {
+  const auto report = first(control, text, id);
+  if (!report) return "no such advice";
+  const auto fix = quick_fix(*report, Lang::en);
+  if (!fix) return "no fix";
+  const std::string line = fixed(report->line_text, *fix);
+  text.replace(text.find(report->line_text), report->line_text.size(), line);
+  EXPECT_FALSE(first(control, text, id)) << text;
+  return line;
+}
+
+TEST(QuickFix, WritesAForgottenPoint) {
+  EXPECT_EQ(mended_in("fanuc", "G21 G90 G54\nG0 X0. Y0. Z5.\nG1 Z-2. F100\nX50\nY50.\nG0 Z5.\nM30\n", AlarmId::point_forgotten), "X50.");
+}
+
+TEST(QuickFix, TurnsAnArcRound) {
+  const std::string before = "G21 G90 G94 G54\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG1 X50\n", behind = "G1 Y50\nG0 Z5\nM30\n";
+  EXPECT_EQ(mended_in("mach3", before + "G2 X60 Y10 R10\n" + behind, AlarmId::arc_against_neighbours), "G3 X60 Y10 R10");
 }
 
 TEST(QuickFix, ThereIsNoneWhereNothingIsCertain) {

@@ -46,6 +46,18 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
     return change({end, end}, insert,
                   fmt::format(fmt::runtime(ru ? "Поставить «{}» в конце строки" : "Write '{}' at the end of the line"), insert));
   };
+  const std::string marked = line.substr(where.begin, where.end - where.begin);
+  const auto instead = [&](const std::string& insert) {
+    return change(where, insert, fmt::format(fmt::runtime(ru ? "Заменить на {}" : "Replace it by {}"), insert));
+  };
+  const auto instead_of_arc = [&](std::string_view code) -> std::optional<QuickFix> {
+    const bool is_arc = marked == "G2" || marked == "G02" || marked == "G3" || marked == "G03";
+    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // else the code in force is meant, of another line
+  };
+  const auto row_of_tool = [&](char address, double tool) -> std::optional<QuickFix> {
+    const bool is_word = marked.size() > 1 && marked[0] == address && marked.find_first_not_of("0123456789", 1) == std::string::npos;
+    return is_word ? std::optional(instead(fmt::format("{}{:.0f}", address, tool))) : std::nullopt;
+  };
   switch (report.alarm.id) {
     case AlarmId::look_alike_letter: {
       const std::string latin(report.alarm.args[1].text());
@@ -61,6 +73,11 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
         return change(with_a_blank(line, word), "",
                       fmt::format(fmt::runtime(ru ? "Удалить {}" : "Remove {}"), line.substr(word.begin, word.end - word.begin)));
       return std::nullopt;
+    case AlarmId::point_forgotten: return change({where.end, where.end}, ".", ru ? "Поставить точку" : "Write the point");
+    case AlarmId::arc_against_neighbours: return instead_of_arc(report.alarm.args[0].text());
+    case AlarmId::length_of_other:
+    case AlarmId::radius_of_other:
+      return row_of_tool(report.alarm.id == AlarmId::length_of_other ? 'H' : 'D', report.alarm.args[1].number());
     default: return std::nullopt;
   }
 }
