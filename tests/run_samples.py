@@ -97,10 +97,10 @@ class Greatest:
             print(f'greatest {what}: {value:.6g} ({where})')
 
 
-def end_faults(names, end, at, greatest):
-    """The last sample is where the control says that the axes are."""
+def end_faults(names, end, at, greatest, probes_last):
+    """The last sample is where the control says that the axes are; but Mach3 draws a probe back without a motion where nothing follows."""
     for axis, value in zip(names, end):
-        if axis not in at:
+        if axis not in at or probes_last:
             continue
         off = abs(math.remainder(at[axis] - value, 360 if axis in ROTARY else math.inf))
         greatest.take('drift, mm', off, axis)
@@ -130,8 +130,9 @@ def check(kadr, folder, rate, item):
             greatest.take(f'share of {limit}', share, f'{how}{axis} at {when:.3f} s')
             if share > (OVER_FAST if rate >= FAST else OVER_CHANGED if sampled_rows is changed else OVER):
                 faults.append(f'{how}{limit} of {axis} {share:.4f} of its limit at {when:.3f} s')
+    probes_last = len(actions) > 1 and actions[-2].get('do') == 'probe'
     for sampled_rows in rows, changed:
-        faults += end_faults(names, sampled_rows[-1][1:], actions[-1].get('machine_position', {}), greatest)
+        faults += end_faults(names, sampled_rows[-1][1:], actions[-1].get('machine_position', {}), greatest, probes_last)
     every = max(1, round(rate / PATH_RATE))
     away, when = furthest(rows[::every], exact)
     tolerance = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0)

@@ -415,7 +415,11 @@ const steps = {
   async "a reload keeps what was not saved"() {
     await add_line("(NOT SAVED)");
     await until("unsaved", () => count(".dirty"));
-    await until("the text is kept", async () => (await kept("unsaved"))?.text.includes("NOT SAVED"));
+    await until("the text is kept", () =>
+      page.evaluate(() =>
+        Object.entries(localStorage).some(([key, value]) => key.includes("unsaved:") && value.includes("NOT SAVED")),
+      ),
+    );
     await page.reload();
     await ended();
     await until(
