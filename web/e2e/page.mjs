@@ -415,11 +415,7 @@ const steps = {
   async "a reload keeps what was not saved"() {
     await add_line("(NOT SAVED)");
     await until("unsaved", () => count(".dirty"));
-    await until("the text is kept", () =>
-      page.evaluate(() =>
-        Object.entries(localStorage).some(([key, value]) => key.includes("unsaved:") && value.includes("NOT SAVED")),
-      ),
-    );
+    await page.waitForTimeout(600); // it is kept a little after the last key
     await page.reload();
     await ended();
     await until(
