@@ -71,6 +71,13 @@ def check_names_at_the_top(kadr):
     expect(status == 1 and [line.split(': ')[0] for line in text.splitlines()] == ['--help', 'new.svg', 'off'], text)
 
 
+def check_namespaces_of_tests(kadr):
+    one, other = b'namespace kadr::one_test {\n', b'namespace kadr::other_test {\n'
+    made_tree(kadr.folder, {'tests/path/a_test.cpp': one, 'tests/path/b/a_test.cpp': one, 'tests/path/c_test.cpp': other, 'tests/lang/a_test.cpp': one})
+    status, text = run(TREE, kadr.folder)
+    expect(status == 1 and text == 'tests/path/b/a_test.cpp: has the namespace kadr::one_test of tests/path/a_test.cpp\n', text)
+
+
 def check_no_checkout(kadr):
     status, text = run(TREE, kadr.folder)
     expect(status == 2 and 'no git checkout' in text, text)

@@ -3,7 +3,7 @@
 
 #include "control/scene.h"
 
-namespace kadr::alarm_state_test {
+namespace kadr::nct_alarm_state_test {
 namespace {
 
 using namespace test;
@@ -165,4 +165,4 @@ TEST(alarm_on_nct, a_work_offset_comes_back) {
 }
 
 }  // namespace
-}  // namespace kadr::alarm_state_test
+}  // namespace kadr::nct_alarm_state_test
