@@ -75,6 +75,7 @@ class PlaneSpline {
   double length_between(std::uint32_t piece, double from, double to) const;
   void measure(std::uint32_t piece, double from, double to, double whole, int halvings);
   Place place_of(double part) const;
+  double off_chord(double from, double to, Vec2 start, Vec2 end, int places) const;
   static std::pair<Piece, Piece> split(const Piece& piece, double t);
   static void widen(Box2& box, const Piece& piece, int halvings);
 
