@@ -323,9 +323,12 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
-  const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, now_.spindle.turning());
+  const SpindleTurning any;  // a dry run does not ask how fast the spindle turns
+  const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, dry ? any : now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
-  const auto [length, speeds] = feeds(pace, path, step.time, pieces);
+  MotionTime time = step.time;
+  if (dry) time.seconds = 60 * pace.minutes(0, 1);
+  const auto [length, speeds] = feeds(pace, path, time, pieces);
   if (on_motion) on_motion(number, length);
   Axes from = path.start();
   const bool led = path.leads_tip();
