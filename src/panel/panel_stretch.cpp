@@ -102,10 +102,10 @@ void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   play();
 }
 
+/// The next look round makes its motions: who asked for it is answered at once, however long the program calculates before it moves.
 void PanelMachine::play() {
   kept_.mode = PanelMode::running;
   set_share();
-  provide();
 }
 
 /// A line of the operator.

@@ -256,10 +256,11 @@ TEST(PanelMachine, AxesGoByHandAndTheControlKnows) {
   EXPECT_FALSE(panel->jog("X", NAN, 0));
 }
 
-TEST(PanelMachine, AProgramWithoutAnEndIsReset) {
+TEST(PanelMachine, AProgramWithoutAnEndRunsAndIsReset) {
   const APanel panel("G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n", "linuxcnc");
-  (void)panel->run();
+  ASSERT_TRUE(panel->run());  // not "it has begun and is not over yet"
   std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(panel->state().mode, PanelMode::running);
   ASSERT_TRUE(panel->reset());
   ASSERT_TRUE(panel.stands(PanelMode::standing));
   EXPECT_EQ(panel.line(), 1u);

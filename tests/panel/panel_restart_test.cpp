@@ -230,7 +230,7 @@ const char* const pocket =
     "O7\n"
     "#1=[#1-1]\n"  // 10
     "G0 X-20 Y-20\n"
-    "G1 Z#1 F9000\n"
+    "G1 Z#1 F24000\n"
     "G42 D1 X0 Y0\n"
     "X40\n"
     "Y40\n"  // 15
@@ -255,15 +255,15 @@ std::vector<Vec3> sorted(const Mesh& mesh) {
 
 /// Broken in the middle of the second pass of a subprogram, the tool's radius compensated: what is cut afterwards is the same part.
 TEST(PanelRestart, TheSamePartInTheSecondPassUnderCompensation) {
-  for (const std::uint32_t line : {14U, 15U, 16U, 18U}) {
-    APart whole;
-    const APanel unbroken(pocket, "mach3", with_radius());
-    unbroken->watch([&](const Step& step) { whole.take(step); });
-    ASSERT_TRUE(unbroken->run());
-    ASSERT_TRUE(unbroken.stands(PanelMode::ended));
-    const Mesh expected = whole.left();
-    ASSERT_LT(volume_of(expected), 70 * 70 * 20 - 100);
+  APart whole;
+  const APanel unbroken(pocket, "mach3", with_radius());
+  unbroken->watch([&](const Step& step) { whole.take(step); });
+  ASSERT_TRUE(unbroken->run());
+  ASSERT_TRUE(unbroken.stands(PanelMode::ended));
+  const Mesh expected = whole.left();
+  ASSERT_LT(volume_of(expected), 70 * 70 * 20 - 100);
 
+  for (const std::uint32_t line : {14U, 15U, 16U, 18U}) {
     APart part;
     const APanel broken(pocket, "mach3", with_radius());
     broken->watch([&](const Step& step) { part.take(step); });
