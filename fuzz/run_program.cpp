@@ -7,6 +7,7 @@
 #include <random>
 
 #include "looks.h"
+#include "run_control.h"
 #include "session/checkpoints.h"
 #include "session/restart.h"
 
@@ -295,6 +296,11 @@ class Run {
 void run_text(const Shop& shop, const std::string& text, unsigned switches, const std::function<void()>& then) {
   Run run(shop, text, switches);
   run.carry_out(then);
+}
+
+int run_control(const char* control, const std::uint8_t* data, std::size_t size) {
+  static const Shop shop = Shop::open(control);
+  return run_program(shop, data, size);
 }
 
 }  // namespace kadr::fuzz

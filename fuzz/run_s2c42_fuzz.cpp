@@ -1,8 +1,5 @@
-// Fuzz target for a whole run of 2С42 programs (run_program.h).
+// Fuzz target for a whole run of 2С42 programs (run_control.h).
 
-#include "run_program.h"
+#include "run_control.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const kadr::fuzz::Shop shop = kadr::fuzz::Shop::open("s2c42");
-  return kadr::fuzz::run_program(shop, data, size);
-}
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return kadr::fuzz::run_control("s2c42", data, size); }
