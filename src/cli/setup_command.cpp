@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "action/by_kind.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/stop.h"
@@ -223,7 +224,7 @@ CarriedOut carry_out_past_faults(Session& session) {
   outlets.stop = stop_token();
   outlets.warning = [](const AlarmReport&) {};
   outlets.programmed = [&](const Action& action) {
-    if (const auto* const motion = std::get_if<Motion>(&action.what)) done.moved.take(*motion);
+    if (const auto* const motion = motion_of(action)) done.moved.take(*motion);
   };
   outlets.alarm = [&](const AlarmReport& report) {
     const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "path/curve/machine_path.h"
 
 namespace kadr {
@@ -78,7 +79,7 @@ void Course::shift(const Axes& by) {
 
 void Course::take(const Step& step) {
   // The machine is told of calls and ends; what the control itself does then comes as actions of their own.
-  if (const auto* const told = std::get_if<MachineFunction>(&step.action.what); told != nullptr && told->by_control) return;
+  if (is_by_control(step.action)) return;
   end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
   if (const std::uint32_t block = step.action.origin.number; block != end_.origin.number) before_block_ = state_;
   end_.origin = step.action.origin;
@@ -91,37 +92,34 @@ void Course::take(const Step& step) {
 
 void Course::take_switch(const Step& step) {
   using Kind = CourseAct::Kind;
-  const auto& what = step.action.what;
-  if (const auto* const turned = std::get_if<Spindle>(&what)) {
-    if (turned->number != 1) return take_act(step, Kind::other, double(turned->dir), "spindle " + std::to_string(turned->number));
-    state_.spindle = turned->dir;
-    if (turned->rpm != 0) rpm_ = turned->rpm, surface_ = false;
-  } else if (const auto* const speed = std::get_if<Speed>(&what)) {
-    if (speed->number != 1) return take_act(step, Kind::other, speed->value, "speed " + std::to_string(speed->number));
-    rpm_ = speed->value, surface_ = speed->surface;
-  } else if (const auto* const coolant = std::get_if<CoolantSwitch>(&what)) {
-    state_.coolant = coolant->what;
-  } else if (const auto* const change = std::get_if<ToolChange>(&what)) {
-    if (!tools_by_hand_) state_.tool = change->tool;
-    take_act(step, Kind::tool, change->tool);
-  } else if (const auto* const dwell = std::get_if<Dwell>(&what)) {
-    take_act(step, Kind::dwell, dwell->seconds);
-  } else if (const auto* const stop = std::get_if<Stop>(&what)) {
-    take_act(step, stop->optional ? Kind::optional_stop : Kind::stop, 0);
-  } else if (const auto* const message = std::get_if<Message>(&what)) {
-    if (!messages_) ++passed_messages_;
-    else take_act(step, Kind::message, message->number, message->text);
-  } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
-    take_function(step, function->code);
-  } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
-    take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
-  } else if (const auto* const frame = std::get_if<FrameChange>(&what)) {
-    frame_zero_ = zero_of(chain_, frame->placement);
-  } else if (std::holds_alternative<Couple>(what)) {
-    take_act(step, Kind::other, std::get<Couple>(what).ratio, "couple " + std::get<Couple>(what).slave);
-  } else if (std::holds_alternative<Uncouple>(what)) {
-    take_act(step, Kind::other, 0, "uncouple " + std::get<Uncouple>(what).slave);
-  }
+  by_kind(
+      step.action,
+      [&](const Spindle& turned) {
+        if (turned.number != 1) return take_act(step, Kind::other, double(turned.dir), "spindle " + std::to_string(turned.number));
+        state_.spindle = turned.dir;
+        if (turned.rpm != 0) rpm_ = turned.rpm, surface_ = false;
+      },
+      [&](const Speed& speed) {
+        if (speed.number != 1) return take_act(step, Kind::other, speed.value, "speed " + std::to_string(speed.number));
+        rpm_ = speed.value, surface_ = speed.surface;
+      },
+      [&](const CoolantSwitch& coolant) { state_.coolant = coolant.what; },
+      [&](const ToolChange& change) {
+        if (!tools_by_hand_) state_.tool = change.tool;
+        take_act(step, Kind::tool, change.tool);
+      },
+      [&](const Dwell& dwell) { take_act(step, Kind::dwell, dwell.seconds); },
+      [&](const Stop& stop) { take_act(step, stop.optional ? Kind::optional_stop : Kind::stop, 0); },
+      [&](const Message& message) {
+        if (!messages_) ++passed_messages_;
+        else take_act(step, Kind::message, message.number, message.text);
+      },
+      [&](const MachineFunction& function) { take_function(step, function.code); },
+      [&](const AuxiliaryFunction& auxiliary) { take_act(step, Kind::other, auxiliary.value, std::string(1, auxiliary.address)); },
+      [&](const FrameChange& frame) { frame_zero_ = zero_of(chain_, frame.placement); },
+      [&](const Couple& couple) { take_act(step, Kind::other, couple.ratio, "couple " + couple.slave); },
+      [&](const Uncouple& uncouple) { take_act(step, Kind::other, 0, "uncouple " + uncouple.slave); },
+      ignores<Motion, ToolSelect, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>);
 }
 
 void Course::take_function(const Step& step, std::uint32_t code) {

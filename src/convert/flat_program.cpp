@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "out/program/words.h"
 #include "path/curve/machine_path.h"
@@ -73,38 +74,44 @@ Axes FlatProgram::base() const {
 }
 
 Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
-  const auto& what = action.what;
-  if (const auto* const m = std::get_if<Motion>(&what)) return motion(*m, now);
-  if (const auto* const frame = std::get_if<FrameChange>(&what)) {
-    placement_ = frame->placement;
-    return {};
-  }
-  const auto* const function = std::get_if<MachineFunction>(&what);
-  if (function != nullptr && function->by_control) return {};  // calls and ends are the flat program's own
-  has_acts_ = true;
-  if (function != nullptr) return machine_code(function->code);
-  if (const auto* const turned = std::get_if<Spindle>(&what)) return spindle(*turned);
-  if (const auto* const of = std::get_if<Speed>(&what)) return speed(*of);
-  if (const auto* const selected = std::get_if<ToolSelect>(&what)) return tool(selected->tool, selected->corrector, false);
-  if (const auto* const change = std::get_if<ToolChange>(&what)) return change->there ? no_code("tool_word") : tool(change->tool, 0, true);
-  if (const auto* const pause = std::get_if<Dwell>(&what)) return dwell(pause->seconds);
-  if (const auto* const switched = std::get_if<CoolantSwitch>(&what)) return coolant(coolant_ = switched->what);
-  if (const auto* const stop = std::get_if<Stop>(&what)) {
-    if (stop->reason == StopReason::single_block || (stop->reason == StopReason::message && source_.same_messages)) return {};
-    KADR_TRY(end_block());
-    KADR_TRY(blocks_.code({{stop->optional ? Function::optional_stop : Function::program_stop, any_argument}}));
-    return blocks_.end();
-  }
-  if (const auto* const message = std::get_if<Message>(&what)) {
-    if (source_.same_messages || message->asks) return no_code("message");
-    KADR_TRY(end_block());
-    blocks_.comment(message->text);
-    return blocks_.end();
-  }
-  if (std::holds_alternative<Couple>(what) || std::holds_alternative<Uncouple>(what)) return no_code("gear_on");
-  if (std::holds_alternative<ZoneChange>(what)) return no_code("work_area_on");
-  if (std::holds_alternative<AuxiliaryFunction>(what)) return no_code("auxiliary_word");
-  return {};
+  const bool is_act = by_kind(
+      action, same<Motion, FrameChange>(false),
+      [](const MachineFunction& function) { return !function.by_control; },  // calls and ends are the flat program's own
+      same<Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange,
+           Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(true));
+  has_acts_ = has_acts_ || is_act;
+  return by_kind(
+      action, [&](const Motion& m) { return motion(m, now); },
+      [&](const FrameChange& frame) {
+        placement_ = frame.placement;
+        return Status();
+      },
+      [&](const MachineFunction& function) { return function.by_control ? Status() : machine_code(function.code); },
+      [&](const Spindle& turned) { return spindle(turned); },  //
+      [&](const Speed& of) { return speed(of); },
+      [&](const ToolSelect& selected) { return tool(selected.tool, selected.corrector, false); },
+      [&](const ToolChange& change) { return change.there ? no_code("tool_word") : tool(change.tool, 0, true); },
+      [&](const Dwell& pause) { return dwell(pause.seconds); },
+      [&](const CoolantSwitch& switched) { return coolant(coolant_ = switched.what); },  //
+      [&](const Stop& stop) { return this->stop(stop); },                                //
+      [&](const Message& message) { return this->message(message); }, [&](const AuxiliaryFunction&) { return no_code("auxiliary_word"); },
+      [&](const ZoneChange&) { return no_code("work_area_on"); },  //
+      [&](const Couple&) { return no_code("gear_on"); },           //
+      [&](const Uncouple&) { return no_code("gear_on"); }, same<SurfaceSpeed, Sync, ContourBreak, ContourCorner, ContourCheck>(Status()));
+}
+
+Status FlatProgram::stop(const Stop& stop) {
+  if (stop.reason == StopReason::single_block || (stop.reason == StopReason::message && source_.same_messages)) return {};
+  KADR_TRY(end_block());
+  KADR_TRY(blocks_.code({{stop.optional ? Function::optional_stop : Function::program_stop, any_argument}}));
+  return blocks_.end();
+}
+
+Status FlatProgram::message(const Message& message) {
+  if (source_.same_messages || message.asks) return no_code("message");
+  KADR_TRY(end_block());
+  blocks_.comment(message.text);
+  return blocks_.end();
 }
 
 Status FlatProgram::end_block() {
@@ -122,27 +129,29 @@ Status FlatProgram::finish() {
 }
 
 void FlatProgram::pass(const Action& action) {
-  if (const auto* const m = std::get_if<Motion>(&action.what)) {
-    at_ = m->machine;
-    has_probed_ = has_probed_ || m->kind == MotionKind::probe;
-    system_ = m->system, side_ = m->side;
-    if (m->kind != MotionKind::rapid && m->kind != MotionKind::home) unit_ = source_unit_ = m->unit;
-    if (is_arc(m->kind) || m->side != 0) plane_ = plane_of(*m, axes_);
-    if (m->kind != MotionKind::rapid) tolerance_ = m->tolerance, corners_ = m->corner_speed;
-    if (m->kind == MotionKind::feed && !m->exact) smoothing_ = m->smoothing;
-  } else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
-    placement_ = frame->placement;
-    said_origin_ = placement_.origin;
-  } else if (const auto* const turned = std::get_if<Spindle>(&action.what)) {
-    turns_ = turned->dir;
-    if (turned->rpm > 0) rpm_ = turned->rpm;
-  } else if (const auto* const switched = std::get_if<CoolantSwitch>(&action.what)) {
-    coolant_ = switched->what;
-  } else if (const auto* const of = std::get_if<Speed>(&action.what)) {
-    surface_ = of->surface, rpm_ = of->value;
-  } else if (const auto* const selected = std::get_if<ToolSelect>(&action.what)) {
-    selected_ = selected->tool;
-  }
+  by_kind(
+      action,
+      [&](const Motion& m) {
+        at_ = m.machine;
+        has_probed_ = has_probed_ || m.kind == MotionKind::probe;
+        system_ = m.system, side_ = m.side;
+        if (m.kind != MotionKind::rapid && m.kind != MotionKind::home) unit_ = source_unit_ = m.unit;
+        if (is_arc(m.kind) || m.side != 0) plane_ = plane_of(m, axes_);
+        if (m.kind != MotionKind::rapid) tolerance_ = m.tolerance, corners_ = m.corner_speed;
+        if (m.kind == MotionKind::feed && !m.exact) smoothing_ = m.smoothing;
+      },
+      [&](const FrameChange& frame) {
+        placement_ = frame.placement;
+        said_origin_ = placement_.origin;
+      },
+      [&](const Spindle& turned) {
+        turns_ = turned.dir;
+        if (turned.rpm > 0) rpm_ = turned.rpm;
+      },
+      [&](const CoolantSwitch& switched) { coolant_ = switched.what; }, [&](const Speed& of) { surface_ = of.surface, rpm_ = of.value; },
+      [&](const ToolSelect& selected) { selected_ = selected.tool; },
+      ignores<Dwell, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple,
+              ContourBreak, ContourCorner, ContourCheck>);
 }
 
 Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {

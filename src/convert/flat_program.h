@@ -126,6 +126,8 @@ class FlatProgram {
   bool is_length_by_word() const;
   Status length_by_word(const OffsetsInForce& now);
   Status dwell(double seconds);
+  Status stop(const Stop& stop);
+  Status message(const Message& message);
   Status machine_code(std::uint32_t code);
   std::optional<char> letter_of(std::size_t axis) const;
 

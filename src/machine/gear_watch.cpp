@@ -5,24 +5,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 
 std::optional<GearTooFast> GearWatch::look(const Action& action, const std::vector<std::string>& axes, const Axes& most) {
-  if (const auto* const couple = std::get_if<Couple>(&action.what)) {
-    on_ = true;
-    ratio_ = couple->ratio;
-    master_ = couple->master_number;
-    turns_ = couple->rpm != 0;
-    rpm_ = couple->rpm / couple->ratio;
-    slave_ = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), couple->slave) - axes.begin());
-  } else if (std::holds_alternative<Uncouple>(action.what)) {
-    on_ = false;
-  } else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == master_) {
-    turns_ = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    rpm_ = spindle->rpm;
-  } else if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number == master_ && !speed->surface) {
-    rpm_ = speed->value;
-  }
+  by_kind(
+      action,
+      [&](const Couple& couple) {
+        on_ = true;
+        ratio_ = couple.ratio;
+        master_ = couple.master_number;
+        turns_ = couple.rpm != 0;
+        rpm_ = couple.rpm / couple.ratio;
+        slave_ = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), couple.slave) - axes.begin());
+      },
+      [&](const Uncouple&) { on_ = false; },
+      [&](const Spindle& spindle) {
+        if (spindle.number != master_) return;
+        turns_ = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;
+        rpm_ = spindle.rpm;
+      },
+      [&](const Speed& speed) {
+        if (speed.number == master_ && !speed.surface) rpm_ = speed.value;
+      },
+      ignores<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange,
+              SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>);
   if (!on_ || !turns_ || slave_ >= axes.size()) return std::nullopt;
   constexpr double turn = 360, rounding = 1e-9;
   const double needed = turn * std::fabs(rpm_ * ratio_);

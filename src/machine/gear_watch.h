@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "action/action.h"
+#include "action/by_kind.h"
 
 namespace kadr {
 
@@ -19,9 +19,9 @@ class GearWatch {
  public:
   /// It is one that may change that speed.
   bool concerns(const Action& action) const {
-    return std::holds_alternative<Couple>(action.what) ||
-           (on_ && (std::holds_alternative<Uncouple>(action.what) || std::holds_alternative<Spindle>(action.what) ||
-                    std::holds_alternative<Speed>(action.what)));
+    return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
+                   same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
+                        FrameChange, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>(false));
   }
   /// Each time the spindle gets a speed that is too high.
   ///   most  rapid rates of the axes, °/min

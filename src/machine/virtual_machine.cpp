@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "motion/time/estimate.h"
 #include "path/curve/machine_path.h"
@@ -111,18 +112,17 @@ bool VirtualMachine::has_limits() const {
 Status VirtualMachine::take(const Action& action) {
   missing_ = 0;
   gantry_moved_ = false;
-  if (const auto* motion = std::get_if<Motion>(&action.what)) {
+  if (const auto* motion = motion_of(action)) {
     KADR_TRY(check(*motion));
     for (std::size_t i = 0; motion->in_position && i < roles_.count; ++i)
       if (motion->machine[i] != position_.machine[i]) missing_ |= never_in_position_ & AxisMask{1} << i;
     for (std::size_t i = 0; apart_ && i < roles_.count; ++i)
       gantry_moved_ = gantry_moved_ || ((gantry_ >> i & 1U) != 0 && motion->machine[i] != position_.machine[i]);
     position_.take(*motion);
-  } else if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
-    position_.take(*frame);
-  } else if (const auto* zone = std::get_if<ZoneChange>(&action.what)) {
-    if (zones_) zones_->change(*zone);
+    return {};
   }
+  position_.take(action);
+  if (const auto* const zone = std::get_if<ZoneChange>(&action.what); zone != nullptr && zones_) zones_->change(*zone);
   return {};
 }
 
@@ -151,7 +151,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
 }
 
 Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
-  auto* const motion = std::get_if<Motion>(&action.what);
+  auto* const motion = motion_of(action);
   if (motion != nullptr && hung_ != 0) leave_hung(*motion);
   if (motion == nullptr || motion->kind != MotionKind::probe) return take(action);
   if (zones_ && zones_->checks_before()) KADR_TRY(check(*motion));

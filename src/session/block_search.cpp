@@ -8,25 +8,28 @@
 #include <algorithm>
 #include <utility>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
 /// The M code that an action was commanded by; 0: it is of none that the machine's logic gets.
 std::uint32_t m_code_of(const Action& action) {
-  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return function->by_control ? 0 : function->code;
-  if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) {
-    constexpr std::uint32_t codes[] = {9, 7, 8};
-    return codes[static_cast<std::size_t>(coolant->what)];
-  }
-  const auto* const spindle = std::get_if<Spindle>(&action.what);
-  if (spindle == nullptr) return 0;
-  switch (spindle->dir) {
-    case SpindleDir::cw: return 3;
-    case SpindleDir::ccw: return 4;
-    case SpindleDir::stop: return 5;
-    case SpindleDir::orient: return 19;
-    default: return 0;
-  }
+  constexpr std::uint32_t none = 0, of_coolant[] = {9, 7, 8};
+  return by_kind(
+      action, [&](const MachineFunction& function) { return function.by_control ? none : function.code; },
+      [&](const CoolantSwitch& coolant) { return of_coolant[static_cast<std::size_t>(coolant.what)]; },
+      [](const Spindle& spindle) -> std::uint32_t {
+        switch (spindle.dir) {
+          case SpindleDir::cw: return 3;
+          case SpindleDir::ccw: return 4;
+          case SpindleDir::stop: return 5;
+          case SpindleDir::orient: return 19;
+          default: return 0;
+        }
+      },
+      same<Motion, Dwell, Speed, ToolSelect, ToolChange, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange,
+           Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(none));
 }
 
 /// Notes the codes that go by.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "session/plc_commands.h"
 
 namespace kadr {
@@ -344,7 +345,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
 
 /// A motion whose feed some axis may not reach.
 bool ChannelRun::is_suspect(const Action& action) const {
-  const auto* const motion = std::get_if<Motion>(&action.what);
+  const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "config/setup.h"
 #include "control/control.h"
 
@@ -29,7 +30,7 @@ Result<std::vector<Move>> program_moves(const ControlDef& def, const std::string
   for (;;) {
     const Control::State state = control.run(batch);
     for (const Action& action : batch)
-      if (const auto* const motion = std::get_if<Motion>(&action.what))
+      if (const auto* const motion = motion_of(action))
         moves.push_back({motion->kind == MotionKind::rapid ? MoveKind::rapid : MoveKind::feed,
                          {motion->to[0], motion->to[1], motion->to[2]},
                          bulge_of(*motion)});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "action/by_kind.h"
 #include "config/rapid_way.h"
 #include "config/told.h"
 #include "out/text/alarm_print.h"
@@ -152,14 +153,18 @@ void ProgramRun::add_mark(TimeMark mark) {
 }
 
 void ProgramRun::mark(const Step& step, double at) {
-  const auto& what = step.action.what;
   const Origin& origin = step.action.origin;
   using Kind = TimeMark::Kind;
   const auto add = [&](Kind kind, std::string text = {}) { add_mark({at, kind, origin.line, std::move(text), origin.file}); };
-  if (const auto* const change = std::get_if<ToolChange>(&what)) add(Kind::tool, "T" + std::to_string(change->tool));
-  else if (const auto* const stop = std::get_if<Stop>(&what)) add(stop->optional ? Kind::optional_stop : Kind::stop);
-  else if (const auto* const message = std::get_if<Message>(&what)) add(Kind::message, message->text);
-  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell) add(Kind::dwell);
+  by_kind(
+      step.action, [&](const ToolChange& change) { add(Kind::tool, "T" + std::to_string(change.tool)); },
+      [&](const Stop& stop) { add(stop.optional ? Kind::optional_stop : Kind::stop); },
+      [&](const Message& message) { add(Kind::message, message.text); },
+      [&](const Dwell& dwell) {
+        if (dwell.seconds > short_dwell) add(Kind::dwell);
+      },
+      ignores<Motion, Spindle, Speed, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, FrameChange, SurfaceSpeed, Sync,
+              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
 /// Where there are too many every second one goes.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "control/interpreter.h"
 
 namespace kadr {
@@ -125,7 +126,7 @@ void MotionRun::begin(const Interpreter& m, const Form& form) {
   if (row < 0 || mode == std::end(mode_made) || m.batch->empty()) return end();
   const auto kind = static_cast<Kind>(mode - mode_made);
   const Action& last = m.batch->back();
-  const auto* const motion = std::get_if<Motion>(&last.what);
+  const auto* const motion = motion_of(last);
   if (motion == nullptr || last.origin.number != m.origin.number || motion->detail || motion->kind != kind_made[kind]) return end();
   const AxisMask named = kind >= arc_cw ? form.named | plane_of(m) : form.named;
   if (named != motion->named || !was_plain(m) || !only_words_count(m)) return end();

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "action/action.h"
+#include "action/by_kind.h"
 #include "base/result.h"
 
 namespace kadr {
@@ -14,7 +14,7 @@ Status emit_of_cycle(ActionBatch& batch, Emit&& emit) {
   const std::size_t before = batch.size();
   KADR_TRY(emit());
   for (std::size_t i = before; i < batch.size(); ++i)
-    if (auto* const motion = std::get_if<Motion>(&batch[i].what)) motion->of_cycle = true;
+    if (auto* const motion = motion_of(batch[i])) motion->of_cycle = true;
   return {};
 }
 
@@ -24,7 +24,7 @@ Status emit_in_hole(ActionBatch& batch, HoleWork work, Emit&& emit) {
   const std::size_t before = batch.size();
   KADR_TRY(emit_of_cycle(batch, emit));
   for (std::size_t i = before; i < batch.size(); ++i)
-    if (auto* const motion = std::get_if<Motion>(&batch[i].what)) motion->in_hole = work;
+    if (auto* const motion = motion_of(batch[i])) motion->in_hole = work;
   return {};
 }
 

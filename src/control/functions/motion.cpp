@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "control/functions/contour.h"
 #include "control/interpreter.h"
@@ -38,7 +39,7 @@ Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
 Motion& Interpreter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
-  Motion* const reused = std::get_if<Motion>(&action.what);
+  Motion* const reused = motion_of(action);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.detail.reset();
   for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0

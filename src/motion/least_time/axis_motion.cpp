@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 
 namespace kadr {
@@ -26,10 +27,11 @@ const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
 /// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out after it). Words that only set
 /// something – speed, coolant, tool to be brought, message – do not.
 bool needs_rest(const Action& action) {
-  if (const auto* const change = std::get_if<ToolChange>(&action.what)) return !change->there;
-  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return !function->by_control;
-  return std::holds_alternative<Dwell>(action.what) || std::holds_alternative<Stop>(action.what) ||
-         std::holds_alternative<Sync>(action.what) || std::holds_alternative<Spindle>(action.what);
+  return by_kind(
+      action, [](const ToolChange& change) { return !change.there; }, [](const MachineFunction& function) { return !function.by_control; },
+      same<Dwell, Stop, Sync, Spindle>(true),
+      same<Motion, Speed, CoolantSwitch, ToolSelect, AuxiliaryFunction, Message, FrameChange, SurfaceSpeed, ZoneChange, Couple, Uncouple,
+           ContourBreak, ContourCorner, ContourCheck>(false));
 }
 
 double distance(const Axes& from, const Axes& to) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 
 namespace kadr {
@@ -15,11 +16,11 @@ namespace {
 /// What the axes stand for: the motion before comes to rest (nct 7.0.1). INFERRED: each function of spindle, tool, coolant and
 /// machine; a text that asks nothing does not stop.
 bool stops(const Action& action, const SpeedRules& rules) {
-  const bool frame = std::holds_alternative<FrameChange>(action.what) || std::holds_alternative<ZoneChange>(action.what);
-  if (frame) return rules.frames_stop;
-  if (const auto* const text = std::get_if<Message>(&action.what)) return text->asks;
-  return !std::holds_alternative<ContourBreak>(action.what) && !std::holds_alternative<ContourCorner>(action.what) &&
-         !std::holds_alternative<ContourCheck>(action.what) && !std::holds_alternative<SurfaceSpeed>(action.what);
+  return by_kind(
+      action, same<FrameChange, ZoneChange>(rules.frames_stop), [](const Message& text) { return text.asks; },
+      same<ContourBreak, ContourCorner, ContourCheck, SurfaceSpeed>(false),
+      same<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Sync, Couple,
+           Uncouple>(true));
 }
 
 /// The spindle or the rotation centre says how fast it is, or it has no end.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "action/by_kind.h"
 #include "base/integral.h"
 #include "motion/time/polar_feed.h"
 
@@ -179,24 +180,23 @@ MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve, const 
 }
 
 void TimeEstimate::other(const Action& action) {
-  if (const auto* dwell = std::get_if<Dwell>(&action.what)) {
-    split_.dwell += dwell->seconds;
-  } else if (const auto* spindle = std::get_if<Spindle>(&action.what)) {
-    SpindleTurning& turning = spindle_of(spindle->number);
-    const bool stood = !(turning.now() > 0);
-    turning.take(*spindle);
-    if (turning.on && stood) split_.tool_change += rates_.spindle_start_s;
-  } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
-    spindle_of(speed->number).take(*speed);
-  } else if (const auto* law = std::get_if<SurfaceSpeed>(&action.what)) {
-    spindle_of(law->number).surface = *law;
-  } else if (const auto* couple = std::get_if<Couple>(&action.what)) {
-    feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
-  } else if (std::holds_alternative<Uncouple>(action.what)) {
-    feed_ratio_ = 1;
-  } else if (const auto* change = std::get_if<ToolChange>(&action.what); change != nullptr && !change->there) {
-    split_.tool_change += rates_.tool_change_s;
-  }
+  by_kind(
+      action, [&](const Dwell& dwell) { split_.dwell += dwell.seconds; },
+      [&](const Spindle& spindle) {
+        SpindleTurning& turning = spindle_of(spindle.number);
+        const bool stood = !(turning.now() > 0);
+        turning.take(spindle);
+        if (turning.on && stood) split_.tool_change += rates_.spindle_start_s;
+      },
+      [&](const Speed& speed) { spindle_of(speed.number).take(speed); },
+      [&](const SurfaceSpeed& law) { spindle_of(law.number).surface = law; },
+      [&](const Couple& couple) { feed_ratio_ = couple.feeds_by_slave ? std::abs(couple.ratio) : 1; },
+      [&](const Uncouple&) { feed_ratio_ = 1; },
+      [&](const ToolChange& change) {
+        if (!change.there) split_.tool_change += rates_.tool_change_s;
+      },
+      ignores<Motion, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, Sync, ZoneChange,
+              ContourBreak, ContourCorner, ContourCheck>);
 }
 
 /// A pause as the sums grow, so that pauses add up to them.

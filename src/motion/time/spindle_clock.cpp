@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
@@ -33,16 +35,17 @@ void SpindleClock::lead(std::size_t number) {
 }
 
 void SpindleClock::take(const Action& action) {
-  if (const auto* const speed = std::get_if<Speed>(&action.what)) {
-    numbered(speed->number).turning.take(*speed);
-  } else if (const auto* const law = std::get_if<SurfaceSpeed>(&action.what)) {
-    numbered(law->number).turning.surface = *law;
-  } else if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
-    Turned& turned = numbered(spindle->number);
-    turned.turning.take(*spindle);
-    if (spindle->dir == SpindleDir::orient) turned.angle = full_turn * std::ceil(turned.angle / full_turn), turned.absolute = true;
-    if (spindle->dir == SpindleDir::position) turned.angle += spindle->turn.value_or(0);
-  }
+  by_kind(
+      action, [&](const Speed& speed) { numbered(speed.number).turning.take(speed); },
+      [&](const SurfaceSpeed& law) { numbered(law.number).turning.surface = law; },
+      [&](const Spindle& spindle) {
+        Turned& turned = numbered(spindle.number);
+        turned.turning.take(spindle);
+        if (spindle.dir == SpindleDir::orient) turned.angle = full_turn * std::ceil(turned.angle / full_turn), turned.absolute = true;
+        if (spindle.dir == SpindleDir::position) turned.angle += spindle.turn.value_or(0);
+      },
+      ignores<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, Sync,
+              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
 void SpindleClock::couple(double degrees_per_mm) {

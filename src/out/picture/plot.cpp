@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "out/picture/plot_page.h"
 
@@ -105,7 +106,7 @@ void Plot::take_programmed(const Action& action) {
     programmed_origin_ = zero_of(chain_, frame->placement);
     programmed_.take(*frame);
   }
-  const auto* const motion = std::get_if<Motion>(&action.what);
+  const auto* const motion = motion_of(action);
   if (motion == nullptr) return;
   const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
   if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "action/by_kind.h"
 #include "base/ascii.h"
 #include "motion/time/polar_feed.h"
 #include "out/text/alarm_print.h"
@@ -242,8 +243,7 @@ void TraceWriter::write_other(const Action& action) {
 
 void TraceWriter::write(const Step& step) {
   if (const Motion* const motion = step.motion()) return write_motion(step, *motion);
-  const auto* const function = std::get_if<MachineFunction>(&step.action.what);
-  if (function != nullptr && function->by_control && !tells_ends_) return;
+  if (is_by_control(step.action) && !tells_ends_) return;
   if (!std::holds_alternative<FrameChange>(step.action.what)) write_other(step.action);
 }
 

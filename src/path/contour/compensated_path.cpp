@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "path/contour/radius_compensation.h"
 #include "path/curve/plane_shift.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 /// The motion of an action, whatever it was before.
 Motion& motion_in(Action& action) {
-  if (auto* const m = std::get_if<Motion>(&action.what)) return *m;
+  if (auto* const m = motion_of(action)) return *m;
   return action.what.emplace<Motion>();
 }
 
@@ -44,7 +45,7 @@ void RadiusCompensation::release_first() {
   now_.vector = first.end.first();
   for (Action& action : first.waiting) {
     now_.stand.take(action);
-    if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, now_.vector);
+    if (auto* const m = motion_of(action)) shift(*m, now_.vector);
     if (auto* const frame = std::get_if<FrameChange>(&action.what)) shift(*frame);
     out_.add() = std::move(action);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "path/contour/contour_motion.h"
 #include "path/curve/plane_shift.h"
@@ -36,7 +37,7 @@ void ContourCorners::put_back(ActionBatch& batch) {
   if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
   if (!now_.waiting.empty() || !now_.settled.empty()) return;
   for (const Action& action : batch) {
-    const auto* const next = std::get_if<Motion>(&action.what);
+    const auto* const next = motion_of(action);
     if (next == nullptr) continue;
     if (contour_of(*next) != nullptr) return;
     batch.add_front() = std::move(now_.held->action);
@@ -50,7 +51,7 @@ std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows)
   const Motion* before = nullptr;
   std::size_t place = batch.size(), i = 0;
   for (const Action& action : batch) {
-    const auto* const m = std::get_if<Motion>(&action.what);
+    const auto* const m = motion_of(action);
     if (m != nullptr && contour_of(*m) != nullptr) return before != nullptr && may_end_elsewhere(*before) ? place : i;
     if (m != nullptr) before = m, place = i;
     ++i;
@@ -63,7 +64,7 @@ void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::siz
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {
     const Action& action = batch.begin()[i];
-    if (const auto* const m = std::get_if<Motion>(&action.what)) last = m;
+    if (const auto* const m = motion_of(action)) last = m;
     else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) now_.at.take(*frame), last = nullptr;
   }
   if (last != nullptr) now_.at.take(*last);
@@ -71,10 +72,10 @@ void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::siz
 
 void ContourCorners::next(ActionBatch& batch, std::size_t place, Follows follows) {
   Action& action = batch[place];
-  if (const auto* const m = std::get_if<Motion>(&action.what)) {
+  if (const auto* const m = motion_of(action)) {
     bool open = may_end_elsewhere(*m);
     for (std::size_t i = place + 1; open && i <= batch.size(); ++i) {
-      const auto* const behind = i < batch.size() ? std::get_if<Motion>(&batch[i].what) : nullptr;
+      const auto* const behind = i < batch.size() ? motion_of(batch[i]) : nullptr;
       if (i == batch.size()) open = follows == Follows::more;
       else if (behind != nullptr && !is_over_determined(contour_of(*behind))) open = false;
       else if (behind != nullptr) break;

@@ -4,15 +4,17 @@
 
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "base/tolerance.h"
 
 namespace kadr {
 
 bool ends_look_ahead(const Action& action) {
-  if (const auto* const stop = std::get_if<Stop>(&action.what)) return stop->reason != StopReason::single_block;
-  return std::holds_alternative<FrameChange>(action.what) || std::holds_alternative<ContourBreak>(action.what) ||
-         std::holds_alternative<ContourCorner>(action.what) || std::holds_alternative<ZoneChange>(action.what) ||
-         std::holds_alternative<Sync>(action.what);
+  return by_kind(
+      action, [](const Stop& stop) { return stop.reason != StopReason::single_block; },
+      same<FrameChange, ContourBreak, ContourCorner, ZoneChange, Sync>(true),
+      same<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Message, SurfaceSpeed,
+           Couple, Uncouple, ContourCheck>(false));
 }
 
 std::optional<Support> support_of(const Motion& m, Vec2 from, Vec2 end) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
@@ -39,7 +41,7 @@ std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Fo
   warnings_.clear();
   if (!at_work()) {  // mostly: nothing to do but to know where the tool stands
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
-      const auto* const m = std::get_if<Motion>(&action.what);
+      const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;
     });
     if (!any) {
@@ -61,7 +63,7 @@ std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Fo
 
 void QueuedCompensation::next(Action& action) {
   origin_ = action.origin;
-  if (std::holds_alternative<Motion>(action.what)) {
+  if (motion_of(action) != nullptr) {
     motion(action);
   } else if (const auto* const end = std::get_if<ContourBreak>(&action.what)) {
     end_here(*end);
@@ -259,7 +261,7 @@ void QueuedCompensation::lose() {
 
 /// What comes behind an alarm is not carried out, but may be looked at further (kadr check): the tool is beside each end, uncut.
 void QueuedCompensation::follow(const Action& action) {
-  if (const auto* const m = std::get_if<Motion>(&action.what)) {
+  if (const auto* const m = motion_of(action)) {
     now_.on = m->side != 0;
     now_.first = m->first;
     now_.second = m->second;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "path/contour/queued_compensation.h"
 #include "path/curve/plane_shift.h"
 
@@ -96,7 +97,7 @@ void QueuedCompensation::hand_out_queue() {
 }
 
 void QueuedCompensation::hand_out(Queued& queued) {
-  if (auto* const m = std::get_if<Motion>(&queued.action.what); m != nullptr && queued.moves) {
+  if (auto* const m = motion_of(queued.action); m != nullptr && queued.moves) {
     move_tool(queued, *m);
   } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {  // the tool's coordinates in it
     frame->work[now_.first] += now_.beside.x;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "action/curve.h"
 
 namespace kadr {
@@ -47,7 +48,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
   if (now_.count == 0 && !now_.zero && !beside()) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
     for (const Action& action : batch) {
-      if (const auto* const m = std::get_if<Motion>(&action.what)) any = any || m->side != 0;
+      if (const auto* const m = motion_of(action)) any = any || m->side != 0;
       else any = any || std::holds_alternative<ContourCheck>(action.what);
     }
     if (!any) {
@@ -71,7 +72,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
 }
 
 void RadiusCompensation::next(Action& action) {
-  if (std::holds_alternative<Motion>(action.what)) return motion(action);
+  if (motion_of(action) != nullptr) return motion(action);
   if (const auto* const end = std::get_if<ContourBreak>(&action.what)) {
     if (end->here) stay();
     else if (end->off) leave();

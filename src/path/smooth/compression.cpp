@@ -7,12 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
 /// The motion, if it may be joined with others.
 const Motion* joinable(const Action& action) {
-  const auto* const motion = std::get_if<Motion>(&action.what);
+  const auto* const motion = motion_of(action);
   return motion != nullptr && motion->join > 0 && motion->kind == MotionKind::feed && !motion->detail ? motion : nullptr;
 }
 
@@ -43,7 +45,7 @@ std::size_t Compression::take(ActionBatch& batch, const Axes& from, bool last) {
       stop_ = std::move(action);
     } else {
       let_out();
-      if (const auto* const motion = std::get_if<Motion>(&action.what)) from_ = motion->to;
+      if (const auto* const motion = motion_of(action)) from_ = motion->to;
       else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) from_ = frame->work;
       out_.add() = std::move(action);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "action/by_kind.h"
 #include "session/cutting/turned_way.h"
 #include "session/cutting/window_touches.h"
 
@@ -91,21 +92,24 @@ void Cutting::each_other(const Visit& visit) const {
 
 /// What stands in the spindle and how it turns.
 void Cutting::note(const Action& action) {
-  if (const auto* const turned = std::get_if<Spindle>(&action.what); turned != nullptr && turned->number >= 1 && turned->number <= 32) {
-    const std::uint32_t bit = std::uint32_t{1} << (turned->number - 1);
-    spinning_ = turned->dir == SpindleDir::cw || turned->dir == SpindleDir::ccw ? spinning_ | bit : spinning_ & ~bit;
-    if (turned->rpm > 0) speedless_ &= ~bit;
-  }
-  if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number >= 1 && speed->number <= 32) {
-    const std::uint32_t bit = std::uint32_t{1} << (speed->number - 1);
-    speedless_ = speed->value > 0 ? speedless_ & ~bit : speedless_ | bit;
-  }
-  if (const auto* const change = std::get_if<ToolChange>(&action.what)) tool_ = change->tool;
-  else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == 1)
-    spindle_ = spindle->dir, rpm_ = spindle->rpm;
-  else if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number == 1)
-    rpm_ = speed->surface ? 0 : speed->value;
-  else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) coolant_ = coolant->what;
+  const auto bit_of = [](int spindle) { return spindle >= 1 && spindle <= 32 ? std::uint32_t{1} << (spindle - 1) : 0; };
+  by_kind(
+      action,
+      [&](const Spindle& turned) {
+        const std::uint32_t bit = bit_of(turned.number);
+        spinning_ = turned.dir == SpindleDir::cw || turned.dir == SpindleDir::ccw ? spinning_ | bit : spinning_ & ~bit;
+        if (turned.rpm > 0) speedless_ &= ~bit;
+        if (turned.number == 1) spindle_ = turned.dir, rpm_ = turned.rpm;
+      },
+      [&](const Speed& speed) {
+        const std::uint32_t bit = bit_of(speed.number);
+        speedless_ = speed.value > 0 ? speedless_ & ~bit : speedless_ | bit;
+        if (speed.number == 1) rpm_ = speed.surface ? 0 : speed.value;
+      },
+      [&](const ToolChange& change) { tool_ = change.tool; },  //
+      [&](const CoolantSwitch& coolant) { coolant_ = coolant.what; },
+      ignores<Motion, Dwell, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange,
+              Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
 std::size_t Cutting::use_of(std::uint32_t tool) {

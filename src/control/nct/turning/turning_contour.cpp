@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning/turning_plane.h"
@@ -200,7 +201,7 @@ class Reader {
     if (run_.actions.size() > most_pieces) return shape();
     const AxisMask both = 1u << m_.modal.axes.first | 1u << m_.modal.axes.second;
     for (std::size_t i = before; i < run_.actions.size(); ++i) {
-      const auto* const motion = std::get_if<Motion>(&run_.actions[i].what);
+      const auto* const motion = motion_of(run_.actions[i]);
       if (motion == nullptr || (motion->named & ~both) != 0 || motion->turns > 1) return shape();
     }
     return {};
