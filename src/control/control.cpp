@@ -33,7 +33,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   interpreter_->holds_before = &holds_before;
 }
 Control::~Control() = default;
-MachineSide* Control::machine_side() const { return interpreter_->dialect ? interpreter_->dialect->machine_side() : nullptr; }
+MachineSide* Control::machine_side() const { return interpreter_->dialect->machine_side(); }
 
 Control::State Control::run(ActionBatch& batch) {
   if (!shared_) [[likely]]
@@ -77,7 +77,7 @@ Result<double> Control::evaluate(std::string_view expression) const { return int
 std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
 const Origin& Control::origin() const { return interpreter_->origin; }
 std::vector<InForce> Control::in_force() const { return interpreter_->in_force(); }
-double Control::machine_unit() const { return interpreter_->dialect ? interpreter_->dialect->machine_unit() : 1; }
+double Control::machine_unit() const { return interpreter_->dialect->machine_unit(); }
 std::size_t Control::plane_normal() const { return interpreter_->modal.axes.normal; }
 BlockState Control::state_now() const { return interpreter_->state_now(); }
 const std::optional<Control::Meeting>& Control::meeting() const { return interpreter_->waiting.meeting; }
@@ -100,7 +100,7 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
   report.line_text = line.text;
   if (!line.text.empty()) report.alarm.where = line.where;
   if (interpreter_->watches_calls()) report.calls = calls_of(origin);
-  if (interpreter_->dialect) interpreter_->dialect->reword(*interpreter_, report);
+  interpreter_->dialect->reword(*interpreter_, report);
   return report;
 }
 AlarmReport::Line Control::line_at(const Origin& origin) const {
@@ -164,7 +164,7 @@ void Control::set_answer(double answer) {
 void Control::synchronise(int slave, int master) {
   if (MachineSide* const side = machine_side()) side->synchronise(slave, master);
 }
-std::uint64_t Control::common_version() const { return interpreter_->dialect ? interpreter_->dialect->common_version() : 0; }
+std::uint64_t Control::common_version() const { return interpreter_->dialect->common_version(); }
 void Control::take_common(const Control& from) { interpreter_->take_common(*from.interpreter_); }
 void Control::couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on) {
   for (const std::string& name : axes)
@@ -196,10 +196,7 @@ std::shared_ptr<ByteSource> Control::source_of(std::uint32_t file) const {
 }
 std::vector<std::string> Control::files_read() const { return interpreter_->flow.paths(); }
 std::vector<std::uint16_t> Control::called_files() const { return interpreter_->flow.called_files(); }
-const WrittenFiles& Control::files_written() const {
-  static const WrittenFiles none;
-  return interpreter_->dialect ? interpreter_->dialect->files_written() : none;
-}
+const WrittenFiles& Control::files_written() const { return interpreter_->dialect->files_written(); }
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
 ToolPosition Control::tool_position() const { return {interpreter_->position.work, interpreter_->position.machine}; }
 const Placement& Control::placement() const { return interpreter_->frames; }
@@ -223,9 +220,7 @@ std::optional<SearchRules> Control::search_rules() const {
 bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
 bool Control::queues_contours() const { return interpreter_->def.behaviour.contour_queued; }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
-std::pair<double, double> Control::limits_by_file(std::size_t axis) const {
-  return interpreter_->dialect ? interpreter_->dialect->limits_by_file(axis) : std::pair{-1e300, 1e300};
-}
+std::pair<double, double> Control::limits_by_file(std::size_t axis) const { return interpreter_->dialect->limits_by_file(axis); }
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }
 
 }  // namespace kadr

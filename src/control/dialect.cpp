@@ -76,6 +76,13 @@ Result<double> Dialect::read_variable(Interpreter& m, double number, Span where)
 Result<double> Dialect::number_of_element(const Interpreter&, double, double, Span) const { return 0.0; }
 Result<double> Dialect::control_value(Interpreter&, double, double, double, Span) const { return 0.0; }
 
+std::unique_ptr<Dialect> make_iso_dialect() {
+  struct Iso final : Dialect {
+    bool drills_plainly() const override { return true; }
+  };
+  return std::make_unique<Iso>();
+}
+
 std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
   switch (m.def.dialect) {
     case DialectId::s2c42: return make_s2c42_dialect();
@@ -86,7 +93,7 @@ std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const 
     case DialectId::mach3: return make_mach3_dialect(limits);
     case DialectId::iso: break;
   }
-  return nullptr;
+  return make_iso_dialect();
 }
 
 }  // namespace kadr

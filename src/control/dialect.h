@@ -1,7 +1,7 @@
 #pragma once
 // Dialect: what a control does that no row of its file can say (`dialect = "…"` in controls/*.toml). One object a channel; it stands where
 // the interpreter asks, block by block or motion by motion, never word by word. Each default here is what all controls do: ISO 6983. A
-// control whose file says everything has none (Interpreter::dialect is nullptr), so that its blocks pay for nothing.
+// control whose file says everything has these defaults (make_iso_dialect()).
 
 #include <cstdint>
 #include <memory>
@@ -224,6 +224,8 @@ class Dialect {
   /// Positions as they are shown: axes that roll over within their turn.
   virtual void roll(const Interpreter& m, Axes& positions) const;
   virtual Status take_answer(Interpreter& m, const ProbeAnswer& answer);
+  /// Its drilling cycles emit their motions alone: nothing here is asked about them.
+  virtual bool drills_plainly() const { return false; }
   /// M codes of the machine.
   virtual Status machine_code(Interpreter& m, const Call& call);
 
@@ -246,7 +248,10 @@ std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits);
 std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
-/// The dialect that the control's file names, or nullptr. `commons`: variables that all channels of the machine share.
+/// Of a control whose file says everything: each answer is the default.
+std::unique_ptr<Dialect> make_iso_dialect();
+
+/// The dialect that the control's file names. `commons`: variables that all channels of the machine share.
 std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 }  // namespace kadr

@@ -45,93 +45,113 @@ bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
 
 Interpreter::~Interpreter() = default;
 
-Control::State Interpreter::run(ActionBatch& to) {
+void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
   batch = &to;
   motion_run_.end();  // between two calls anything may have been changed
-  if (needs_frames) {
-    needs_frames = false;
-    emit(frame_change());
-    if (modal.surface_speed) emit(surface_speed());
+  if (!needs_frames) return;
+  needs_frames = false;
+  emit(frame_change());
+  if (modal.surface_speed) emit(surface_speed());
+}
+
+/// A part of what comes before the next block is read: of a cycle, of a watched block's end. false: there is nothing left of it.
+bool Interpreter::goes_on_with_last() {
+  if (cycling()) {
+    if (const Status status = next_of_cycle(); !status) fail_with(status.error());
+    return true;
   }
+  if (waiting_count_ != 0) {
+    if (const Status status = after_cycle(); !status) fail_with(status.error());
+    return true;
+  }
+  if (!block_open) return false;
+  end_block();
+  return true;
+}
+
+/// The dialect has something to finish. true: the next block waits for more of it.
+bool Interpreter::waits_for_dialect() {
+  if (!dialect->has_unfinished()) return false;
+  const auto waits = dialect->finish(*this);
+  if (!waits) fail_with(waits.error());
+  return !waits || *waits;
+}
+
+/// The file is over. `last`: the block before, which is told of. Returns nullopt where that was only a line entered by hand.
+std::optional<Control::State> Interpreter::close_file(Block* last) {
+  block = last;
+  if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
+  if (const Status closed = end_of_file(); !closed) {
+    fail_with(closed.error());
+    return stopped_ ? Control::State::stopped : Control::State::running;
+  }
+  flow.end();
+  return Control::State::ended;
+}
+
+/// Carries out a block that was read, or reports what is wrong in it. Returns nullopt where the run goes on to the next one.
+std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::Got>& got) {
+  if (got && !reads_clock && !block->no_clock && !block->code.empty()) {
+    if (dialect->reads_clock(*block)) {
+      reads_clock = each_block = again_ = true;
+      return Control::State::running;
+    }
+    block->no_clock = true;
+  }
+  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // damaged, but there
+  if (!block->warnings.empty()) [[unlikely]] {
+    for (const Alarm& w : block->warnings) warn(w);
+    block->warnings.clear();  // of a block that is kept: told once
+  }
+  if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
+  if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
+  if (got) {
+    take_block();
+    skips_it.reset();
+    if (unplaced != 0) [[unlikely]]
+      note_placed();
+    motion_run_.note(*this);
+    if (block_states_) [[unlikely]]
+      block_states_->note(origin.number, *this);
+  } else {
+    damaged = true;
+    motion_run_.end();
+    fail_with(got.error());
+  }
+  return needs_probe ? std::optional(Control::State::needs_probe) : std::nullopt;
+}
+
+Control::State Interpreter::run(ActionBatch& to) {
+  begin_batch(to);
   const bool looked_at = line_marks != nullptr || (holds_before != nullptr && *holds_before);
   const std::uint64_t until = flow.blocks() + most_unseen;
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
-    if (cycling()) {
-      if (const Status status = next_of_cycle(); !status) fail_with(status.error());
-      continue;
-    }
-    if (waiting_count_ != 0) {
-      if (const Status status = after_cycle(); !status) fail_with(status.error());
-      continue;
-    }
-    if (block_open) {
-      end_block();
-      continue;
-    }
+    if (goes_on_with_last()) continue;
     if (flow.ended()) return Control::State::ended;
-    if (dialect && dialect->has_unfinished()) {
-      const auto waits = dialect->finish(*this);
-      if (!waits) fail_with(waits.error());
-      if (!waits || *waits) continue;
-    }
+    if (waits_for_dialect()) continue;
     std::optional<Flow::Mark> before;
     if (looked_at) [[unlikely]] {
       if (line_marks != nullptr && flow.blocks() >= until) break;
       if (!again_) before = flow.mark();
     }
     Block* const last = block;
-    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    const auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
     again_ = false;
     if (got && *got == BlockReader::Got::end) {
-      block = last;  // what is told is told there
-      if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) continue;
-      if (const Status closed = end_of_file(); !closed) {
-        fail_with(closed.error());
-        break;
-      }
-      flow.end();
-      return Control::State::ended;
+      if (const auto state = close_file(last)) return *state;
+      continue;
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
     if (looked_at && is_held(*this, before)) [[unlikely]]
       return Control::State::held;
-    if (motion_run_.is_on()) {
-      if (got && motion_run_.take(*this)) [[likely]] {
-        if (block_states_) block_states_->note(origin.number, *this);
-        continue;
-      }
+    if (motion_run_.is_on() && got && motion_run_.take(*this)) [[likely]] {
+      if (block_states_) block_states_->note(origin.number, *this);
+    } else if (const auto state = take_read(got)) {
+      return *state;
     }
-    if (got && dialect && !reads_clock && !block->no_clock && !block->code.empty()) {
-      if (dialect->reads_clock(*block)) {
-        reads_clock = each_block = again_ = true;
-        return Control::State::running;
-      }
-      block->no_clock = true;
-    }
-    if (!got && block->marker == Marker::program_start) flow.set_started(true);  // damaged, but there
-    if (!block->warnings.empty()) [[unlikely]] {
-      for (const Alarm& w : block->warnings) warn(w);
-      block->warnings.clear();  // of a block that is kept: told once
-    }
-    if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
-    if (!got && dialect && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) continue;
-    if (got) {
-      take_block();
-      skips_it.reset();
-      if (unplaced != 0) [[unlikely]]
-        note_placed();
-      motion_run_.note(*this);
-      if (block_states_) [[unlikely]]
-        block_states_->note(origin.number, *this);
-    } else {
-      damaged = true;
-      motion_run_.end();
-      fail_with(got.error());
-    }
-    if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
 }
@@ -155,30 +175,30 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
   else report_changes();
-  block_open = !stopped_ && dialect && dialect->watches_blocks();  // M96 has come
+  block_open = !stopped_ && dialect->watches_blocks();  // M96 has come
 }
 
 /// The machine's logic looks at each block, or an interrupt macro may come.
-bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || (dialect && dialect->watches_blocks()); }
+bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
 /// A block with what the machine's logic does before it; after it: end_block, when its actions have been handed over (nct 23.4).
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
 void Interpreter::watch_block() {
   const bool skipped = is_skipped();
-  in_interrupt = dialect && dialect->in_interrupt();
+  in_interrupt = dialect->in_interrupt();
   const bool put_off = resumed && !in_interrupt && *resumed == block->position;
   if (put_off || !in_interrupt) resumed.reset();
   Result<bool> instead = false;
   if (!put_off && !skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
     if (flow.ended()) return;  // the power went off
-    if (dialect) instead = dialect->interrupt(*this, BlockMoment::start);
+    instead = dialect->interrupt(*this, BlockMoment::start);
   }
   if (instead && *instead) {
     resumed = block->position;
     return;
   }
-  if (block->skip != 0 && !skipped && dialect) dialect->note_skip_mark(*this);
+  if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
   const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
   const Status status = instead ? execute() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
@@ -190,7 +210,7 @@ void Interpreter::watch_block() {
 /// The end of a watched block: the interrupt macro, then the machine's logic.
 void Interpreter::end_block() {
   block_open = false;
-  if (dialect && !in_interrupt) {
+  if (!in_interrupt) {
     const auto called = dialect->interrupt(*this, BlockMoment::end);
     if (!called) fail_with(called.error());
   }
@@ -199,7 +219,7 @@ void Interpreter::end_block() {
 
 /// Power off and on (nct 23.5): the program is over.
 void Interpreter::power_cycle() {
-  if (!dialect || !dialect->lose_power(*this)) return;
+  if (!dialect->lose_power(*this)) return;
   stop_cycles();
   waiting_count_ = 0;
   waiting.meeting.reset();
@@ -210,11 +230,9 @@ void Interpreter::power_cycle() {
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Interpreter::end_of_file() {
   origin.line = std::max<std::uint32_t>(origin.line, 1);  // of an empty file too
-  if (dialect) {
-    const auto done = dialect->end_of_file(*this);
-    if (!done) return fail(done.error());
-    if (*done) return {};
-  }
+  const auto done = dialect->end_of_file(*this);
+  if (!done) return fail(done.error());
+  if (*done) return {};
   if (flow.depth() == 0) {
     const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
@@ -247,7 +265,7 @@ void Interpreter::fail_with(const Alarm& failed) {
   report = report_of(failed, origin, block->text);
   if (follows_refused_motion(failed.id)) return keep_from_faulty_block();
   stopped_ = true;
-  if (dialect) dialect->failed(*this);
+  dialect->failed(*this);
 }
 
 Status Interpreter::execute() {
@@ -261,15 +279,14 @@ Status Interpreter::execute() {
   if (block->skip != 0) {
     pass_varies = true;
     use.note(UseKind::skip_switch, block->skip, origin);
-    if (dialect) dialect->note_skip_mark(*this);
+    dialect->note_skip_mark(*this);
     if (is_skipped()) return {};
   }
-  const bool data = dialect && block->has_number && dialect->takes_data();
+  const bool data = block->has_number && dialect->takes_data();
   if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) {
     pass_varies = true;
-    if (!dialect) return {};
     const auto done = dialect->statement(*this);
     if (!done) return fail(done.error());
     if (*done) return {};
@@ -301,7 +318,7 @@ Status Interpreter::attempt() {
   waiting_count_ = 0;
   flow_before_.reset();
   shape_ = shapes_.of(def, *block);
-  if (dialect) dialect->begin_block(*this);
+  dialect->begin_block(*this);
   if (sets_variables_only(*block)) return assign_alone();
   if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are statements: blocks of their own
   Status status = words();
@@ -311,19 +328,13 @@ Status Interpreter::attempt() {
 
 Status Interpreter::words() {
   KADR_TRY(evaluate_words());
-  if (dialect) {
-    const auto done = dialect->takes_block(*this);
-    if (!done) return fail(done.error());
-    if (*done) return {};
-  } else {
-    KADR_TRY(take_words());
-  }
+  const auto done = dialect->takes_block(*this);
+  if (!done) return fail(done.error());
+  if (*done) return {};
   KADR_TRY(plan());
   if (plan_now_->passed_over != 0) [[unlikely]]
     tell_passed_over(plan_now_->passed_over);
-  const BlockChanges changes = each_block ? BlockChanges::anything
-                               : dialect  ? dialect->changes_of(*this, *plan_now_)
-                                          : changes_of_block(*plan_now_);
+  const BlockChanges changes = each_block ? BlockChanges::anything : dialect->changes_of(*this, *plan_now_);
   if (changes == BlockChanges::anything) keep_state();
   else if (changes != BlockChanges::position) keep_little();
   if (changes == BlockChanges::cycle) journal.keep(cycle_memory);
@@ -332,13 +343,13 @@ Status Interpreter::words() {
     KADR_TRY(check_place());
     KADR_TRY(check_zero_kept());
   }
-  return dialect ? dialect->after_block(*this) : Status();
+  return dialect->after_block(*this);
 }
 
 /// The block's plan: that of its shape; of one that a loop carries out again, that of the last pass where nothing it depends on has
 /// changed.
 Status Interpreter::plan() {
-  const std::int16_t motion_row = dialect ? dialect->motion_row(*this) : modal.motion_row;
+  const std::int16_t motion_row = dialect->motion_row(*this);
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
     plan_now_ = &facts->plan;
     if (facts->planned && facts->motion_row == motion_row) return {};
@@ -378,7 +389,7 @@ Status Interpreter::check_place() const {
 
 /// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
 Status Interpreter::check_zero_kept() const {
-  if ((dialect && dialect->zero_may_move()) || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
+  if (dialect->zero_may_move() || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
 }
 

@@ -181,7 +181,7 @@ class Interpreter : public ControlState, public RunMemory {
   /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   double radius_in_force() const;
-  ArcRule arc_rule() const { return dialect ? dialect->arc_rule(*this) : plain_arc_rule(); }
+  ArcRule arc_rule() const { return dialect->arc_rule(*this); }
   /// Modes that a cycle sets by itself.
   void run_modes(std::initializer_list<Function> functions);
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
@@ -244,13 +244,13 @@ class Interpreter : public ControlState, public RunMemory {
   Flow flow;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;           // a cycle of the dialect
-  std::unique_ptr<Dialect> dialect;           // nullptr: the control's file says everything
-  MacroVariables* macro_variables = nullptr;  // those of the dialect, where it has levels of locals
-  bool has_fixtures = false;                  // its work systems are Modal::fixture, else Modal::work_zero
-  bool block_axes_taken = false;              // a code of this block has its axis words: a motion code beside it only sets the mode
-  bool block_exact = false;                   // G9 in this block
-  bool block_machine_coordinates = false;     // G53 with a motion (Mach3)
+  std::unique_ptr<Running> running;                       // a cycle of the dialect
+  std::unique_ptr<Dialect> dialect = make_iso_dialect();  // never nullptr
+  MacroVariables* macro_variables = nullptr;              // those of the dialect, where it has levels of locals
+  bool has_fixtures = false;                              // its work systems are Modal::fixture, else Modal::work_zero
+  bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
+  bool block_exact = false;                // G9 in this block
+  bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
   bool needs_probe = false;
   bool probe_stated = false;  // the set-up says what a probe meets
   Span probe_where;
@@ -300,6 +300,11 @@ class Interpreter : public ControlState, public RunMemory {
   Status end_possible(const PlanItem& item, std::size_t depth) const;
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
+  void begin_batch(ActionBatch& to);
+  bool goes_on_with_last();
+  bool waits_for_dialect();
+  std::optional<Control::State> close_file(Block* last);
+  std::optional<Control::State> take_read(const Result<BlockReader::Got>& got);
   Status after_cycle();
   Status next_of_cycle();
   Status evaluate_word(Word& w);

@@ -17,7 +17,7 @@ struct Reading {
   Result<double> variable(double number, Span where) const {
     if (m.use.watches()) [[unlikely]]
       note_read(m, number);
-    return m.dialect ? m.dialect->read_variable(m, number, where) : m.variables.variable(number, where);
+    return m.dialect->read_variable(m, number, where);
   }
   /// 0.0001 in or 0.001 mm (spec/haas 2.2).
   double increments() const {
@@ -29,11 +29,9 @@ struct Reading {
     return m.variables.parameter(index, where);
   }
   /// Number of an element of a system variable with a name (nct 23.1.1).
-  Result<double> element(double symbol, double index, Span where) const {
-    return m.dialect ? m.dialect->number_of_element(m, symbol, index, where) : Result<double>(0.0);
-  }
+  Result<double> element(double symbol, double index, Span where) const { return m.dialect->number_of_element(m, symbol, index, where); }
   Result<double> control_value(double number, double bit, double index, Span where) const {
-    return m.dialect ? m.dialect->control_value(m, number, bit, index, where) : Result<double>(0.0);
+    return m.dialect->control_value(m, number, bit, index, where);
   }
 };
 

@@ -76,7 +76,7 @@ AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, s
 
 AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
   AlarmReport r = plain_report_of(alarm, at, line_text);
-  if (dialect) dialect->reword(*this, r);
+  dialect->reword(*this, r);
   return r;
 }
 
@@ -164,7 +164,7 @@ Ending Interpreter::ending() {
   Ending e;
   e.position = frames.space ? frames.space->in_system(position.work) : position.work;
   e.machine_position = position.machine;
-  if (dialect) dialect->add_variables(*this, e, watch_);
+  dialect->add_variables(*this, e, watch_);
   for (std::uint32_t n = 1; macro_variables == nullptr && n <= variables.highest() && def.grammar.variables != 0; ++n)
     if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
   for (int i = 0; i < variables.parameter_count(); ++i)
@@ -195,13 +195,12 @@ void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
 
 /// What the block changed of the things that survive power-off.
 void Interpreter::report_changes() {
-  if (!dialect || on_changes == nullptr || !*on_changes) return;
+  if (on_changes == nullptr || !*on_changes) return;
   const StateChanges changes = dialect->take_changes(*this);
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
 void Interpreter::take_common(const Interpreter& from) {
-  if (!dialect || !from.dialect) return;
   dialect->take_common(*this, *from.dialect);
   report_changes();
 }

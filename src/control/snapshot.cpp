@@ -74,7 +74,7 @@ std::optional<Snapshot> Interpreter::snapshot(double cutting_seen_ms) const {
   content->tables = shared_with(last_tables_, tables);
   content->variables = shared_with(last_variables_, variables.all());
   content->cutting_seen_ms = cutting_seen_ms;
-  if (dialect) content->dialect = dialect->snapshot();
+  content->dialect = dialect->snapshot();
   content->each_block = each_block;
   content->block = block_memory();
   return Snapshot(std::move(content));
@@ -141,7 +141,7 @@ Status Interpreter::restore(const Snapshot& from) {
   variables.put(*then.variables);
   variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
   go_on_in_block(*then.block);
-  return dialect ? dialect->restore(*this, *then.dialect) : Status();
+  return then.dialect ? dialect->restore(*this, *then.dialect) : Status();
 }
 
 }  // namespace kadr

@@ -29,7 +29,7 @@ struct Snapshot::Content {
   Flow::Memory flow;
   std::shared_ptr<const Tables> tables;
   std::shared_ptr<const Variables::Values> variables;
-  std::shared_ptr<const DialectState> dialect;  // nullptr: the control has none
+  std::shared_ptr<const DialectState> dialect;  // nullptr: it remembers nothing
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
   double cutting_seen_ms = 0;  // of Control

@@ -40,7 +40,7 @@ void Interpreter::check_setup(const Setup& setup) {
   const auto row_known = [&](const std::string& key, int number, std::size_t size) {
     if (number < 0 || static_cast<std::size_t>(number) >= size) note(key + "." + std::to_string(number));
   };
-  const bool plain = !dialect || dialect->machine_side() == nullptr;
+  const bool plain = dialect->machine_side() == nullptr;
   if (plain) {
     if (!setup.parameters.empty() && def.parameters.empty()) note("parameters");
     if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
@@ -168,16 +168,15 @@ void Interpreter::start_modal(const Setup& setup) {
     if (!lex_block(text, 0, true, plain, *block) || note_unserved()) return;
     (void)execute();
   };
-  if (!dialect || !dialect->start(*this, setup)) run_words(words);
-  if (dialect)
-    if (const std::string started = dialect->start_words(); !started.empty()) run_words(started);
+  if (!dialect->start(*this, setup)) run_words(words);
+  if (const std::string started = dialect->start_words(); !started.empty()) run_words(started);
   for (const std::string& word : setup.modal)
     if (start_fault.empty() && !starts(word))
       start_fault = {"modal", "setup key 'modal': the control " + def.id + " has no '" + word + "'",
                      "ключ «modal» исходного состояния: у УЧПУ " + def.id + " нет «" + word + "»"};
   std::string given;
   for (const std::string& word : setup.modal) {
-    if (dialect && dialect->starts_code_by_code()) run_words(word);
+    if (dialect->starts_code_by_code()) run_words(word);
     else given += word + " ";
   }
   run_words(given);
@@ -189,7 +188,7 @@ void Interpreter::start_modal(const Setup& setup) {
   modal.spindle = setup.spindle().dir == "cw" ? SpindleDir::cw : setup.spindle().dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   apply_mirror();
-  if (dialect) dialect->take_setup(*this, setup);
+  dialect->take_setup(*this, setup);
   refresh_frames();
   const Axes start = axes_of(setup.start, axis_names);
   for (std::size_t a = 0; a < max_axes && frames.is_plain(); ++a) {
@@ -201,9 +200,9 @@ void Interpreter::start_modal(const Setup& setup) {
     position.machine = setup.start_in_work ? frames.machine_of(start) : start;
     position.work = frames.work_of(position.machine);
   }
-  if (dialect) dialect->roll(*this, position.work), dialect->roll(*this, position.machine);
+  dialect->roll(*this, position.work), dialect->roll(*this, position.machine);
   position.programmed = transform.to_programmed(position.work);
-  if (dialect) dialect->started(*this);
+  dialect->started(*this);
   flow.set_started(false);
   block->clear();
   batch = nullptr;

@@ -35,10 +35,9 @@ void add_work_systems(const Interpreter& m, Setup& tables) {
 }  // namespace
 
 Setup tables_of(const Interpreter& m) {
-  if (m.dialect)
-    if (const MachineSide* const side = m.dialect->machine_side()) return side->run_state(m).tables;
+  if (const MachineSide* const side = m.dialect->machine_side()) return side->run_state(m).tables;
   Setup tables;
-  if (m.dialect && m.dialect->add_tables(m, tables)) return tables;
+  if (m.dialect->add_tables(m, tables)) return tables;
   for (std::size_t i = 1; i < m.tables.offsets.size(); ++i)
     if (m.tables.offsets[i] != ToolOffset{}) tables.offsets[int(i)] = m.tables.offsets[i];
   add_work_systems(m, tables);

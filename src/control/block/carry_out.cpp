@@ -27,10 +27,7 @@ void Interpreter::show_messages() {
 }
 
 Status Interpreter::carry_out(const Plan& plan) {
-  if (def.grammar.expressions && !block->comments.empty()) {
-    if (dialect) KADR_TRY(dialect->comments(*this));
-    else show_messages();
-  }
+  if (def.grammar.expressions && !block->comments.empty()) KADR_TRY(dialect->comments(*this));
   block_axes_taken = plan.axes_taken;
   bool motion_began = false;
   std::size_t calls_before = ~std::size_t{0};
@@ -69,12 +66,12 @@ Status Interpreter::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
-  if (dialect) dialect->before_function(*this, function);
+  dialect->before_function(*this, function);
   const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may make another block the current one
   if (row != nullptr && row->told) tell_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
-  if (dialect && row != nullptr) dialect->after_code(*this, *row, code);
+  if (row != nullptr) dialect->after_code(*this, *row, code);
   return {};
 }
 
@@ -94,10 +91,8 @@ bool Interpreter::carry_out_call(std::uint8_t word) {
     batch->cut(actions);
     return false;
   }
-  if (dialect) {
-    dialect->after_code(*this, row, w.code);
-    dialect->note_line(*this);
-  }
+  dialect->after_code(*this, row, w.code);
+  dialect->note_line(*this);
   return true;
 }
 
@@ -174,7 +169,7 @@ void Interpreter::keep_state() {
   if (state_kept_) return;
   state_kept_ = true;
   before_ = *this;
-  if (dialect) dialect->keep(*this);
+  dialect->keep(*this);
 }
 
 /// The same of a block that only moves and feeds, or only calls.
@@ -188,20 +183,20 @@ void Interpreter::take_back(std::size_t actions) {
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
   if (state_kept_) static_cast<ControlState&>(*this) = before_;
-  if (dialect) dialect->take_back(*this);
+  dialect->take_back(*this);
   journal.undo();  // after the values: what was kept first is right
   if (state_kept_) {
     (void)variables.take_frames_changed();
     variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
   }
-  if (dialect) dialect->taken_back(*this);
+  dialect->taken_back(*this);
 }
 
 void Interpreter::refused() {
   if (batch != nullptr) take_back(0);
   state_kept_ = false;
   if (block_states_) block_states_->note(origin.number, *this);
-  if (dialect) dialect->failed(*this);
+  dialect->failed(*this);
 }
 
 void Interpreter::run_modes(std::initializer_list<Function> functions) {

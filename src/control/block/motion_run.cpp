@@ -24,13 +24,11 @@ bool only_words_count(const Interpreter& m) {
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
   const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
   return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 && m.unplaced == 0 &&
-         (!m.dialect || m.dialect->lines_follow(m));
+         m.dialect->lines_follow(m);
 }
 
 /// A modal call may act again where the program has returned to.
-bool stays_after_call(const Interpreter& m) {
-  return !m.flow.in_body() && !m.skipping_section && (!m.dialect || m.dialect->lines_follow(m));
-}
+bool stays_after_call(const Interpreter& m) { return !m.flow.in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
 
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
 constexpr MotionMode mode_made[] = {MotionMode::rapid, MotionMode::linear, MotionMode::arc_cw, MotionMode::arc_ccw};
@@ -136,7 +134,7 @@ void MotionRun::begin(const Interpreter& m, const Form& form) {
   modes_[kind] = *motion;
   absolute_ = m.modal.absolute;
   arcs_ = m.arc_rule();
-  rolling_ = m.dialect ? m.dialect->rolling_axes(m) : 0;
+  rolling_ = m.dialect->rolling_axes(m);
   const AddressRow& number = m.def.address('N');
   const bool checks_numbers = m.def.grammar.macro;  // nct 1.1
   number_least_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.least, 0.0, 4e9)) : 0;
@@ -312,7 +310,7 @@ bool MotionRun::take(Interpreter& m) {
     if (turns_evenly) motion.along = FeedAlong::turn;
     else if (motion.along == FeedAlong::turn) motion.along = FeedAlong::arc;
   }
-  if (m.dialect) m.dialect->note_line(m);
+  m.dialect->note_line(m);
   return true;
 }
 

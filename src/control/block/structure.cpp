@@ -17,7 +17,7 @@ Span Interpreter::label_place() const {
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
-      if (dialect && def.grammar.percent_encloses) {
+      if (def.grammar.percent_encloses) {
         const auto done = dialect->sign_of_file(*this);
         if (!done) return fail(done.error());
         flow.set_started(true);
@@ -40,7 +40,7 @@ Status Interpreter::structure() {
         return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
       if (def.grammar.programs_by_label) KADR_TRY(next_program());
       if (flow.ended()) return {};
-      if (dialect) dialect->note_line(*this);
+      dialect->note_line(*this);
       flow.set_started(true);
       if (flow.depth() == 0) flow.pass_label(block->label);
       return {};
@@ -49,7 +49,7 @@ Status Interpreter::structure() {
   constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
   if (skipping_section && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
-  if (skipping_section && dialect) note_section();
+  if (skipping_section) note_section();
   if (skipping_section || flow.started() || block->empty()) return {};
   flow.set_started(true);
   if (!def.grammar.program_start_required) return {};

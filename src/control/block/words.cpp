@@ -106,8 +106,7 @@ Status Interpreter::assign() {
   for (std::size_t i = 0; i < block->assignments.size(); ++i) {
     if (def.grammar.parameter_address != 0 || !def.grammar.long_parameters.empty())
       variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
-    else if (dialect) KADR_TRY(dialect->write_variable(*this, assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
-    else KADR_TRY(variables.set(assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
+    else KADR_TRY(dialect->write_variable(*this, assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
   }
   if (variables.take_frames_changed()) change_frames();
   return {};

@@ -20,7 +20,7 @@ void CycleRun::start(const Interpreter& m, const Job& job) {
   in_hole_ = false;
   const auto& steps = cycle_->steps;
   taps_ = std::find(steps.begin(), steps.end(), CycleStep::spindle_reverse) != steps.end();
-  plain_ = !m.dialect && m.transform.identity && !m.frames.turn && !m.modal.inch && m.modal.contour == ContourPhase::off &&
+  plain_ = m.dialect->drills_plainly() && m.transform.identity && !m.frames.turn && !m.modal.inch && m.modal.contour == ContourPhase::off &&
            m.modal.feeds_of_axes == 0;
 }
 

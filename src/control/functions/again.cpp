@@ -20,7 +20,7 @@ Status Interpreter::begin_again(Span where, Position from) {
   const bool alike = !pass_varies && !logic_acts;
   if (!alike && flow.restart(from)) {
     pass_varies = false;
-    if (dialect) dialect->begin_again();
+    dialect->begin_again();
     return {};
   }
   warn(note(alike ? AlarmId::program_begins_again : AlarmId::passes_done, where, double(done)));
@@ -40,12 +40,12 @@ bool Interpreter::may_have_steered() const {
 void Interpreter::go_on() {
   stopped_ = false;
   motion_run_.end();
-  if (dialect) dialect->note_fault(*this, may_have_steered());
+  dialect->note_fault(*this, may_have_steered());
   keep_from_faulty_block();
   damaged = false;
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
-  if (dialect && dialect->leave_call(*this)) return;
+  if (dialect->leave_call(*this)) return;
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
@@ -149,7 +149,7 @@ void Interpreter::keep_from_faulty_block() {
     const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
     if (row < 0) continue;
     const Function f = def.codes[static_cast<std::size_t>(row)].function;
-    if (f == Function::return_program && dialect) (void)dialect->leave_call(*this);
+    if (f == Function::return_program) (void)dialect->leave_call(*this);
     if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
     if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
   }

@@ -36,7 +36,7 @@ class Circular {
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
-    const bool corrected = m_.dialect && m_.dialect->adds_to_motion(m_);
+    const bool corrected = m_.dialect->adds_to_motion(m_);
     const std::uint64_t used =
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
     if ((m_.block->letters & used) == 0 && !corrected) return {};  // the code alone: only the mode
@@ -164,8 +164,7 @@ Status circular(Interpreter& m, const Call& call, Turn turn, MotionMode mode) {
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
-  if (m.dialect) return m.dialect->arc(m, call, turn);
-  return m.plain_arc(turn, call.where);
+  return m.dialect->arc(m, call, turn);
 }
 
 }  // namespace

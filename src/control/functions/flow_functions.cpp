@@ -15,7 +15,7 @@ Status end_program(Interpreter& m, Span where) {
     if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
   }
   if (!m.def.behaviour.goes_on_behind_end) m.flow.end();
-  if (m.dialect && m.dialect->end_program(m)) return {};
+  if (m.dialect->end_program(m)) return {};
   for (const std::int32_t row_index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||

@@ -27,7 +27,7 @@ Status set_plane(Interpreter& m, Plane plane) {
 
 Status set_feed_mode(Interpreter& m, FeedMode mode) {
   Modal& modal = m.modal;
-  if (modal.feed_mode != mode && m.dialect && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
+  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
   } else if (modal.feed_mode != mode) {
@@ -39,7 +39,7 @@ Status set_feed_mode(Interpreter& m, FeedMode mode) {
 
 /// Not under radius compensation (RS274/NGC).
 Status set_unit(Interpreter& m, const Call& call, bool inch) {
-  const bool may_change = m.dialect && m.dialect->units_may_change();
+  const bool may_change = m.dialect->units_may_change();
   if (!may_change && compensates(m.modal) && m.modal.inch != inch)
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.inch = m.variables.inch = inch;

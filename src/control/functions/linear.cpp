@@ -48,12 +48,12 @@ Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mo
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
-  if (m.dialect && m.dialect->shapes_lines(m)) return m.dialect->straight(m, call, kind);
+  if (m.dialect->shapes_lines(m)) return m.dialect->straight(m, call, kind);
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
   if (m.modal.polar) polar_target(m, to, named);
-  if (m.dialect && m.dialect->adds_to_motion(m)) {
+  if (m.dialect->adds_to_motion(m)) {
     const auto added = m.dialect->add_to_motion(m);
     if (!added) return fail(added.error());
     named |= *added;
@@ -61,7 +61,7 @@ Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mo
   if (named == 0 && !leads_without_words(m)) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
-  if (m.dialect && m.dialect->only_shifts(m)) {
+  if (m.dialect->only_shifts(m)) {
     m.move_to(to, m.transform.to_work(to), named);
     return {};
   }
@@ -192,7 +192,7 @@ Status probe(Interpreter& m, const Call& call) {
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Interpreter::answer(const ProbeAnswer& answer) {
   pass_varies = true;
-  const Status taken = dialect ? dialect->take_answer(*this, answer) : note_answer(answer);
+  const Status taken = dialect->take_answer(*this, answer);
   if (!taken) fail_with(taken.error());
 }
 

@@ -19,7 +19,7 @@ double Interpreter::axis_target(const Word& w, std::size_t axis) const {
   return absolute ? v : position.programmed[axis] + v;
 }
 
-Status Interpreter::target(Axes& to, AxisMask& named) const { return dialect ? dialect->target(*this, to, named) : axis_words(to, named); }
+Status Interpreter::target(Axes& to, AxisMask& named) const { return dialect->target(*this, to, named); }
 
 Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
   to = position.programmed;
@@ -88,8 +88,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.radius_offset = modal.radius_side == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(modal.offset_number);
   motion.as_programmed = false;
   motion.system = has_fixtures ? static_cast<std::uint16_t>(modal.fixture) : modal.work_zero;
-  if (dialect) dialect->note_motion(*this, motion);
-  else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
+  dialect->note_motion(*this, motion);
   return motion;
 }
 
@@ -122,7 +121,7 @@ Status Interpreter::within_reach(const Axes& work) const {
 }
 
 Status Interpreter::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
-  if (modal.surface != PathSurface::plane && dialect) return dialect->surface_line(*this, kind, programmed, named);
+  if (modal.surface != PathSurface::plane) return dialect->surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
   } else {
@@ -158,7 +157,7 @@ void Interpreter::stand_at(const Axes& machine) {
 }
 
 Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end) {
-  if (dialect) KADR_TRY(dialect->may_move(*this, named));
+  KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     const std::size_t driven = frames.driven(a);
@@ -221,7 +220,7 @@ void Interpreter::set_feed(Motion& motion) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
       motion.feed = feed_limited(modal.feed);
-      if (modal.inch) motion.feed = dialect ? dialect->inch_feed(*this, motion, moved_from) : feed_in_inches(*this, motion, moved_from);
+      if (modal.inch) motion.feed = dialect->inch_feed(*this, motion, moved_from);
       break;
     case FeedMode::per_revolution:
       motion.unit = FeedUnit::mm_per_rev;
@@ -241,7 +240,7 @@ double Interpreter::radius_in_force() const {
   return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
-SurfaceSpeed Interpreter::surface_speed() const { return dialect ? dialect->surface_speed(*this) : speed_by_x(); }
+SurfaceSpeed Interpreter::surface_speed() const { return dialect->surface_speed(*this); }
 
 SurfaceSpeed Interpreter::speed_by_x() const {
   const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
@@ -251,15 +250,12 @@ SurfaceSpeed Interpreter::speed_by_x() const {
 
 FrameChange Interpreter::frame_change() const {
   FrameChange change{frames, position.work};
-  const Axes shift = dialect ? dialect->shift_of_origin(*this) : shift_by_tables();
+  const Axes shift = dialect->shift_of_origin(*this);
   if (shift != Axes{}) change.shifted = std::make_shared<const Axes>(shift);
   return change;
 }
 
-void Interpreter::refresh_frames() {
-  if (dialect) dialect->refresh_frames(*this);
-  else frames_by_tables();
-}
+void Interpreter::refresh_frames() { dialect->refresh_frames(*this); }
 
 Axes Interpreter::shift_by_tables() const {
   Axes shift = zero_shift;
@@ -290,7 +286,7 @@ void Interpreter::change_frames() {
   if (before == frames) return;
   if (!before.is_plain() || !frames.is_plain()) {
     position.work = frames.work_of(position.machine);
-    if (dialect) dialect->roll(*this, position.work);
+    dialect->roll(*this, position.work);
     emit(frame_change());
     position.programmed = transform.to_programmed(position.work);
     return;
@@ -301,7 +297,7 @@ void Interpreter::change_frames() {
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
-  if (dialect) dialect->roll(*this, position.work);
+  dialect->roll(*this, position.work);
   emit(frame_change());
   position.programmed = transform.to_programmed(position.work);
 }

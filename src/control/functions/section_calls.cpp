@@ -63,7 +63,7 @@ Status call_section(Interpreter& m, const Call& call) {
   if (times == 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'L', w.value));
   const CycleRow* const cycle = called_cycle(m.def, name);
   if (cycle != nullptr) {
-    if (m.dialect && m.flow.has_subprogram(name)) m.dialect->note_shadowed(m, name, w.where);
+    if (m.flow.has_subprogram(name)) m.dialect->note_shadowed(m, name, w.where);
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
     if (!cycle->body.empty()) {
       m.call_where = w.where;

@@ -15,9 +15,7 @@ bool turns_spindle(const Interpreter& m) {
 }
 
 /// The dialect has commanded other spindles than the first.
-Result<bool> is_for_others(Interpreter& m, SpindleDir dir, Span where) {
-  return m.dialect ? m.dialect->turns_spindle(m, dir, where) : Result<bool>(false);
-}
+Result<bool> is_for_others(Interpreter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
 Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
   const auto others = is_for_others(m, dir, where);
@@ -97,7 +95,7 @@ Status common_feed(Interpreter& m, Span where, double value) {
   if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, where, feed, most));
   m.modal.feed = feed;
   m.modal.feed_known = true;
-  if (m.dialect) m.dialect->note_feed(m);
+  m.dialect->note_feed(m);
   return {};
 }
 
@@ -209,10 +207,7 @@ Status dwell(Interpreter& m, const Call& call) {
 /// A dwell time in a block with a motion: after the motion (2С42 6.4.5).
 Status dwell_word(Interpreter& m, const Call& call) { return dwell_for(m, call.word->address); }
 
-Status machine_function(Interpreter& m, const Call& call) {
-  if (m.dialect) return m.dialect->machine_code(m, call);
-  return m.emit_machine_function(call);
-}
+Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
 
 Status program_stop(Interpreter& m, const Call&) {
   stop_beside_contour(m);
