@@ -430,6 +430,11 @@ export function session(send) {
     }
     event("finding", {
       id: "rapid_in_stock",
+      severity: "alarm",
+      number: "",
+      hint: "Lift the tool before it goes on.",
+      column: 1,
+      end_column: 5,
       text: "Tool 1 goes 8 mm deep through material at rapid",
       line: 13,
       block: "N100",

@@ -212,17 +212,13 @@ export interface CutQuestion {
   fixtures?: string[];
   resolution?: number;
 }
-export interface Finding {
-  id: string;
-  text: string;
-  line: number;
-  block?: string;
-  file?: number | string;
-  calls?: string[];
+/// A problem that the cut has found.
+export interface Finding extends Problem {
+  file: number;
   at: number;
-  place?: number[];
-  depth?: number;
-  tool?: number;
+  place: number[];
+  depth: number;
+  tool: number;
 }
 export interface CutResult {
   stock: number;

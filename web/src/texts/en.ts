@@ -180,6 +180,7 @@ export const en = {
   warning: "Warning",
   advice: "Advice",
   note: "Note",
+  of_cut: "found by the cut",
   no_problems: "No problems found.",
   summary: "Summary",
   time_cutting: "At feed",

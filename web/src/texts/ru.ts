@@ -182,6 +182,7 @@ export const ru: Record<TextKey, string> = {
   warning: "Предупреждение",
   advice: "Совет",
   note: "Замечание",
+  of_cut: "при обработке",
   no_problems: "Ошибок нет.",
   summary: "Сводка",
   time_cutting: "На подаче",
