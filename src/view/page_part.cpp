@@ -174,7 +174,6 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
 /// `tools`: a file that is asked first, in the place of those beside the program.
 PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
   const Vec3 zero = run->path().zero();
-  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero))}, {"tools", PageJson::array()}};
   KnownTools named;
   std::vector<KnownTools> beside;
   const KnownTools* file = nullptr;
@@ -187,7 +186,9 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     beside = known_tools(server.folder, server.folder.shown(run->opened().path));
     file = tools_file_for(beside, *run);
   }
-  for (const ProposedTool& tool : proposed_tools(*run, file)) json["tools"].push_back(proposal_json(tool));
+  const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
+  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};
+  for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
   return json;
 }
