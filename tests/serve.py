@@ -161,6 +161,14 @@ def the_part(kadr, server, folder):
     expect('error' in page.ask('part', at=1), 'a part before a cut')
 
     proposed = page.ask('proposals')
+    keys = set(SCHEMA['$defs']['tool']['properties'])
+    told = re.search(r'^`Tool`: `\{([^}]*)\}`', (harness.ROOT / 'docs/panel-protocol.md').read_text(encoding='utf-8'), re.M)[1]
+    expect({key.strip(' ?') for key in told.split(',')} == keys, f'the keys of a tool are those of the schema: {told}')
+    row = re.search(r'tool_keys\[\] = \{(.*?)\}', (harness.ROOT / 'src/config/tool_library.cpp').read_text(encoding='utf-8'), re.S)
+    expect(set(re.findall(r'"(\w+)"', row[1])) == keys - {'from', 'known'}, 'and those of a tools file, as they are called now')
+    expect(all('flute_length' in tool for tool in proposed['tools']), f'tools are proposed as a tools file has them: {proposed["tools"]}')
+    _, by_proposal = cut(page, tools=proposed['tools'])
+    expect(by_proposal['notes'] == [], f'nothing is to be said of what was proposed: {by_proposal["notes"]}')
     expect(proposed['stock'] == 'box:-5,-5,-5,55,25,0', f'a blank is proposed: {proposed["stock"]}')
     expect(proposed['files'] == ['tools.toml'] and [t['number'] for t in proposed['tools']] == [1], 'tools are proposed')
     expect(proposed['tools'][0]['from'] == 'tools.toml' and proposed['tools'][0]['known'] and proposed['tools'][0]['diameter'] == 8, 'by the file beside')

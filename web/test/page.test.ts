@@ -108,7 +108,7 @@ test("shapes of tools", () => {
       number: 1,
       kind: "flat",
       diameter: 10,
-      flutes: 20,
+      flute_length: 20,
       length: 50,
       holder: [
         [40, 0],
@@ -131,9 +131,12 @@ test("shapes of tools", () => {
       [50, 80],
     ],
   });
-  const ball = shape_of({ number: 2, kind: "ball", diameter: 8, flutes: 16 }).cutting;
+  const ball = shape_of({ number: 2, kind: "ball", diameter: 8, flute_length: 16 }).cutting;
   for (const [d, z] of ball.slice(1, -1)) expect(Math.hypot(d / 2, z - 4)).toBeCloseTo(4, 9);
-  expect(shape_of({ number: 3, kind: "drill", diameter: 10, angle: 90, flutes: 30 }).cutting[2]![1]).toBeCloseTo(5, 12);
+  expect(shape_of({ number: 3, kind: "drill", diameter: 10, angle: 90, flute_length: 30 }).cutting[2]![1]).toBeCloseTo(
+    5,
+    12,
+  );
 });
 
 test("the blank as text", () => {

@@ -197,12 +197,13 @@ export interface Tool {
   corner?: number;
   angle?: number;
   tip?: number;
-  flutes?: number;
+  flute_length?: number;
   length?: number;
   profile?: [number, number][];
   shank?: unknown;
   holder?: unknown;
   name?: string;
+  flute_count?: number;
   from?: string;
   known?: boolean;
 }

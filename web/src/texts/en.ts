@@ -404,7 +404,7 @@ export const en = {
   corner: "corner R",
   angle: "angle °",
   tip: "tip",
-  flutes: "flutes",
+  flute_length: "flutes",
   kind_flat: "end mill",
   kind_ball: "ball nose",
   kind_bull: "bull nose",

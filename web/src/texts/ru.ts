@@ -406,7 +406,7 @@ export const ru: Record<TextKey, string> = {
   corner: "радиус R",
   angle: "угол °",
   tip: "торец",
-  flutes: "реж. часть",
+  flute_length: "реж. часть",
   kind_flat: "концевая фреза",
   kind_ball: "сферическая фреза",
   kind_bull: "радиусная фреза",

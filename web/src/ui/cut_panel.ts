@@ -11,12 +11,12 @@ import { CutProblems } from "./problems_panel";
 import { fact } from "./summary";
 
 const kinds = ["flat", "ball", "bull", "drill", "taper", "chamfer", "tslot", "form", "turning"];
-const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flutes" | "length"))[] = [
+const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flute_length" | "length"))[] = [
   "diameter",
   "corner",
   "angle",
   "tip",
-  "flutes",
+  "flute_length",
   "length",
 ];
 const sizes_of: Record<string, string[]> = {
@@ -125,7 +125,7 @@ export class CutPanel {
             number: Math.max(0, ...this.tools.map((x) => x.number)) + 1,
             kind: "flat",
             diameter: 10,
-            flutes: 20,
+            flute_length: 20,
             length: 50,
           });
           this.draw();
@@ -265,7 +265,7 @@ export class CutPanel {
       ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)),
     );
     const fields = sizes
-      .filter((s) => ["diameter", "flutes", "length", ...more].includes(s))
+      .filter((s) => ["diameter", "flute_length", "length", ...more].includes(s))
       .map((s) =>
         h(
           "label",
