@@ -46,7 +46,6 @@ class Conversion {
     if (!has_source) setup_ = {};
     ConversionSpec spec;
     spec.to = to_.def.get();
-    spec.tolerance = usual_tolerance(*from_.def, *to_.def);
     spec.source_text = shared_text_source(text_);
     spec.source = [this](const Setup& setup) { return open(from_, shared_text_source(text_), setup); };
     spec.setup = setup_;

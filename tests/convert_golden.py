@@ -2,12 +2,16 @@
 """kadr convert: every golden program of every control to every other is proven equal and written, or refused with the place. No third
 outcome: no crash, no hang, no file of a refused one.
 
-    convert_golden.py --kadr PROGRAM [--every N] [--jobs N] [--out FILE]
+    convert_golden.py --kadr PROGRAM [--every N] [--jobs N] [--out FILE] [--update]
+
+docs/commands/convert.md and its Russian sister say how many there are, and of which control; that is always held against the golden programs.
+What becomes of them is held against both where all are gone through (--every 1), and written there by --update.
 """
 import argparse
 import collections
 import concurrent.futures
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -59,19 +63,82 @@ def convert(kadr, job):
         return f'status {got.returncode}', got.stderr
 
 
+class Document:
+    """What docs/commands/convert.md or its sister says of the golden programs: the figures of a sentence, and a table."""
+
+    DOCS = Path(__file__).resolve().parent.parent / 'docs'
+    BEGINS = {'commands/convert.md': 'Of the golden programs', 'ru/commands/convert.md': 'Эталонные программы'}
+    NAMES = {'2С42': 's2c42', 'Mach3': 'mach3', 'correctors': 'correctors', 'с корректорами': 'correctors', 'GOST': 'gost', 'ГОСТ': 'gost', 'NCT': 'nct',
+             'LinuxCNC': 'linuxcnc', 'Fanuc': 'fanuc', 'Haas': 'haas', 'Grbl': 'grbl'}
+    FIGURE = r'(?<![\w`])\d{1,3}(?:,\d{3})+|(?<![\w`])\d{3,}'   # of hundreds and more
+
+    def __init__(self, name):
+        self.name, self.path = name, self.DOCS / name
+        text = self.path.read_text(encoding='utf-8')
+        self.begin = text.index(self.BEGINS[name])
+        self.end = text.index('\n\n', text.index('\n| ', self.begin))
+        self.before, self.text, self.after = text[:self.begin], text[self.begin:self.end], text[self.end:]
+        self.sentence, self.table = self.text.split('\n\n', 1)
+
+    def figures(self):
+        """All conversions, proven, word by word, refused, of these stopped by an alarm."""
+        return [int(figure.replace(',', '')) for figure in re.findall(self.FIGURE, self.sentence)]
+
+    def programs(self):
+        """By control: how many programs it has."""
+        return {self.NAMES[name]: int(count) for name, count in re.findall(r'^\| ([^|]+) \((\d+)\) \|', self.table, re.M)}
+
+    def proven(self):
+        """By (from, to)."""
+        rows = [[cell.strip() for cell in row.strip('|').split('|')] for row in self.table.splitlines()]
+        return {(self.NAMES[row[0].split(' (')[0]], self.NAMES[to]): int(cell) for row in rows[2:] for to, cell in zip(rows[0][1:], row[1:]) if cell}
+
+    def written(self, figures, programs, proven):
+        """The text with these figures."""
+        rest = iter(figures)
+        with_comma = ',' in re.search(self.FIGURE, self.sentence)[0]
+        sentence = re.sub(self.FIGURE, lambda _: f'{next(rest):,}' if with_comma else str(next(rest)), self.sentence)
+        head, line = self.table.splitlines()[:2]
+        to = [name.strip() for name in head.strip('|').split('|')][1:]
+        rows = [f'| {name} ({programs[self.NAMES[name]]}) | ' + ' | '.join('' if self.NAMES[name] == self.NAMES[b] else str(proven[self.NAMES[name], self.NAMES[b]]) for b in to) + ' |'
+                for name in to if programs[self.NAMES[name]]]
+        return f'{self.before}{sentence}\n\n' + '\n'.join([head, line, *rows]) + self.after
+
+
+def hold_documents(all_jobs, outcomes, update):
+    """`outcomes`: by job, of all of them; None: they have not all been gone through."""
+    programs = collections.Counter(job[0] for job in all_jobs)
+    programs = {control: programs[control] // (len(CONTROLS) - 1) for control in CONTROLS}
+    for name in Document.BEGINS:
+        document = Document(name)
+        if outcomes is not None:
+            proven = collections.Counter((job[0], job[4]) for job, (outcome, _) in zip(all_jobs, outcomes) if outcome.startswith('written'))
+            figures = [len(all_jobs), sum(proven.values()), sum('word by word' in outcome for outcome, _ in outcomes),
+                       sum(outcome == 'refused' for outcome, _ in outcomes), sum('an alarm stops the program under its own control' in why for _, why in outcomes)]
+            if update:
+                document.path.write_text(document.written(figures, programs, proven), encoding='utf-8')
+                document = Document(name)
+            expect(document.figures() == figures, f'{name}: {document.figures()}, but it is {figures}')
+            expect(document.proven() == {pair: proven[pair] for pair in document.proven()}, f'{name}: the table')
+        expect(document.figures()[0] == len(all_jobs), f'{name}: {document.figures()[0]} conversions, but there are {len(all_jobs)}')
+        expect(document.programs() == {control: count for control, count in programs.items() if count}, f'{name}: programs {document.programs()}, but there are {programs}')
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=EVERY)
     options.add_argument('--jobs', type=int, default=2)
     options.add_argument('--out', type=Path, help='each outcome, a line')
+    options.add_argument('--update', action='store_true', help='with --every 1: writes the figures into the documents')
     given = options.parse_args()
     counts = collections.Counter()
-    lines = []
+    lines, outcomes = [], []
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         all_jobs = jobs(given.every)
         for job, (outcome, why) in zip(all_jobs, pool.map(lambda job: convert(given.kadr.resolve(), job), all_jobs)):
             counts[outcome] += 1
+            outcomes.append((outcome, why))
             lines.append(f'{job[0]} {job[1]} -> {job[4]}: {outcome}\n{why}')
             expect(outcome == 'refused' or outcome.startswith('written'), f'{job[0]} {job[1]} to {job[4]}: {outcome} {why[:300]}')
     if given.out:
@@ -79,6 +146,7 @@ def main():
     for outcome, count in counts.most_common():
         print(count, outcome, file=sys.stderr)
     expect(sum(counts.values()) > 0 and counts['refused'] < sum(counts.values()), 'something is converted')
+    hold_documents(jobs(1), outcomes if given.every == 1 else None, given.update)
     return result()
 
 

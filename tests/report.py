@@ -126,6 +126,12 @@ def part(kadr, folder):
     expect(0 < data['en']['cut']['left'] < data['en']['cut']['stock'] == 96000 and data['part']['off'] > 0, f'its volumes: {data["en"]["cut"]}')
     crash = run(kadr, cut / 'crash.nc', '--control', 'mach3', '--tools', cut / 'tools.toml', '--stock', 'box:-40,-30,-20,40,30,0', '--resolution', 1, '--out', out, '--lang', 'en')
     _, data, _ = content(out)
+    command = kadr.call('cut', cut / 'crash.nc', '--control', 'mach3', '--tools', cut / 'tools.toml', '--stock', 'box:-40,-30,-20,40,30,0', '--resolution', 1, '--json', '-', '-q')
+    wanted = [(f['id'], f['line']) for f in json.loads(command.stdout)['collisions']]
+    for lang in ('en', 'ru'):
+        findings = data[lang]['findings']
+        expect([(f['id'], f['line']) for f in findings] == wanted, f'what kadr cut finds: {findings}')
+        expect(all(f['severity'] == 'alarm' and f['text'] and f['hint'] and len(f['place']) == 3 for f in findings), f'findings are problems, with moment and place: {findings}')
     expect(crash.returncode == 1 and data['en']['findings'] and data['ru']['findings'][0]['text'] != data['en']['findings'][0]['text'], f'what is hit: {crash.returncode} {crash.stderr[-300:]}')
 
 

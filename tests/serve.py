@@ -116,7 +116,7 @@ def session(server, folder):
 
 KEY = '-----BEGIN PRIVATE KEY-----\nMIIEvQIBADANBgkqhkiG9w0BAQEFAASCBKcwggSjAgEAAoIBAQC7\n-----END PRIVATE KEY-----\n'
 KEYS = {'key.pem': KEY, 'id_rsa': KEY, 'key.nc': KEY, 'key.txt': KEY, 'key.json': KEY, '1': KEY, 'passwords': 'bank: 1234 house\nmail: another word\n', 'run.sh': '#!/bin/sh\necho secret words\n'}
-TOOLS = [{'number': 1, 'kind': 'flat', 'diameter': 8, 'flutes': 20, 'length': 30, 'from': 'here', 'known': True}]
+TOOLS = [{'number': 1, 'kind': 'flat', 'diameter': 8, 'flute_length': 20, 'length': 30, 'from': 'here', 'known': True}]
 BLOCK = 'box:-10,-10,-10,60,30,0'
 
 
@@ -161,7 +161,15 @@ def the_part(kadr, server, folder):
     expect('error' in page.ask('part', at=1), 'a part before a cut')
 
     proposed = page.ask('proposals')
-    expect(proposed['stock'] == 'box:-3,-3,-5,53,23,0', f'a blank is proposed: {proposed["stock"]}')
+    keys = set(SCHEMA['$defs']['tool']['properties'])
+    told = re.search(r'^`Tool`: `\{([^}]*)\}`', (harness.ROOT / 'docs/panel-protocol.md').read_text(encoding='utf-8'), re.M)[1]
+    expect({key.strip(' ?') for key in told.split(',')} == keys, f'the keys of a tool are those of the schema: {told}')
+    row = re.search(r'tool_keys\[\] = \{(.*?)\}', (harness.ROOT / 'src/config/tool_library.cpp').read_text(encoding='utf-8'), re.S)
+    expect(set(re.findall(r'"(\w+)"', row[1])) == keys - {'from', 'known'}, 'and those of a tools file, as they are called now')
+    expect(all('flute_length' in tool for tool in proposed['tools']), f'tools are proposed as a tools file has them: {proposed["tools"]}')
+    _, by_proposal = cut(page, tools=proposed['tools'])
+    expect(by_proposal['notes'] == [], f'nothing is to be said of what was proposed: {by_proposal["notes"]}')
+    expect(proposed['stock'] == 'box:-5,-5,-5,55,25,0', f'a blank is proposed: {proposed["stock"]}')
     expect(proposed['files'] == ['tools.toml'] and [t['number'] for t in proposed['tools']] == [1], 'tools are proposed')
     expect(proposed['tools'][0]['from'] == 'tools.toml' and proposed['tools'][0]['known'] and proposed['tools'][0]['diameter'] == 8, 'by the file beside')
     expect('error' in page.ask('proposals', tools='../outside.toml'), 'proposals by a file beyond the folder')
@@ -189,7 +197,7 @@ def the_part(kadr, server, folder):
     expect(by_file['left'] == wanted['left'], 'tools by a file')
     _, finer = cut(page, resolution=0.25)
     expect(finer['resolution'] == 0.25 and shown(page, 1e9)[0]['cell'] == 0.5, 'a finer cell, and what is shown')
-    hit = dict(TOOLS[0], flutes=1)
+    hit = dict(TOOLS[0], flute_length=1)
     page.events = []
     _, result = cut(page, tools=[hit], fixtures=['box:30,-10,-10,60,30,-1'])
     findings = [e for e in page.events if e.get('event') == 'finding']
@@ -199,7 +207,7 @@ def the_part(kadr, server, folder):
     for name, more in {
         'a tools file beyond the folder': {'tools': '../outside.toml'}, 'an absolute one': {'tools': '/etc/passwd'}, 'a link': {'tools': 'link'},
         'a tools file that is none': {'tools': 'part.nc'}, 'no tools': {'tools': []}, 'tools that are none': {'tools': [1]}, 'a tools number': {'tools': 7},
-        'a tool without a diameter': {'tools': [{'number': 1, 'kind': 'flat', 'flutes': 5}]}, 'a huge tool': {'tools': [dict(TOOLS[0], diameter=1e300)]},
+        'a tool without a diameter': {'tools': [{'number': 1, 'kind': 'flat', 'flute_length': 5}]}, 'a huge tool': {'tools': [dict(TOOLS[0], diameter=1e300)]},
         'a tool twice': {'tools': TOOLS + TOOLS}, 'another tool alone': {'tools': [dict(TOOLS[0], number=2)]},
         'a tool that is no number': {'tools': [dict(TOOLS[0], diameter=None)]}, 'an unknown key': {'tools': [dict(TOOLS[0], size=1)]},
         'no blank': {'stock': ''}, 'a flat blank': {'stock': 'box:0,0,0,1,1,0'}, 'a blank without end': {'stock': 'box:0,0,0,1,1,1e300'},

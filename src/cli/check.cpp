@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
-#include <tuple>
 
 #include "cli/files.h"
 #include "cli/found.h"
@@ -15,20 +13,16 @@
 #include "cli/program_files.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
-#include "cli/sub_file.h"
 #include "cli/terminal.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "lang/text/utf16.h"
 #include "out/text/alarm_print.h"
 #include "out/text/baseline.h"
-#include "session/checklist/checklist.h"
-#include "session/unstated.h"
+#include "session/checklist/program_check.h"
 
 namespace kadr::cli {
 namespace {
-
-constexpr std::size_t most_faults = 1000;  // of one program: beyond, it is no program of this control
 
 /// Where findings go as they are found, or when all are there.
 struct Report {
@@ -43,104 +37,46 @@ struct Report {
   }
 };
 
-/// Takes the faults of one program, each once however often its block is carried out.
-class Collector {
- public:
-  using Seen = std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>>;
-
-  /// `seen`: of the file so far; what several programs of a tape have in common is told once.
-  Collector(const Job& job, const Options& options, Report& report, Found& found, Seen& seen)
-      : job_(job), lang_(language(options)), strict_(options.strict), to_(report), found_(found), seen_(seen) {}
-
-  bool take(AlarmReport report) {
-    // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
-    const bool begins_again = report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done;
-    if (begins_again && one_pass) return true;
-    if (only_subprograms && report.alarm.id == AlarmId::rs274_program) return true;
-    if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
-    Finding finding = finding_of(report, job_.texts(), lang_);
-    if (to_.baseline && to_.baseline->has(finding)) return true;
-    switch (report.alarm.severity) {
-      case Severity::alarm: ++faults; break;
-      case Severity::warning: ++warnings; break;
-      case Severity::advice: ++advices; break;
-      case Severity::note: break;
-    }
-    to_.add(report, std::move(finding), found_);
-    return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
-  }
-
-  std::size_t faults = 0;
-  std::size_t warnings = 0;
-  std::size_t advices = 0;
-  bool one_pass = false;
-  bool only_subprograms = false;  // nobody runs the file: it needs no end
-  bool clean() const { return faults == 0 && (!strict_ || warnings == 0); }
-
- private:
-  static constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
-  const Job& job_;
-  const Lang lang_;
-  const bool strict_;
-  Report& to_;
-  Found& found_;
-  Seen& seen_;
-  std::size_t again_ = 0;
-};
-
-enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
-
 struct Count {
   std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
-/// What is found goes to the collector of its channel.
-Outlets outlets_of(Collector& collector, Progress& progress) {
-  const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {.warning = [take](const AlarmReport& report) { (void)take(report); }, .alarm = take, .onlooker = &progress, .stop = stop_token()};
-}
+/// Takes what is found in the programs of one file; what the baseline knows is left out.
+class Collector {
+ public:
+  Collector(const Job& job, const Options& options, Report& report, Found& found)
+      : job_(job), lang_(language(options)), to_(report), found_(found) {}
 
-Checked check_program(const Options& options, const Job& job, Count& count, Report& report, std::deque<Collector::Seen>& seen) {
+  void take(const AlarmReport& report) {
+    Finding finding = finding_of(report, job_.texts(), lang_);
+    if (to_.baseline && to_.baseline->has(finding)) return;
+    switch (report.alarm.severity) {
+      case Severity::alarm: ++count.faults; break;
+      case Severity::warning: ++count.warnings; break;
+      case Severity::advice: ++count.advices; break;
+      case Severity::note: break;
+    }
+    to_.add(report, std::move(finding), found_);
+  }
+
+  Count count;
+
+ private:
+  const Job& job_;
+  const Lang lang_;
+  Report& to_;
+  Found& found_;
+};
+
+enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
+
+Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& check) {
   auto program = open_program(job);
   if (!program) return Checked::unreadable;
-  RunLimits limits = options.limits;
-  const bool one_pass = limits.restarts == RunLimits{}.restarts;
-  if (one_pass) limits.restarts = 0;
   const auto session = make_session(job, std::move(*program), limits);
   if (!session) return Checked::unreadable;
-  const std::vector<Channel>& channels = session->channels();
-  Progress progress(options.quiet);
-  const std::shared_ptr<ByteSource> text = job.def->grammar.o_words && job.file != "-" ? open_text(job.file).source : nullptr;
-  const bool only_subprograms = text && holds_only_subprograms(LineReader(text));
-  std::deque<Collector> collectors;
-  std::deque<Checklist> checklists;
-  Found found(job.texts(), language(options), report.text, options.every);
-  session->together().stop_together = false;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (seen.size() <= i) seen.emplace_back();
-    collectors.emplace_back(job, options, report, found, seen[i]);
-    collectors.back().one_pass = one_pass;
-    collectors.back().only_subprograms = only_subprograms;
-    session->outlets(i) = outlets_of(collectors.back(), progress);
-    checklists.emplace_back(*session, i).attach();
-  }
-  if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-  (void)session->run();
-  bool clean = true;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (!interrupted()) channels[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
-    // Where a block was refused, what follows it is not what the program means: its errors come first.
-    if (!interrupted() && collectors[i].faults == 0 && !only_subprograms)
-      for (AlarmReport& advice : checklists[i].reports(stop_token())) (void)collectors[i].take(std::move(advice));
-    if (const auto note = i == session->own() ? unstated(*channels[i].control, *job.def, job.setup, job.stated) : std::nullopt)
-      (void)collectors[i].take(*note);
-    count.faults += collectors[i].faults;
-    count.warnings += collectors[i].warnings;
-    count.advices += collectors[i].advices;
-    clean = clean && collectors[i].clean();
-  }
-  if (report.text != nullptr) found.finish();
-  return clean ? Checked::clean : Checked::faulty;
+  check.check(*session);
+  return Checked::clean;
 }
 
 /// Every program of the file, if it is a tape with several and none is named.
@@ -151,13 +87,26 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   auto job = make_job(options, file, *control);
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
-  std::deque<Collector::Seen> seen;
+  RunLimits limits = options.limits;
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes asks for more
+  if (one_pass) limits.restarts = 0;
+  Progress progress(options.quiet);
+  Found found(job->texts(), language(options), report.text, options.every);
+  Collector collector(*job, options, report, found);
+  ProgramCheck check({job->stated, one_pass, &progress, stop_token()}, [&](std::size_t, const AlarmReport& told) {
+    collector.take(told);
+    return true;
+  });
   Checked worst = Checked::clean;
   for (std::size_t i = 0; i < programs && !interrupted(); ++i) {
     if (programs > 1) job->program_index = i;
-    worst = std::max(worst, check_program(options, *job, count, report, seen));
+    worst = std::max(worst, check_program(*job, limits, check));
   }
-  return worst;
+  if (report.text != nullptr) found.finish();
+  const Count& of_file = collector.count;
+  count.faults += of_file.faults, count.warnings += of_file.warnings, count.advices += of_file.advices;
+  const bool faulty = of_file.faults != 0 || (options.strict && of_file.warnings != 0);
+  return std::max(worst, faulty ? Checked::faulty : Checked::clean);
 }
 
 /// "3 programs checked: 1 error, 0 warnings."

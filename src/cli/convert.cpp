@@ -84,7 +84,7 @@ class ConvertCommand {
     if (!o_.way.empty()) spec.only = ConvertedAs(std::find(ways.begin(), ways.end(), o_.way) - ways.begin());
     spec.letters = letters_;
     spec.stop = o_.run.limits.stop;
-    spec.tolerance = o_.tolerance > 0 ? o_.tolerance : usual_tolerance(*job_->def, *to_);
+    spec.tolerance = o_.tolerance;
     spec.source_text = utf8_text(open_text(job_->file, job_->encoding));
     spec.source = opens();
     spec.setup = job_->setup;
@@ -237,8 +237,8 @@ void add_convert(CLI::App& app, Commands& c) {
   one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")),
          {ways.begin(), ways.end()});
   number(convert->add_option("--tolerance", o.tolerance,
-                             told("how far ways may be apart (default: half of the coarser word format)",
-                                  "на сколько пути могут расходиться (по умолчанию половина более грубого формата слов)")),
+                             told("how far ways may be apart (default: what rounding the words may do)",
+                                  "на сколько пути могут расходиться (по умолчанию сколько даёт округление слов)")),
          "MM", "ММ", least_apart, most_apart);
   program_options(*convert, o.run);
   memory_option(*convert, o.run);

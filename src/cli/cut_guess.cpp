@@ -26,17 +26,25 @@ OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
   return opened;
 }
 
-bool take_stock(const StockGuess& guess, const ProgramRun& run, std::string& stock) {
+/// As the tools file has them, if one is named.
+std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& run) {
+  if (options.tools.empty() || options.tools == guess_word) return proposed_tools(run, nullptr);
+  auto library = load_tools(options.tools);  // what is wrong with it is told when it is read to cut with
+  const KnownTools file{options.tools, library ? std::move(*library) : ToolLibrary()};
+  return proposed_tools(run, &file);
+}
+
+bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vector<ProposedTool>& tools, std::string& stock) {
   const Vec3 zero = run.path().zero();
-  stock = guess.text(zero, is_turning(run) && guess.is_flat(zero));
+  stock = guess.text(zero, is_turning(run) && guess.is_flat(zero), radii_of(tools));
   if (stock.empty()) complain(told("--stock guess: the program cuts nothing", "--stock guess: УП ничего не режет"));
   else say(fmt::format("--stock {}: {}\n", stock, told("guessed by where the program cuts", "угадана по тому, где режет УП")));
   return !stock.empty();
 }
 
-bool take_tools(const ProgramRun& run, ToolLibrary& tools) {
+bool take_tools(const std::vector<ProposedTool>& proposals, ToolLibrary& tools) {
   std::string unknown;
-  for (const ProposedTool& proposed : proposed_tools(run, nullptr)) {
+  for (const ProposedTool& proposed : proposals) {
     const ToolGeometry& tool = proposed.tool;
     if (!proposed.known) {
       unknown += fmt::format("{}T{}", unknown.empty() ? "" : ", ", tool.number);
@@ -75,8 +83,9 @@ bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& too
   };
   (*run)->carry_out();
   if (options.run.limits.stop.asked()) return false;
-  const bool has_stock = !stock || take_stock(guess, **run, options.stock);
-  return (!shapes || take_tools(**run, tools)) && has_stock;
+  const std::vector<ProposedTool> proposals = tools_of(options, **run);
+  const bool has_stock = !stock || take_stock(guess, **run, proposals, options.stock);
+  return (!shapes || take_tools(proposals, tools)) && has_stock;
 }
 
 }  // namespace kadr::cli

@@ -104,7 +104,7 @@ struct ConvertOptions {
   Options run;  // of the program under its own control
   std::string from, to, out, setup_out, way, encoding_out;
   bool flat = false, force = false, explain = false;
-  double tolerance = 0;  // mm; 0: half of the coarser word format
+  double tolerance = 0;  // mm; 0: usual_tolerance() of convert
 };
 int convert(const ConvertOptions& options);
 

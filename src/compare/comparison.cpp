@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/course_words.h"
 #include "compare/piece_follower.h"
 #include "compare/stretch.h"
 #include "config/machine_codes.h"
@@ -47,30 +48,6 @@ std::optional<Kind> first_difference(const CourseState& a, const CourseState& b,
   if (!is_same(a.tolerance, b.tolerance) || a.corners != b.corners || a.smoothing != b.smoothing) return Kind::corners;
   return std::nullopt;
 }
-
-std::string words_of_state(const CourseState& s, Kind of) {
-  constexpr std::array moves = {"rapid", "feed", "thread", "probe"};
-  constexpr std::array units = {"mm/min", "mm/rev", "1/min"};
-  constexpr std::array spindles = {"M5", "M3", "M4", "M19", "M19"};
-  constexpr std::array coolants = {"M9", "M7", "M8"};
-  constexpr std::array speeds = {"G64", "G62", "G63"};
-  switch (of) {
-    case Kind::move: return moves[std::size_t(s.move)];
-    case Kind::feed:
-      return s.move == CourseMove::thread ? fmt::format("lead {:.6g}", s.lead)
-                                          : fmt::format("F{:.6g} {}", s.feed, units[std::size_t(s.unit)]);
-    case Kind::tool: return fmt::format("T{}", s.tool);
-    case Kind::spindle:
-      return s.speed == 0 ? spindles[std::size_t(s.spindle)]
-                          : fmt::format("S{:.6g}{} {}", s.speed, s.surface ? " m/min" : "", spindles[std::size_t(s.spindle)]);
-    case Kind::corners:
-      if (s.smoothing != 0) return fmt::format("G5.1 Q{}", s.smoothing);
-      return s.tolerance > 0 ? fmt::format("G64 P{:.6g}", s.tolerance) : speeds[std::size_t(s.corners)];
-    default: return coolants[std::size_t(s.coolant)];
-  }
-}
-
-constexpr std::uint32_t not_of_b = 1'000'000'000;  // added to numbers of M functions
 
 std::optional<Coolant> coolant_of(const ControlDef& def, std::uint32_t code) {
   const CodeRow* const row = machine_row(def, code);
@@ -352,20 +329,6 @@ void match_codes(Course& a, Course& b) {
 }
 
 }  // namespace
-
-std::string text_of(const CourseAct& act) {
-  using Act = CourseAct::Kind;
-  switch (act.kind) {
-    case Act::tool: return fmt::format("M6 T{:g}", act.value);
-    case Act::dwell: return fmt::format("G4 {:.6g} s", act.value);
-    case Act::stop: return "M0";
-    case Act::optional_stop: return "M1";
-    case Act::message: return act.text;
-    case Act::function: return fmt::format("M{:.0f}", act.value >= not_of_b ? act.value - not_of_b : act.value);
-    case Act::exact_stop: return "G9";
-    default: return fmt::format("{} {:.6g}", act.text, act.value);
-  }
-}
 
 std::vector<std::string> common_frame(const Session& a, const Session& b) {
   std::vector<std::string> names = a.control().axes();

@@ -17,9 +17,23 @@ using toml_tools::place;
 
 constexpr std::string_view file_name = "controls/alarms.toml";
 
+/// An argument that is a unit, or a figure with one, in the language of the sentence around it.
+std::string with_unit(std::string_view text, Lang lang) {
+  constexpr std::pair<std::string_view, std::string_view> units[] = {
+      {"mm/min", "мм/мин"}, {"mm/rev", "мм/об"}, {"1/min", "1/мин"}, {"rev/min", "об/мин"}, {"mm", "мм"}, {"in", "дюйма"}, {"s", "с"}};
+  if (lang == Lang::ru) {
+    const std::size_t space = text.rfind(' ');
+    const std::string_view before = space == std::string_view::npos ? std::string_view() : text.substr(0, space + 1);
+    const bool figure = before.find_first_not_of("+-.0123456789e ") == std::string_view::npos;
+    for (const auto& [en, ru] : units)
+      if (figure && text.substr(before.size()) == en) return std::string(before) + std::string(ru);
+  }
+  return std::string(text);
+}
+
 /// A shop thinks in micrometres; what is smaller than that is shown as it is.
 std::string text_of(const AlarmArg& arg, Lang lang) {
-  if (!arg.is_number()) return std::string(arg.text());
+  if (!arg.is_number()) return with_unit(arg.text(), lang);
   if (std::isnan(arg.number())) return lang == Lang::ru ? "«пусто»" : "(vacant)";  // a macro variable without a value
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }

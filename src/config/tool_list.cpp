@@ -70,7 +70,7 @@ nlohmann::ordered_json tool_json(const ToolGeometry& t) {
   const auto put = [&](const char* key, double value) {
     if (value != 0) json[key] = value;
   };
-  put("diameter", t.diameter), put("corner", t.corner), put("angle", t.angle), put("tip", t.tip), put("flutes", t.flutes);
+  put("diameter", t.diameter), put("corner", t.corner), put("angle", t.angle), put("tip", t.tip), put("flute_length", t.flutes);
   put("length", t.length), put("width", t.insert.width);
   if (turns && !name_of_tip(t.insert).empty() && (t.insert.profile.empty() || name_of_tip(t.insert) != "centre"))
     json["points"] = name_of_tip(t.insert);
@@ -81,7 +81,7 @@ nlohmann::ordered_json tool_json(const ToolGeometry& t) {
   if (turns) put_outline("profile", t.insert.profile), put_outline("holder", t.insert.holder);
   else put_outline("profile", t.profile), put_outline("shank", t.shank), put_outline("holder", t.holder);
   if (!t.plunges) json["plunges"] = false;
-  if (t.teeth != 0) json["teeth"] = t.teeth;
+  if (t.teeth != 0) json["flute_count"] = t.teeth;
   return json;
 }
 

@@ -182,15 +182,21 @@ bool is_said_there(const CodeRow& code, const PathModes& there) {
 
 }  // namespace
 
-double usual_tolerance(const ControlDef& from, const ControlDef& to) {
-  double sum = 0;  // of squares: spec/gost 3 has hundredths for Z alone
-  for (const char axis : {'X', 'Y', 'Z'}) {
+double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs) {
+  const auto half_increment = [&](char letter) {
     double coarser = 0;
     for (const ControlDef* const def : {&from, &to})
-      if (const Words form(*def, axis); form.known()) coarser = std::max(coarser, form.increment());
-    sum += coarser * coarser;
+      if (const Words form(*def, letter); form.known()) coarser = std::max(coarser, form.increment());
+    return coarser / 2;
+  };
+  constexpr std::pair<char, char> axes[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
+  double lines = 0, around = 0;  // sums of squares: spec/gost 3 has hundredths for Z alone
+  for (const auto& [axis, centre] : axes) {
+    const double end = half_increment(axis), off = end + 2 * half_increment(centre);
+    lines += end * end;
+    if (axis != 'Z') around += off * off - end * end;
   }
-  return std::sqrt(sum) / 2;
+  return std::sqrt(lines + (arcs ? around : 0));
 }
 
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
@@ -212,7 +218,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     for (auto* const codes : {&all.path_modes, &all.path_modes_unknown}) codes->emplace_back("G64 P");
   CompareRules rules;
   rules.stop = spec.stop;
-  rules.tolerance = all.tolerance = spec.tolerance;
+  rules.tolerance = all.tolerance = spec.tolerance > 0 ? spec.tolerance : usual_tolerance(opened->def(), *spec.to, shape.has_arcs());
   rules.feeds_at_speed = true;
   if (const Words form(*spec.to, 'F'); form.known()) rules.feed_step = form.increment();
   rules.tools_by_hand = all.tools_by_hand = !changes_tools(*spec.to);

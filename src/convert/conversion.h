@@ -37,7 +37,7 @@ struct ConversionSpec {
   const ControlDef* to = nullptr;
   bool flat = false;                        // calls, loops and cycles are written out even where the other control has them
   std::optional<ConvertedAs> only{};        // this way and no other
-  double tolerance = 0.001;                 // mm
+  double tolerance = 0;                     // mm; 0: usual_tolerance()
   std::optional<WrittenLetters> letters{};  // of the text; else those of the control
   StopToken stop{};
 };
@@ -81,8 +81,11 @@ struct Converted {
   double tolerance = 0;
 };
 
-/// Half an increment of the coarser word format in each of three axes: mm between two places.
-double usual_tolerance(const ControlDef& from, const ControlDef& to);
+/// mm that a way may be off by because its words are rounded, each by half an increment of the coarser word format: along lines those of
+/// the three axes. An arc begins at one rounded place and turns around another, by which its radius is off, too: opposite its beginning it
+/// is off by the one once and by the other twice.
+///   arcs  the program may lead along some
+double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs);
 
 ///   returns  an error sentence: a session could not be opened
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec);

@@ -21,7 +21,12 @@ class PlaceWriter {
         blocks_(to, [this](std::string_view line) { return has_room_for(line); }),
         flat_(blocks_, flat_source_of(session, to), centres ? FlatWay::centres : FlatWay::places),
         centres_(centres),
-        straight_on_(straight_on && !centres) {}
+        straight_on_(straight_on && !centres) {
+    for (const CodeRow& row : session.def().codes)
+      if (row.function == Function::incremental || row.function == Function::inch || row.function == Function::exact_stop_mode ||
+          row.function == Function::feed_control)
+        codes_of_modes_.push_back(&row);
+  }
 
   Result<std::size_t> run(const StopToken& stop) {
     flat_.allow_after_probe();
@@ -108,14 +113,14 @@ class PlaceWriter {
   FlatBefore in_force() const {
     FlatBefore modes;
     for (const std::string& code : control_.state_now().modal) {  // without the variables, of which there may be thousands
-      for (const CodeRow& row : session_.def().codes) {
-        if (row.code != code) continue;
-        modes.incremental = modes.incremental || row.function == Function::incremental;
-        modes.inch = modes.inch || row.function == Function::inch;
-        modes.exact = modes.exact || row.function == Function::exact_stop_mode;
-        if (row.function != Function::feed_control) continue;
-        if (row.arg == inner_corners) modes.corners = CornerSpeed::inner_slower;
-        if (row.arg == without_slowing) modes.corners = CornerSpeed::kept;
+      for (const CodeRow* const row : codes_of_modes_) {
+        if (row->code != code) continue;
+        modes.incremental = modes.incremental || row->function == Function::incremental;
+        modes.inch = modes.inch || row->function == Function::inch;
+        modes.exact = modes.exact || row->function == Function::exact_stop_mode;
+        if (row->function != Function::feed_control) continue;
+        if (row->arg == inner_corners) modes.corners = CornerSpeed::inner_slower;
+        if (row->arg == without_slowing) modes.corners = CornerSpeed::kept;
       }
     }
     return modes;
@@ -161,6 +166,7 @@ class PlaceWriter {
   BlockMaker blocks_;
   FlatProgram flat_;
   const bool centres_, straight_on_;
+  std::vector<const CodeRow*> codes_of_modes_;  // of which FlatBefore tells
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // of the block in the run
   std::size_t kept_ = 0;                      // bytes, of the places so far

@@ -347,6 +347,14 @@ Status FlatProgram::arc(const Motion& motion) {
   return {};
 }
 
+/// Where the arc begins for the control: its words have been rounded, and its centre counts from there.
+Axes FlatProgram::said_place(const Axes& zero) const {
+  Axes place = at_;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes && !relative_; ++a)
+    if ((known_ >> a & 1U) != 0) place[a] = zero[a] + Words(blocks_.def(), axes_[a].front()).rounded(at_[a] - zero[a]);
+  return place;
+}
+
 /// How far the words of an axis lead.
 double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
   const Words form(blocks_.def(), axes_[axis].front());
@@ -370,6 +378,7 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
   KADR_TRY(motion_code(function));
   const Axes zero = base();
   const std::size_t plane[] = {motion.first, motion.second};
+  const Axes begins = said_place(zero);
   double lead = 0;
   char lead_letter = 'K';
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
@@ -385,7 +394,7 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
   const double of[] = {centre.x, centre.y};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const std::size_t axis = plane[i];
-    KADR_TRY(blocks_.word(centre_letter(axes_[axis]), of[i] - (absolute ? zero[axis] : at_[axis])));
+    KADR_TRY(blocks_.word(centre_letter(axes_[axis]), of[i] - (absolute ? zero[axis] : begins[axis])));
   }
   return lead != 0 ? blocks_.word(lead_letter, lead) : Status();
 }

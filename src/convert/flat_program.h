@@ -131,6 +131,7 @@ class FlatProgram {
   Status machine_code(std::uint32_t code);
   std::optional<char> letter_of(std::size_t axis) const;
 
+  Axes said_place(const Axes& zero) const;
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
   bool is_by_codes() const { return way_ == FlatWay::contours || way_ == FlatWay::places; }
   bool is_between() const { return way_ == FlatWay::places || way_ == FlatWay::centres; }

@@ -42,6 +42,16 @@ constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
+/// Of the functions that move the axes; cycles of holes among them.
+bool leads_along_lines(Function function) {
+  constexpr Function lines[] = {
+      Function::rapid,           Function::linear,           Function::cycle,         Function::canned_cycle,
+      Function::no_motion,       Function::drilling_off,     Function::machine_point, Function::approach_reference,
+      Function::reference_leave, Function::single_direction, Function::probe,         Function::measure,
+      Function::measure_length,  Function::probe_move};
+  return std::find(std::begin(lines), std::end(lines), function) != std::end(lines);
+}
+
 }  // namespace
 
 ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop) {
@@ -203,6 +213,7 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
+  has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;  // G#1; ,R
   if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
     names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool)
@@ -226,6 +237,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     if (traits_of(function).phase == Phase::path_mode) path_modes_.insert(static_cast<std::size_t>(row));
     rounds_corners_ = rounds_corners_ || (function == Function::constant_velocity && block.has('P'));
+    has_arcs_ = has_arcs_ || (traits_of(function).phase == Phase::motion && !leads_along_lines(function));
     note_flow(function, block.position.line);
     is_call = is_call || calls(function);
     if (function == Function::macro_call && block.has('P') && !block.find('P')->expression)

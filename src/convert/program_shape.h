@@ -55,6 +55,8 @@ class ProgramShape {
   const std::set<std::size_t>& path_modes() const { return path_modes_; }
   /// A path within a tolerance of its corners: G64 P.
   bool rounds_corners() const { return rounds_corners_; }
+  /// Something in it may lead along an arc; false: all that it names leads along lines.
+  bool has_arcs() const { return has_arcs_ || !contours_.empty() || !calls_outside().empty(); }
   /// Jumps back, and subprograms that are called with arguments.
   MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
@@ -87,6 +89,7 @@ class ProgramShape {
   std::set<std::uint32_t> variables_;
   std::set<std::size_t> path_modes_;
   bool rounds_corners_ = false;
+  bool has_arcs_ = false;
   ProgramNames names_of_words_;
   std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line, of macro programs that are not very long
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N

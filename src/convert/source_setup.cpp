@@ -3,6 +3,7 @@
 #include "convert/source_setup.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -99,14 +100,13 @@ bool allows_key(const ControlDef& def, const char* key) {
 
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
-  double length = 0, radius = 0;
-  for (const InForce& one : control.in_force()) {
-    if (one.kind == InForce::Kind::offset) radius = one.value;
-    if (one.kind == InForce::Kind::length_offset) length = one.value;
-    if (one.kind == InForce::Kind::code && (one.code == "G43" || one.code == "G44")) now.length_sign = one.code == "G43" ? 1 : -1;
+  const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
+  for (const std::string& word : control.state_now().modal) {  // not Control::in_force(): variables, of which there may be thousands
+    if (word.front() == 'D') now.radius_number = number_in(word);
+    if (word.front() == 'H') now.length_number = number_in(word);
+    if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;
   }
-  now.radius_number = std::uint32_t(radius);
-  now.length_number = std::uint32_t(length != 0 ? length : radius);
+  if (now.length_number == 0) now.length_number = now.radius_number;
   return now;
 }
 

@@ -1,19 +1,18 @@
 // Questions about a text: check, explain. For view/page_session; tested by tests/serve.py.
 
 #include "out/text/line_words.h"
-#include "session/checklist/checklist.h"
+#include "session/checklist/program_check.h"
 #include "view/page_inside.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t most_problems = 1000;
-constexpr std::size_t most_again = 100'000;     // repetitions of faults that are known
 constexpr std::size_t most_explained = 10'000;  // bytes of a line
 
 }  // namespace
 
-/// Past its faults, each once, as kadr check does.
+/// What kadr check says of that text, in the same order.
 PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question) {
   auto program = run->opened().program_of(value_in<std::string>(question, "text", ""));
   if (!program) return tl::unexpected(Refusal{program.error()});
@@ -23,27 +22,10 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   auto session = Session::open(std::move(spec));
   if (!session) return tl::unexpected(Refusal{told(session.error().fault.en, session.error().fault.ru)});
   PageJson problems = PageJson::array();
-  std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>> seen;
-  std::size_t again = 0;
-  bool alarms = false;
-  const auto take = [&](const AlarmReport& report) {
-    if (report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done) return true;
-    if (!seen.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again < most_again;
-    alarms = alarms || report.alarm.severity == Severity::alarm;
+  ProgramCheck({.stated = run->opened().stated, .stop = token()}, [&](std::size_t, const AlarmReport& report) {
     problems.push_back(problem(report));
-    return report.alarm.id != AlarmId::interrupted && problems.size() < most_problems;
-  };
-  Outlets& outlets = (*session)->outlets();
-  outlets.warning = [&](const AlarmReport& report) { (void)take(report); };
-  outlets.alarm = take;
-  outlets.stop = token();
-  Checklist checklist(**session, (*session)->own());
-  checklist.attach();
-  (*session)->control().set_waiting(Control::Waiting::pass);
-  (void)(*session)->run();
-  if (!stops) (*session)->control().check_uncalled([&](const AlarmReport& report) { (void)take(report); });
-  if (!stops && !alarms)
-    for (const AlarmReport& report : checklist.reports(token())) (void)take(report);
+    return problems.size() < most_problems;
+  }).check(**session);
   return PageJson{{"problems", std::move(problems)}};
 }
 

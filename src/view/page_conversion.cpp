@@ -24,7 +24,6 @@ class PageConversion {
     spec.to = to_.get();
     spec.flat = flat;
     spec.stop = stop_;
-    spec.tolerance = usual_tolerance(*from_.def, *to_);
     spec.source_text = std::move(text);
     spec.source = [this](const Setup& setup) { return source(setup); };
     spec.setup = from_.setup;

@@ -129,6 +129,18 @@ PageJson problem_json(const Finding& f, std::uint16_t file, const std::optional<
   return json;
 }
 
+PageJson cut_finding_json(PageJson problem, const CutFinding& f) {
+  problem["at"] = f.at_time;
+  problem["place"] = vec(f.at);
+  problem["depth"] = f.depth;
+  problem["tool"] = f.tool;
+  return problem;
+}
+
+PageJson cut_mark_json(const PageJson& told, const CutFinding& f) {
+  return {{"at", f.at_time}, {"kind", told["severity"]}, {"line", f.origin.line}, {"text", told["text"]}};
+}
+
 PageJson state_json(const InstantState& s, const ProgramRun& run) {
   PageJson json = {{"at", s.at},
                    {"number", s.origin.number},

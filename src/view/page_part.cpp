@@ -88,10 +88,6 @@ std::string told_missing(const ProgramRun& run, const ToolLibrary& tools) {
   return missing.empty() ? missing : told("tools without a shape: ", "инструменты без формы: ") + missing;
 }
 
-PageJson mark_of(const CutFinding& f, const std::string& text) {
-  return {{"at", f.at_time}, {"kind", f.id == AlarmId::no_coolant ? "warning" : "alarm"}, {"line", f.origin.line}, {"text", text}};
-}
-
 /// Names of the tools files beside the program, from the folder on.
 std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
   const std::size_t slash = program.rfind('/');
@@ -145,18 +141,10 @@ void PageSession::Inside::carry_out_cut() {
   };
   part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {
     const PageJson told = problem(report);
-    marks.push_back(mark_of(f, told["text"]));
-    say({{"event", "finding"},
-         {"id", told["id"]},
-         {"text", told["text"]},
-         {"line", told["line"]},
-         {"block", told["block"]},
-         {"file", told["file"]},
-         {"calls", told["calls"]},
-         {"at", f.at_time},
-         {"place", {f.at.x, f.at.y, f.at.z}},
-         {"depth", f.depth},
-         {"tool", f.tool}});
+    marks.push_back(cut_mark_json(told, f));
+    PageJson event = {{"event", "finding"}};
+    event.update(cut_finding_json(told, f));
+    say(event);
     if (gone) stops = true;
   };
   const auto done = part_run->carry_out();
@@ -186,7 +174,6 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
 /// `tools`: a file that is asked first, in the place of those beside the program.
 PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
   const Vec3 zero = run->path().zero();
-  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero))}, {"tools", PageJson::array()}};
   KnownTools named;
   std::vector<KnownTools> beside;
   const KnownTools* file = nullptr;
@@ -199,7 +186,9 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     beside = known_tools(server.folder, server.folder.shown(run->opened().path));
     file = tools_file_for(beside, *run);
   }
-  for (const ProposedTool& tool : proposed_tools(*run, file)) json["tools"].push_back(proposal_json(tool));
+  const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
+  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};
+  for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
   return json;
 }

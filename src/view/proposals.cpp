@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "config/told.h"
 #include "out/program/tools_template.h"
@@ -110,6 +111,19 @@ std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools
     tools.back().tool.number = number;
   }
   return tools;
+}
+
+std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& tools) {
+  std::map<std::uint32_t, double> radii;
+  for (const ProposedTool& one : tools) {
+    double widest = one.tool.diameter;
+    for (const ProfilePoint& point : one.tool.profile) widest = std::max(widest, point.diameter);
+    radii[one.tool.number] = widest / 2;
+  }
+  return [radii = std::move(radii)](std::uint32_t tool) {
+    const auto found = radii.find(tool);
+    return found != radii.end() ? found->second : 0;
+  };
 }
 
 bool is_turning(const ProgramRun& run) {

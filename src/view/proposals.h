@@ -3,6 +3,7 @@
 // person.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const Pro
 
 /// A tool for each number that the program cuts with, in the order of their use. `file`: which is asked first; nullptr: none.
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file);
+
+/// mm of each of these tools, by its number, as far as its size is known; 0: it is not.
+std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
 /// The part spins under a turning tool: the control has no Y, or arcs are those of a lathe.
 bool is_turning(const ProgramRun& run);

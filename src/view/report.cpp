@@ -72,11 +72,7 @@ PageJson done_in(const ReportContent& c, Lang lang) {
 }
 
 PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang lang) {
-  const PageJson told = problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file, std::nullopt);
-  const CutFinding& f = hit.finding;
-  return {{"id", told["id"]},     {"text", told["text"]},   {"line", told["line"]}, {"block", told["block"]},
-          {"file", told["file"]}, {"calls", told["calls"]}, {"at", f.at_time},      {"place", {f.at.x, f.at.y, f.at.z}},
-          {"depth", f.depth},     {"tool", f.tool}};
+  return cut_finding_json(problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file, std::nullopt), hit.finding);
 }
 
 /// With its findings on the time line.
@@ -84,11 +80,7 @@ PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang)
   PageJson json = PageJson::parse(part.result, nullptr, false);
   if (!json.is_object()) return PageJson();
   PageJson marks = PageJson::array();
-  for (const ReportPart::Hit& hit : part.hits)
-    marks.push_back({{"at", hit.finding.at_time},
-                     {"kind", hit.finding.id == AlarmId::no_coolant ? "warning" : "alarm"},
-                     {"line", hit.finding.origin.line},
-                     {"text", sentence_of(hit.report, texts, lang)}});
+  for (const ReportPart::Hit& hit : part.hits) marks.push_back(cut_mark_json(finding_json(hit, texts, lang), hit.finding));
   json["marks"] = std::move(marks);
   return json;
 }

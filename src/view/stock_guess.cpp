@@ -25,9 +25,30 @@ bool at_feed(PathKind kind) {
          kind == PathKind::spline;
 }
 
-void widen(std::optional<Box3>& box, Vec3 place) {
-  if (!box) box = Box3{place, place};
-  box->include({place, place});
+void widen(std::optional<Box3>& box, const Box3& by) {
+  if (!box) box = by;
+  box->include(by);
+}
+
+Box3 grown(const Box3& box, double by) {
+  return {{box.least.x - by, box.least.y - by, box.least.z}, {box.most.x + by, box.most.y + by, box.most.z}};
+}
+
+/// The sides of the first as far out as those of either.
+void take_sides(Box3& box, const Box3& other) {
+  box.least.x = std::min(box.least.x, other.least.x), box.least.y = std::min(box.least.y, other.least.y);
+  box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
+}
+
+/// A tool of that radius stands there, outside of `cut`: the sides of a wider box end before it.
+void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
+  const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
+  const double farthest = std::max({left, right, front, back});
+  if (farthest <= 0) return;
+  if (farthest == left) wide.least.x = std::max(wide.least.x, at.x + radius);
+  else if (farthest == right) wide.most.x = std::min(wide.most.x, at.x - radius);
+  else if (farthest == front) wide.least.y = std::max(wide.least.y, at.y + radius);
+  else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
 /// To whole mm, outwards.
@@ -46,21 +67,27 @@ void StockGuess::take_level(Vec3 from, Vec3 to) {
   of.highest = std::max(of.highest, height);
 }
 
-void StockGuess::take_way(Vec3 from, Vec3 to) {
-  const bool sideways = std::hypot(to.x - from.x, to.y - from.y) > std::fabs(to.z - from.z);
-  widen(all_, from), widen(all_, to);
+void StockGuess::widen(Boxes& boxes, const Place& place) {
+  const Box3 here{place.at, place.at};
+  boxes.try_emplace(place.tool, here).first->second.include(here);
+}
+
+void StockGuess::take_way(Place from, Place to) {
+  const bool sideways = std::hypot(to.at.x - from.at.x, to.at.y - from.at.y) > std::fabs(to.at.z - from.at.z);
+  kadr::widen(all_, {from.at, from.at}), kadr::widen(all_, {to.at, to.at});
   if (end_) widen(certain_, *end_);
   end_.reset();
   if (sideways && after_rapid_ && starts_.size() < most_places) starts_.push_back(from);
   else widen(certain_, from);
-  if (sideways) end_ = to, take_level(from, to);
+  if (sideways) end_ = to, take_level(from.at, to.at);
   else widen(certain_, to);
 }
 
 void StockGuess::take(const ViewPiece& piece) {
   for (std::size_t i = 1; i < piece.vertices.size(); ++i) {
-    if (at_feed(piece.vertices[i].kind)) {
-      take_way(piece.vertices[i - 1].place(), piece.vertices[i].place());
+    const PathVertex& to = piece.vertices[i];
+    if (at_feed(to.kind)) {
+      take_way({piece.vertices[i - 1].place(), to.tool}, {to.place(), to.tool});
       after_rapid_ = false;
       continue;
     }
@@ -73,20 +100,21 @@ void StockGuess::take(const ViewPiece& piece) {
 }
 
 /// Without the ways in and out beside a blank with that top.
-Box3 StockGuess::cut_below(double top) const {
-  std::optional<Box3> box = certain_;
-  std::vector<Vec3> beside;
-  for (const Vec3& start : starts_) {
-    if (start.z < top - above) beside.push_back(start);
-    else widen(box, start);
+StockGuess::Cut StockGuess::cut_below(double top) const {
+  Cut cut{certain_, {}};
+  for (const Place& start : starts_) {
+    if (start.at.z < top - above) cut.beside.push_back(start);
+    else widen(cut.boxes, start);
   }
-  const auto counts = [&](Vec3 end) {
-    return std::none_of(beside.begin(), beside.end(), [&](Vec3 b) { return std::hypot(b.x - end.x, b.y - end.y) < same_hole; });
+  const auto counts = [&](const Place& end) {
+    return std::none_of(cut.beside.begin(), cut.beside.end(),
+                        [&](const Place& b) { return std::hypot(b.at.x - end.at.x, b.at.y - end.at.y) < same_hole; });
   };
-  for (const Vec3& end : ends_)
-    if (counts(end)) widen(box, end);
-  if (end_ && counts(*end_)) widen(box, *end_);
-  return box.value_or(*all_);
+  for (const Place& end : ends_)
+    if (counts(end)) widen(cut.boxes, end);
+  if (end_ && counts(*end_)) widen(cut.boxes, *end_);
+  if (cut.boxes.empty()) cut.boxes[0] = *all_, cut.beside.clear();
+  return cut;
 }
 
 /// In machine coordinates.
@@ -108,12 +136,19 @@ bool StockGuess::is_flat(Vec3 zero) const {
          (least.x > -most_margin || most.x < most_margin);
 }
 
-std::string StockGuess::text(Vec3 zero, bool turned) const {
+std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) const {
   if (!all_) return {};
   const double highest = top_of(zero.z);
-  const Box3 box = turned ? *all_ : cut_below(highest);
-  const Vec3 least = box.least - zero, most = box.most - zero, size = most - least;
+  const Cut cut = turned ? Cut{{{0, *all_}}, {}} : cut_below(highest);
+  std::optional<Box3> whole, swept;
+  for (const auto& [tool, box] : cut.boxes)
+    kadr::widen(whole, box), kadr::widen(swept, grown(box, turned || !radius_of ? 0 : radius_of(tool)));
+  const Vec3 size = whole->most - whole->least;
   const double margin = std::clamp(margin_share * std::max({size.x, size.y, size.z}), least_margin, most_margin);
+  Box3 blank = grown(*whole, margin), wide = grown(*swept, least_margin);
+  for (const Place& one : cut.beside) end_before(wide, *whole, one.at, radius_of ? radius_of(one.tool) : 0);
+  take_sides(blank, wide);
+  const Vec3 least = whole->least - zero, most = whole->most - zero;
   const double bottom = down(least.z - margin);
   if (turned) {
     const double radius = std::max({std::fabs(least.x), std::fabs(most.x), std::fabs(least.y), std::fabs(most.y)});
@@ -122,8 +157,8 @@ std::string StockGuess::text(Vec3 zero, bool turned) const {
   }
   double top = std::round((highest - zero.z) * 1000) / 1000 + 0.0;
   if (!(top > bottom)) top = bottom + 1;
-  return fmt::format("box:{:g},{:g},{:g},{:g},{:g},{:g}", down(least.x - margin), down(least.y - margin), bottom, up(most.x + margin),
-                     up(most.y + margin), top);
+  return fmt::format("box:{:g},{:g},{:g},{:g},{:g},{:g}", down(blank.least.x - zero.x), down(blank.least.y - zero.y), bottom,
+                     up(blank.most.x - zero.x), up(blank.most.y - zero.y), top);
 }
 
 }  // namespace kadr

@@ -31,6 +31,16 @@ TEST(alarm_texts, the_controls_own_words_go_first) {
   EXPECT_EQ(texts.pattern(AlarmId::radius_mismatch, Lang::ru), common().pattern(AlarmId::radius_mismatch, Lang::ru));
 }
 
+TEST(alarm_texts, an_argument_that_is_a_unit_is_in_the_language) {
+  const AlarmTexts texts = common();
+  const auto in = [&](Lang lang, std::string_view unit) { return texts.sentence(alarm(AlarmId::feed_too_large, {}, 6.5, unit), lang); };
+  EXPECT_NE(in(Lang::en, "mm/rev").find("6.5 mm/rev"), std::string::npos) << in(Lang::en, "mm/rev");
+  EXPECT_NE(in(Lang::ru, "mm/rev").find("6.5 мм/об"), std::string::npos) << in(Lang::ru, "mm/rev");
+  EXPECT_NE(texts.sentence(alarm(AlarmId::point_forgotten, {}, "X12", "0.012 mm"), Lang::ru).find("0.012 мм"), std::string::npos);
+  EXPECT_NE(texts.sentence(alarm(AlarmId::point_forgotten, {}, "X12 mm", "1 °"), Lang::ru).find("X12 mm"), std::string::npos)
+      << "no figure";
+}
+
 TEST(alarm_texts, numbers_for_people) {
   EXPECT_EQ(number_text(-1e-9), "0");
   EXPECT_EQ(number_text(0.1 + 0.2), "0.3");

@@ -92,8 +92,9 @@ def all_of(work, jobs, threads=2):
 
 
 def tolerance_of(*controls):
-    """mm: what `kadr convert` proves with, and its rounding: GOST writes Z in hundredths."""
-    return 0.0051 if 'gost' in controls else 0.001
+    """mm: what `kadr convert` proves with, of arcs, whose centres are rounded too (docs/commands/convert.md): GOST writes Z in hundredths."""
+    half, of_z = 0.0005, 0.005 if 'gost' in controls else 0.0005
+    return math.hypot(3 * half, 3 * half, of_z) + 1e-5
 
 
 def diff(kadr, made, other=None, tolerance=None):

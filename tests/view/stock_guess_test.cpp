@@ -9,19 +9,24 @@ namespace {
 
 struct Path {
   ViewPiece piece;
+  std::uint16_t tool = 0;
+  Path& with(std::uint16_t number) {
+    tool = number;
+    return *this;
+  }
   Path& to(PathKind kind, float x, float y, float z) {
     PathVertex v;
-    v.kind = kind;
+    v.kind = kind, v.tool = tool;
     v.at = {x, y, z};
     piece.vertices.push_back(v);
     return *this;
   }
   Path& rapid(float x, float y, float z) { return to(PathKind::rapid, x, y, z); }
   Path& feed(float x, float y, float z) { return to(PathKind::feed, x, y, z); }
-  std::string text(Vec3 zero = {}, bool turned = false) const {
+  std::string text(Vec3 zero = {}, bool turned = false, const StockGuess::RadiusOf& radius_of = {}) const {
     StockGuess guess;
     guess.take(piece);
-    return guess.text(zero, turned);
+    return guess.text(zero, turned, radius_of);
   }
 };
 
@@ -69,6 +74,38 @@ TEST(StockGuess, WaysInFromBesideDoNotCount) {
   EXPECT_EQ(Path().rapid(0, 0, -2).feed(60, 0, -2).rapid(60, 0, 50).text().substr(0, 4), "box:") << "nothing else is known";
 }
 
+double radius_of(std::uint32_t tool) { return tool == 1 ? 10 : tool == 2 ? 1.5 : 0; }
+
+TEST(StockGuess, APocketHasWallsHoweverWideTheTool) {
+  // The middle of a tool of 20 mm goes round 40 by 20: the pocket is 60 by 40.
+  const Path pocket =
+      Path().with(1).rapid(0, 0, 2).feed(0, 0, -5).feed(40, 0, -5).feed(40, 20, -5).feed(0, 20, -5).feed(0, 0, -5).rapid(0, 0, 50);
+  EXPECT_EQ(pocket.text(), "box:-2,-2,-7,42,22,0") << "where nobody knows the tool, its middle counts";
+  EXPECT_EQ(pocket.text({}, false, radius_of), "box:-11,-11,-7,51,31,0");
+  Path further = pocket;  // a thin one that goes further does not make the wide one do so
+  further.with(2).rapid(48, 0, 2).feed(48, 0, -5).feed(48, 20, -5).rapid(48, 20, 50);
+  EXPECT_EQ(further.text({}, false, radius_of), "box:-11,-11,-8,51,31,0");
+}
+
+TEST(StockGuess, AToolThatComesDownBesideTheBlankDoesSo) {
+  const auto contour = [](float start) {
+    return Path()
+        .with(1)
+        .rapid(0, start, 50)
+        .rapid(0, start, -2)
+        .feed(0, 0, -2)
+        .feed(0, 40, -2)
+        .feed(60, 40, -2)
+        .feed(60, 0, -2)
+        .feed(0, 0, -2)
+        .feed(0, start, -2)
+        .rapid(0, start, 50);
+  };
+  EXPECT_EQ(contour(-40).text({}, false, radius_of), "box:-11,-11,-5,71,51,0");
+  EXPECT_EQ(contour(-18).text({}, false, radius_of), "box:-11,-8,-5,71,51,0") << "the tool reaches to Y-8 where it comes down";
+  EXPECT_EQ(contour(-11).text({}, false, radius_of), "box:-11,-3,-5,71,51,0") << "no less than around its middle";
+}
+
 TEST(StockGuess, OfPiecesAsOfTheWhole) {
   const Path whole = Path()
                          .rapid(0, -20, 50)
@@ -85,7 +122,7 @@ TEST(StockGuess, OfPiecesAsOfTheWhole) {
     const auto at = whole.piece.vertices.begin() + std::ptrdiff_t(cut);
     first.vertices.assign(whole.piece.vertices.begin(), at + 1), second.vertices.assign(at, whole.piece.vertices.end());
     guess.take(first), guess.take(second);
-    EXPECT_EQ(guess.text({}, false), whole.text()) << cut;
+    EXPECT_EQ(guess.text({}, false, {}), whole.text()) << cut;
   }
 }
 

@@ -7,6 +7,7 @@ import "./style/code.css";
 import "./style/making.css";
 import "./style/print.css";
 import { App } from "./model/app";
+import { is_of_cut } from "./model/listed";
 import { shape_of, type Shape } from "./model/tool_shape";
 import { remember, remembered } from "./model/memory";
 import type { Socket } from "./protocol/client";
@@ -69,7 +70,7 @@ const cut = new CutPanel(
     stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
     show_boxes();
   },
-  (line) => source.show(line),
+  jump_to,
 );
 const operator_panel = new OperatorPanel(
   app,
@@ -78,9 +79,9 @@ const operator_panel = new OperatorPanel(
   (touched) => scene_pane.ask_touch(touched),
 );
 const tabs = new Tabs([
-  { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
+  { name: "problems", element: problems.element, badge: () => problems.badge() },
   { name: "summary", element: new SummaryPanel(app).element },
-  { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
+  { name: "cut_tab", element: cut.element, badge: () => cut.badge() },
   {
     name: "panel",
     element: operator_panel.element,
@@ -182,6 +183,7 @@ async function go_to_line(line: number, file: number): Promise<void> {
 
 function jump_to(p: Problem): void {
   if (p.at !== undefined) app.seek(p.at);
+  if (is_of_cut(p)) void app.seek_line(p.line, p.file); // what hits is the block that begins there, not the one that ends
   if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
 }
 

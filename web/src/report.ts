@@ -5,6 +5,7 @@ import "./style/panes.css";
 import "./style/code.css";
 import "./style/print.css";
 import { App } from "./model/app";
+import { is_of_cut } from "./model/listed";
 import { keep_nothing_of_tab } from "./model/memory";
 import type { Shape } from "./model/tool_shape";
 import type { Problem } from "./protocol/types";
@@ -57,9 +58,10 @@ function show(report: Report): void {
   const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
   const state = new StatePane(app, (line, file) => void go_to_line(line, file));
   const problems = new ProblemsPanel(app, jump_to, () => undefined);
+  const part = new FindingsPanel(app, jump_to);
   const tabs = new Tabs([
     { name: "summary", element: new SummaryPanel(app).element },
-    { name: "problems", element: problems.element, badge: () => String(app.problems.length || "") },
+    { name: "problems", element: problems.element, badge: () => problems.badge() },
     {
       name: "worst",
       element: new WorstPanel(app, (line, file) => {
@@ -70,8 +72,8 @@ function show(report: Report): void {
       ? [
           {
             name: "part" as const,
-            element: new FindingsPanel(app, (line) => source.show(line)).element,
-            badge: () => String(app.findings.length || ""),
+            element: part.element,
+            badge: () => part.badge(),
           },
         ]
       : []),
@@ -146,6 +148,7 @@ function show(report: Report): void {
   }
   function jump_to(p: Problem): void {
     if (p.at !== undefined) app.seek(p.at);
+    if (is_of_cut(p)) void app.seek_line(p.line, p.file); // what hits is the block that begins there, not the one that ends
     if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
   }
 }

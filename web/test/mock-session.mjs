@@ -260,7 +260,7 @@ export function session(send) {
           number: 1,
           kind: "flat",
           diameter: 10,
-          flutes: 22,
+          flute_length: 22,
           length: 50,
           holder: [
             [32, 0],
@@ -276,7 +276,7 @@ export function session(send) {
           kind: "drill",
           diameter: 6.8,
           angle: 118,
-          flutes: 60,
+          flute_length: 60,
           length: 80,
           name: "DRILL 6.8",
           from: "comment, line 15",
@@ -430,6 +430,11 @@ export function session(send) {
     }
     event("finding", {
       id: "rapid_in_stock",
+      severity: "alarm",
+      number: "",
+      hint: "Lift the tool before it goes on.",
+      column: 1,
+      end_column: 5,
       text: "Tool 1 goes 8 mm deep through material at rapid",
       line: 13,
       block: "N100",

@@ -7,8 +7,9 @@ import { shape_of } from "../src/model/tool_shape";
 import { box_of, proper, stock_of } from "../src/model/stock";
 import { debounce, Latest } from "../src/model/latest";
 import { read_frame, type PathFrame } from "../src/protocol/frames";
+import { listed, listed_of_cut, of_shown_text } from "../src/model/listed";
 import { grouped_problems } from "../src/ui/problems_panel";
-import type { Problem } from "../src/protocol/types";
+import type { Finding, Problem } from "../src/protocol/types";
 // @ts-expect-error plain JavaScript
 import { path_frame } from "./mock-server.mjs";
 
@@ -86,13 +87,28 @@ test("problems are grouped, alarms first", () => {
   ]);
 });
 
+test("one list: of the run, of the text as it stands, of the cut", () => {
+  const p = (id: string, line: number): Problem => ({ id, severity: "alarm", line, text: "" });
+  const hit: Finding = { ...p("rapid_in_stock", 7), file: 0, at: 3, place: [0, 0, -4], depth: 8, tool: 1 };
+  const ids = (of: Problem[]): string[] => of.map((x) => `${x.id} ${x.line}`);
+  const run = { problems: [p("a", 1)], checked: null, findings: [hit], text: "as run", ran: "as run" };
+  expect(ids(listed(run))).toEqual(["a 1", "rapid_in_stock 7"]);
+  expect(ids(of_shown_text(run))).toEqual(["a 1", "rapid_in_stock 7"]);
+  expect(ids(listed({ ...run, checked: [p("a", 1), p("b", 2)] }))).toEqual(["a 1", "b 2", "rapid_in_stock 7"]);
+  const edited = { ...run, checked: [p("b", 2)], text: "as typed" };
+  expect(ids(listed(edited))).toEqual(["b 2", "rapid_in_stock 7"]);
+  expect(ids(of_shown_text(edited))).toEqual(["b 2"]);
+  expect(listed_of_cut(edited)).toEqual([hit]);
+  expect(grouped_problems([hit, p("rapid_in_stock", 8)]).map((g) => g.problems.length)).toEqual([1, 1]);
+});
+
 test("shapes of tools", () => {
   expect(
     shape_of({
       number: 1,
       kind: "flat",
       diameter: 10,
-      flutes: 20,
+      flute_length: 20,
       length: 50,
       holder: [
         [40, 0],
@@ -115,9 +131,12 @@ test("shapes of tools", () => {
       [50, 80],
     ],
   });
-  const ball = shape_of({ number: 2, kind: "ball", diameter: 8, flutes: 16 }).cutting;
+  const ball = shape_of({ number: 2, kind: "ball", diameter: 8, flute_length: 16 }).cutting;
   for (const [d, z] of ball.slice(1, -1)) expect(Math.hypot(d / 2, z - 4)).toBeCloseTo(4, 9);
-  expect(shape_of({ number: 3, kind: "drill", diameter: 10, angle: 90, flutes: 30 }).cutting[2]![1]).toBeCloseTo(5, 12);
+  expect(shape_of({ number: 3, kind: "drill", diameter: 10, angle: 90, flute_length: 30 }).cutting[2]![1]).toBeCloseTo(
+    5,
+    12,
+  );
 });
 
 test("the blank as text", () => {

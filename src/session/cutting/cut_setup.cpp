@@ -16,6 +16,7 @@ void take_session(const Session& session, bool starts_known, CutJob& cut) {
   cut.rpm = setup.spindle().rpm;
   const std::string& dir = setup.spindle().dir;
   cut.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  cut.disabled = setup.disabled;
   cut.starts_known = starts_known;
   for (const auto& [number, offset] : setup.offsets)
     if (number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;

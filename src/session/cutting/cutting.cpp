@@ -360,6 +360,7 @@ AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixtu
 
 void Cutting::keep(const CutFinding& finding) {
   const bool is_warning = finding.id == AlarmId::no_coolant;
+  if (is_warning && std::find(job_.disabled.begin(), job_.disabled.end(), finding.id) != job_.disabled.end()) return;
   if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // once a line
   auto& list = is_warning ? result_.warnings : result_.collisions;
   if (list.size() >= most_findings) {

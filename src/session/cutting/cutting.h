@@ -49,6 +49,7 @@ struct CutJob {
   std::optional<std::uint16_t> system;  // of ToolWay
   std::optional<Axes> apart;            // of ToolWay
   bool wants_coolant = false;           // cutting without it is a warning
+  std::vector<AlarmId> disabled;        // warnings that are not told
   std::uint32_t tool = 0;               // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
   double rpm = 0;             // at which it turns then

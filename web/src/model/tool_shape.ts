@@ -15,7 +15,7 @@ const arc_steps = 8; // of a quarter circle: finer than a pixel of the pictures 
 export function shape_of(tool: Tool): Shape {
   if (tool.kind === "turning") return { number: tool.number, cutting: [], shank: [], holder: [] }; // no body of revolution
   const d = tool.diameter ?? 0,
-    flutes = tool.flutes ?? Math.max(d * 2, 10),
+    flutes = tool.flute_length ?? Math.max(d * 2, 10),
     length = Math.max(tool.length ?? flutes, flutes);
   const shank = outline(tool.shank),
     holder = outline(tool.holder);

@@ -197,12 +197,13 @@ export interface Tool {
   corner?: number;
   angle?: number;
   tip?: number;
-  flutes?: number;
+  flute_length?: number;
   length?: number;
   profile?: [number, number][];
   shank?: unknown;
   holder?: unknown;
   name?: string;
+  flute_count?: number;
   from?: string;
   known?: boolean;
 }
@@ -212,17 +213,13 @@ export interface CutQuestion {
   fixtures?: string[];
   resolution?: number;
 }
-export interface Finding {
-  id: string;
-  text: string;
-  line: number;
-  block?: string;
-  file?: number | string;
-  calls?: string[];
+/// A problem that the cut has found.
+export interface Finding extends Problem {
+  file: number;
   at: number;
-  place?: number[];
-  depth?: number;
-  tool?: number;
+  place: number[];
+  depth: number;
+  tool: number;
 }
 export interface CutResult {
   stock: number;

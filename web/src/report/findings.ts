@@ -1,24 +1,29 @@
 // The part as the program leaves it: volumes, what each tool takes away, the heaviest lines, what was hit.
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
+import type { Problem } from "../protocol/types";
 import { fill, h } from "../ui/dom";
 import { volume_unit } from "../model/units";
 import { clock, length_told, volume_figure, volume_told } from "../ui/figures";
-import { icon } from "../ui/icons";
+import { CutProblems } from "../ui/problems_panel";
 import { fact } from "../ui/summary";
-
-const most_shown = 500;
 
 export class FindingsPanel {
   readonly element = h("div", { class: "cut" });
+  private hit: CutProblems;
 
   constructor(
     private app: App,
-    private jump: (line: number) => void,
+    jump: (p: Problem) => void,
   ) {
+    this.hit = new CutProblems(app, jump);
     app.on_cut.on(() => this.draw());
     on_language(() => this.draw());
     this.draw();
+  }
+
+  badge(): string {
+    return this.hit.badge();
   }
 
   private draw(): void {
@@ -35,28 +40,7 @@ export class FindingsPanel {
         ...fact(t("left"), volume_told(c.left)),
         ...fact(t("cell"), length_told(c.resolution)),
       ),
-      app.findings.length ? null : h("p", { class: "good" }, t("nothing_hit")),
-      ...app.findings.slice(0, most_shown).map((f) =>
-        h(
-          "div",
-          { class: "problem alarm" },
-          h(
-            "button",
-            {
-              type: "button",
-              class: "problem-go",
-              onclick: () => {
-                app.seek(f.at);
-                this.jump(f.line);
-              },
-            },
-            icon("alarm", t("alarm")),
-            h("span", { class: "problem-text" }, f.text),
-            h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`),
-          ),
-        ),
-      ),
-      app.findings.length > most_shown && h("p", { class: "note" }, `… +${app.findings.length - most_shown}`),
+      ...this.hit.rows(),
       this.tools(),
     );
   }

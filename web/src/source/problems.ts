@@ -6,6 +6,7 @@ import type { EditorView } from "@codemirror/view";
 import type { Fix, Problem } from "../protocol/types";
 import { debounce } from "../model/latest";
 import type { App } from "../model/app";
+import { of_shown_text } from "../model/listed";
 import { of_program } from "./problems_of";
 
 const quiet = 300; // ms without a key before the text is checked
@@ -18,7 +19,11 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
     view.dispatch(
       setDiagnostics(
         view.state,
-        diagnostics(view.state, app.checked ?? app.problems.filter((p) => of_program(p, app.opened?.file ?? "")), view),
+        diagnostics(
+          view.state,
+          of_shown_text(app).filter((p) => of_program(p, app.opened?.file ?? "")),
+          view,
+        ),
       ),
     );
   };
@@ -33,7 +38,12 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
       app.tell(e);
     }
   });
-  const off = app.on_problems.on(show);
+  const offs = [
+    app.on_problems.on(show),
+    app.on_cut.on((part) => {
+      if (part === null) show();
+    }),
+  ];
   show();
   return {
     changed: () => {
@@ -42,7 +52,7 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
     },
     close: () => {
       asked++;
-      off();
+      for (const off of offs) off();
     },
   };
 }

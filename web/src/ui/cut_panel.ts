@@ -2,21 +2,21 @@
 import type { App } from "../model/app";
 import { box_of, proper, stock_of } from "../model/stock";
 import { shape_of } from "../model/tool_shape";
-import type { Box, PartAnswer, Tool } from "../protocol/types";
+import type { Box, PartAnswer, Problem, Tool } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { clock, length_told, short, volume_told } from "./figures";
-import { icon } from "./icons";
+import { length_told, short, volume_told } from "./figures";
 import { tool_picture } from "./outline";
+import { CutProblems } from "./problems_panel";
 import { fact } from "./summary";
 
 const kinds = ["flat", "ball", "bull", "drill", "taper", "chamfer", "tslot", "form", "turning"];
-const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flutes" | "length"))[] = [
+const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flute_length" | "length"))[] = [
   "diameter",
   "corner",
   "angle",
   "tip",
-  "flutes",
+  "flute_length",
   "length",
 ];
 const sizes_of: Record<string, string[]> = {
@@ -42,12 +42,14 @@ export class CutPanel {
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
   private part: PartAnswer | null = null;
+  private hit: CutProblems;
 
   constructor(
     private app: App,
     private shown: (stock: Box | null, tools: Tool[]) => void,
-    private jump: (line: number) => void,
+    jump: (p: Problem) => void,
   ) {
+    this.hit = new CutProblems(app, jump);
     this.element.append(this.start, this.told, this.form);
     this.element.addEventListener("change", () => {
       this.touched = true;
@@ -69,6 +71,10 @@ export class CutPanel {
     });
     on_language(() => this.draw());
     this.draw();
+  }
+
+  badge(): string {
+    return this.hit.badge();
   }
 
   private async propose(): Promise<void> {
@@ -119,7 +125,7 @@ export class CutPanel {
             number: Math.max(0, ...this.tools.map((x) => x.number)) + 1,
             kind: "flat",
             diameter: 10,
-            flutes: 20,
+            flute_length: 20,
             length: 50,
           });
           this.draw();
@@ -259,7 +265,7 @@ export class CutPanel {
       ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)),
     );
     const fields = sizes
-      .filter((s) => ["diameter", "flutes", "length", ...more].includes(s))
+      .filter((s) => ["diameter", "flute_length", "length", ...more].includes(s))
       .map((s) =>
         h(
           "label",
@@ -336,28 +342,7 @@ export class CutPanel {
           }),
         ),
       ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),
-      c && !c.error && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
-      ...app.findings.slice(0, 500).map((f) =>
-        h(
-          "div",
-          { class: "problem alarm" },
-          h(
-            "button",
-            {
-              type: "button",
-              class: "problem-go",
-              onclick: () => {
-                app.seek(f.at);
-                this.jump(f.line);
-              },
-            },
-            icon("alarm", t("alarm")),
-            h("span", { class: "problem-text" }, f.text),
-            h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`),
-          ),
-        ),
-      ),
-      app.findings.length > 500 && h("p", { class: "note" }, `… +${app.findings.length - 500}`),
+      ...this.hit.rows(),
     );
   }
 }

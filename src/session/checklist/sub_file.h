@@ -3,9 +3,9 @@
 
 #include "lang/text/line_reader.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 /// The text is definitions of O subprograms, remarks, and nothing else; at least one.
 bool holds_only_subprograms(LineReader reader);
 
-}  // namespace kadr::cli
+}  // namespace kadr

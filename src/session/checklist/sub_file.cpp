@@ -1,13 +1,13 @@
-// Files of nothing but O subprograms. For cli/check; tests/run_check.py.
+// Files of nothing but O subprograms. For session/checklist/program_check; tests/run_check.py.
 
-#include "cli/sub_file.h"
+#include "session/checklist/sub_file.h"
 
 #include <string>
 #include <string_view>
 
 #include "base/ascii.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
 /// Without remarks and blanks, in small letters.
@@ -51,4 +51,4 @@ bool holds_only_subprograms(LineReader reader) {
   return any && open.empty();
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

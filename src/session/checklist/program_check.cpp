@@ -1,0 +1,70 @@
+// A program checked. For cli/check, view/page_check; tested by tests/run_check.py, tests/same_check.py.
+
+#include "session/checklist/program_check.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "session/checklist/checklist.h"
+#include "session/checklist/sub_file.h"
+#include "session/unstated.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_faults = 1000;    // of one program: beyond, it is no program of this control
+constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
+
+bool holds_only_subs(const Session& session) {
+  if (!session.def().grammar.o_words) return false;
+  const auto source = session.control().source_of(0);
+  return source != nullptr && holds_only_subprograms(LineReader(source));
+}
+
+}  // namespace
+
+struct ProgramCheck::OfChannel {
+  OfChannel(Session& session, std::size_t channel) : checklist(session, channel) {}
+  Checklist checklist;
+  std::size_t alarms = 0, warnings = 0, again = 0;
+};
+
+bool ProgramCheck::take(std::size_t channel, OfChannel& of, const AlarmReport& report) {
+  const AlarmId id = report.alarm.id;
+  if (wish_.one_pass && (id == AlarmId::program_begins_again || id == AlarmId::passes_done)) return true;
+  if (only_subprograms_ && id == AlarmId::rs274_program) return true;
+  if (!seen_[channel].insert({report.file, report.origin.line, report.origin.column, id}).second) return ++of.again < most_again;
+  of.alarms += report.alarm.severity == Severity::alarm;
+  of.warnings += report.alarm.severity == Severity::warning;
+  return take_(channel, report) && id != AlarmId::interrupted && of.alarms + of.warnings < most_faults;
+}
+
+void ProgramCheck::check(Session& session) {
+  const std::vector<Channel>& channels = session.channels();
+  seen_.resize(std::max(seen_.size(), channels.size()));
+  only_subprograms_ = holds_only_subs(session);
+  session.together().stop_together = false;
+  std::deque<OfChannel> all;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    OfChannel& of = all.emplace_back(session, i);
+    const auto take_one = [this, i, &of](const AlarmReport& report) { return take(i, of, report); };
+    session.outlets(i) = {.warning = [take_one](const AlarmReport& report) { (void)take_one(report); },
+                          .alarm = take_one,
+                          .onlooker = wish_.onlooker,
+                          .stop = wish_.stop};
+    of.checklist.attach();
+  }
+  if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  (void)session.run();
+  for (std::size_t i = 0; i < channels.size() && !wish_.stop.asked(); ++i) {
+    OfChannel& of = all[i];
+    channels[i].control->check_uncalled([&](const AlarmReport& report) { (void)take(i, of, report); });
+    // Where a block was refused, what follows it is not what the program means: its errors come first.
+    if (of.alarms == 0 && !only_subprograms_ && !wish_.stop.asked())
+      for (const AlarmReport& advice : of.checklist.reports(wish_.stop)) (void)take(i, of, advice);
+    if (i != session.own()) continue;
+    if (const auto note = unstated(*channels[i].control, session.def(), session.setup(), wish_.stated)) (void)take(i, of, *note);
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,35 @@
+// The one list of all that is wrong: what the run met, what the text as it stands in the editor would meet, what the cut
+// hit. Whoever shows problems shows this list, or a part of it.
+import type { Finding, Problem } from "../protocol/types";
+
+export interface Listing {
+  problems: Problem[]; // of the run
+  checked: Problem[] | null; // of the text as it stands in the editor
+  findings: Finding[]; // of the cut
+  text: string | null;
+  ran: string | null;
+}
+
+export const is_of_cut = (p: Problem): p is Finding => "place" in p;
+
+/// What the run met speaks of the text that was run: of another one the check speaks alone. What the cut hit nobody but
+/// a cut can say: it stays until the next run.
+export function listed(of: Listing): Problem[] {
+  return [...of_text(of), ...of.findings];
+}
+
+/// Those whose lines are the lines of the text as it stands in the editor.
+export function of_shown_text(of: Listing): Problem[] {
+  return of.text === of.ran ? listed(of) : of_text(of);
+}
+
+export const listed_of_cut = (of: Listing): Finding[] => listed(of).filter(is_of_cut);
+
+function of_text({ problems, checked, text, ran }: Listing): Problem[] {
+  if (!checked) return problems;
+  return text === ran ? [...problems, ...checked.filter((c) => !problems.some((p) => is_same(p, c)))] : checked;
+}
+
+function is_same(a: Problem, b: Problem): boolean {
+  return a.id === b.id && a.line === b.line && (a.file ?? 0) === (b.file ?? 0);
+}
