@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -30,11 +31,16 @@ namespace {
 
 constexpr std::size_t most_faults = 1000;  // of one program: beyond, it is no program of this control
 
+struct Count {
+  std::size_t faults = 0, warnings = 0, advices = 0;
+};
+
 /// Where findings go as they are found, or when all are there.
 struct Report {
   std::FILE* text = nullptr;  // of --format text: as they come; else nullptr
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
+  Count count;
   std::vector<Unreadable> unreadable;
 
   void add(const AlarmReport& report, Finding finding, Found& found) {
@@ -90,17 +96,14 @@ class Collector {
 
 enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
 
-struct Count {
-  std::size_t faults = 0, warnings = 0, advices = 0;
-};
-
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
   return {.warning = [take](const AlarmReport& report) { (void)take(report); }, .alarm = take, .onlooker = &progress, .stop = stop_token()};
 }
 
-Checked check_program(const Options& options, const Job& job, Count& count, Report& report, std::deque<Collector::Seen>& seen) {
+Checked check_program(const Options& options, const Job& job, const ChecklistBasis& basis, Report& report,
+                      std::deque<Collector::Seen>& seen) {
   auto program = open_program(job);
   if (!program) return Checked::unreadable;
   RunLimits limits = options.limits;
@@ -122,7 +125,7 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
     collectors.back().one_pass = one_pass;
     collectors.back().only_subprograms = only_subprograms;
     session->outlets(i) = outlets_of(collectors.back(), progress);
-    checklists.emplace_back(*session, i).attach();
+    checklists.emplace_back(*session, i, basis).attach();
   }
   if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
   (void)session->run();
@@ -134,9 +137,9 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
       for (AlarmReport& advice : checklists[i].reports(stop_token())) (void)collectors[i].take(std::move(advice));
     if (const auto note = i == session->own() ? unstated(*channels[i].control, *job.def, job.setup, job.stated) : std::nullopt)
       (void)collectors[i].take(*note);
-    count.faults += collectors[i].faults;
-    count.warnings += collectors[i].warnings;
-    count.advices += collectors[i].advices;
+    report.count.faults += collectors[i].faults;
+    report.count.warnings += collectors[i].warnings;
+    report.count.advices += collectors[i].advices;
     clean = clean && collectors[i].clean();
   }
   if (report.text != nullptr) found.finish();
@@ -144,18 +147,23 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
 }
 
 /// Every program of the file, if it is a tape with several and none is named.
-Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, Count& count, Report& report) {
+///   basis  of all files together
+Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
   if (control->empty()) return Checked::unknown;
   auto job = make_job(options, file, *control);
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
+  const bool only_program = programs == 1 && options.program == 0;  // of a tape
+  if (!basis.tools) basis.tools = tool_table_beside(file);
+  basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
+  basis.own_setup = only_program && basis.own_setup;
   std::deque<Collector::Seen> seen;
   Checked worst = Checked::clean;
   for (std::size_t i = 0; i < programs && !interrupted(); ++i) {
     if (programs > 1) job->program_index = i;
-    worst = std::max(worst, check_program(options, *job, count, report, seen));
+    worst = std::max(worst, check_program(options, *job, basis, report, seen));
   }
   return worst;
 }
@@ -192,10 +200,22 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
+/// The tools file that is asked for; complains.
+bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
+  if (options.table.empty()) return true;
+  auto tools = load_tools(options.table);
+  if (!tools) {
+    complain(tools.error());
+    return false;
+  }
+  to = std::make_shared<const ToolTable>(ToolTable{std::filesystem::path(options.table).filename().string(), std::move(*tools)});
+  return true;
+}
+
 Outputs outputs_of(const Options& options, const ProgramFiles& programs) {
   Outputs outputs(language(options));
   for (const std::string& file : programs.files) outputs.reads(file);
-  for (const std::string& file : {options.setup, options.baseline}) outputs.reads(file);
+  for (const std::string& file : {options.setup, options.baseline, options.table}) outputs.reads(file);
   outputs.writes("--output", options.output.empty() && options.format != "text" ? "-" : options.output);
   return outputs;
 }
@@ -217,7 +237,8 @@ int check(const Options& given) {
   ProgramFiles programs = program_files(options.programs, options.exclude);
   Outputs outputs = outputs_of(options, programs);
   Report report;
-  if (!read_baseline(options, report) || !outputs.check() || !outputs.open()) return wrong_usage;
+  std::shared_ptr<const ToolTable> tools;
+  if (!read_table(options, tools) || !read_baseline(options, report) || !outputs.check() || !outputs.open()) return wrong_usage;
   const ResultFile* const output = outputs.file("--output");
   if (options.format == "text") report.text = output != nullptr ? output->get() : stderr;
   for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
@@ -227,11 +248,11 @@ int check(const Options& given) {
     complain(told("no program to check there", "там нет УП для проверки"));
     return wrong_usage;
   }
-  Count count;
   std::size_t checked = 0;
+  const bool alone = programs.files.size() == 1;
   const GuessedControls controls(options, programs.files);
   for (const std::string& file : programs.files) {
-    const Checked result = check_file(options, controls, file, count, report);
+    const Checked result = check_file(options, controls, file, {tools, alone, alone}, report);
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
@@ -248,7 +269,7 @@ int check(const Options& given) {
                   "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
     status = wrong_usage;
   }
-  if (checked != 0) print_count(options, checked, count, report.baseline ? report.baseline->found() : 0);
+  if (checked != 0) print_count(options, checked, report.count, report.baseline ? report.baseline->found() : 0);
   return outputs.keep() ? status : wrong_usage;
 }
 

@@ -122,6 +122,7 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
+  opened.tools = tool_table_beside(wish.path, wish.door);
   if (wish.setup.empty() && wish.tables.empty()) return opened;
   auto setup = read_with_tables(wish, *opened.def);
   if (!setup) return wrong(setup.error());

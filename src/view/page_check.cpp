@@ -37,7 +37,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   outlets.warning = [&](const AlarmReport& report) { (void)take(report); };
   outlets.alarm = take;
   outlets.stop = token();
-  Checklist checklist(**session, (*session)->own());
+  Checklist checklist(**session, (*session)->own(), {run->opened().tools, run->opened().number == 0, run->opened().number == 0});
   checklist.attach();
   (*session)->control().set_waiting(Control::Waiting::pass);
   (void)(*session)->run();

@@ -100,12 +100,21 @@ void TextWatch::take_points(const Block& block) {
   }
 }
 
+void TextWatch::take_numbers(const Word& word) {
+  const bool tool = word.address == 'T';
+  if (word.expression) (tool ? named_.tools_by_value : named_.rows_by_value) = true;
+  std::set<std::uint32_t>& to = tool ? named_.tools : named_.rows;
+  const double number = word.value * std::pow(10.0, word.counted);
+  if (number >= 0 && number < 1e9 && to.size() < most_numbers) to.insert(static_cast<std::uint32_t>(std::llround(number)));
+}
+
 void TextWatch::take_codes(const Block& block) {
   if (const Word* const s = block.find('S'); s != nullptr && !s->expression && most_rpm_ > 0 && s->value > most_rpm_)
     add(AlarmId::speed_beyond_spindle, origin_of(block), s->where, s->value, most_rpm_);
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
+    if (w.address == 'T' || w.address == 'H' || w.address == 'D') take_numbers(w);
     const CodeRow* const code = row(w);
     if (code == nullptr) continue;
     if (code->function == Function::inch) inch_ = true;
