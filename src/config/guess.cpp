@@ -1,5 +1,5 @@
 // Which control a program was written for, guessed from its text: marks of the controls' files and what the text is like as a whole. For
-// cli/guessed_control, cli/program_files; tested by tests/config/guess_test.cpp.
+// session/folder_guess, cli/program_files; tested by tests/config/guess_test.cpp.
 
 #include "config/guess.h"
 
