@@ -403,6 +403,17 @@ def flow_mistakes(p):
                 yield plant('a block number twice', 'jump_to_two', b.at, p.replaced(twin.at, number, f'N{target}'))
 
 
+def end_mistakes(p):
+    """The file is cut off in transfer, behind a cut of the program itself. The other controls miss the end, or the closing %: they warn, or stop."""
+    if p.control not in ('mach3', 'grbl'):
+        return
+    lifted = False   # by a rapid, since the tool was changed
+    for b in p.blocks:
+        lifted = (lifted or bool(b.motion == 0 and b.find('Z') and p.value(b.find('Z')) > 0)) and not b.code('M', 6)
+        if lifted and b.motion in (1, 2, 3) and b.sideways() and b.cuts() and not b.cycle and not b.section and not b.find('Z'):
+            yield plant('file cut off', 'end_missing', b.at, p.lines[:b.at + 1])
+
+
 def mode_mistakes(p):
     """Of a program whose head does not state the mode, and whose end does not take it back by itself."""
     moved = next((b.at for b in p.blocks if any(b.has(a) for a in 'XYZ')), 0)
@@ -423,7 +434,7 @@ def mode_mistakes(p):
 
 KINDS = (point_dropped, digit_too_many, unit_changed, offset_of_another, length_dropped, spindle_mistakes, coolant_dropped, system_changed,
          tool_not_changed, retract_dropped, feed_mistakes, tooth_mistakes, tap_mistakes, speed_mistakes, table_mistakes, cycle_mistakes, compensation_mistakes,
-         arc_mistakes, rapid_mistakes, low_mistakes, flow_mistakes, mode_mistakes)
+         arc_mistakes, rapid_mistakes, low_mistakes, flow_mistakes, end_mistakes, mode_mistakes)
 
 
 def all_of(program):

@@ -75,6 +75,8 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   levels_.finish(advices);
   path_.finish(advices);
   text.finish(advices);
+  if (const auto& cut = levels_.ends_in_cut(); cut && !text.has_end() && !def.behaviour.end_required)
+    advices.add(AlarmId::end_missing, *cut, 0);
   const bool shared = session_.channels().size() > 1;  // another channel may use what this one does not
   check_tables({basis_.tools, basis_.own_tools && !shared, basis_.own_setup && !shared}, text.named(), session_.channels()[channel_].setup,
                control.use(), advices);

@@ -225,6 +225,7 @@ void TextWatch::take_flow(const Block& block) {
     if (w.address == 'M' && w.code == 99_m)
       now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
     const CodeRow* const code = row(w);
+    if (code != nullptr && code->function == Function::repeat_program) repeats_ = true;
     if (code != nullptr && (code->function == Function::program_end || code->function == Function::tape_end)) {
       now.ends_program = main_over_ = true;
       ended_ = ended_ || (block.skip == 0 && s.condition_count == 0);
@@ -283,6 +284,10 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     Section& section = sections_[at];
     if (block.has_number && section.jumps.contains(block.number)) ++section.twice[block.number];
   });
+}
+
+bool TextWatch::has_end() const {
+  return repeats_ || std::any_of(sections_.begin(), sections_.end(), [](const Section& s) { return s.ends_program || s.returns; });
 }
 
 void TextWatch::finish(Advices& to) {

@@ -27,6 +27,8 @@ class TextWatch {
   /// Of tools, as comments name them: "4 FLUTE", "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
   const NamedInText& named() const { return named_; }
+  /// The program says somewhere that it ends or returns.
+  bool has_end() const;
 
  private:
   /// A program or subprogram of the text: from one O number to the next.
@@ -79,6 +81,7 @@ class TextWatch {
   std::set<std::uint32_t> calls_;
   bool calls_by_value_ = false, has_o_words_ = false;
   bool ended_ = false;
+  bool repeats_ = false;  // from its beginning, by a code
   // comments
   std::map<std::uint32_t, int> teeth_;
   std::uint32_t tool_ = 0;
