@@ -10,9 +10,9 @@ Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*
 line and id it knows. The places are drawn by a fixed seed, at most so many of a kind in a program. What the control itself refuses (an alarm) is
 drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost. What a rule does not see
 yet stands in tests/checklist/open.tsv with the reason: it counts in that share all the same, and its row must go once all of it is found.
-Clean: those programs, and all others of examples/ that check without an alarm, have no advice.
+Clean: those programs, each with a tools file of its tools beside it, and all others of examples/ that check without an alarm, have no advice.
 Innocent: neither have the programs of tests/checklist/innocent.txt, which look like mistakes and are none: `== CONTROL name`, the program, and
-before it `setup: {…}` where one is needed.
+before it `setup: {…}` where one is needed, and `tools: […]`, the numbers of a tools file beside it.
 """
 import collections
 import fnmatch
@@ -60,15 +60,24 @@ def is_open(program, mistake):
     return (mistake.ids[0], program.control) in OPEN
 
 
-def findings(kadr, control, text, setup):
-    """What `kadr check` finds, and whether the control stops."""
+MACHINE = 'id = "own"\nspindle_speed = {}\n[axes]\nX = {{ rapid = 10000 }}\n'
+
+
+def findings(kadr, control, text, setup, tools=None, most_rpm=None):
+    """What `kadr check` finds, and whether the control stops. `tools`: numbers of a tools file beside the program. `most_rpm`: of the machine."""
     with tempfile.TemporaryDirectory(prefix='kadr_check_') as folder:
         bench = harness.Kadr(kadr, folder)
         bench.file('p.nc', '\n'.join(text) + '\n')
-        more = ()
+        if tools is not None:
+            rows = (f'[[tool]]\nnumber = {n}\nkind = "flat"\ndiameter = 8\nflute_length = 20\nlength = 50\n' for n in tools)
+            bench.file('p.toml', '\n'.join(rows))
+        more = []
         if setup is not None:
             bench.file('p.json', json.dumps(setup))
-            more = ('--setup', 'p.json')
+            more += ['--setup', 'p.json']
+        if most_rpm is not None:
+            bench.file('own.toml', MACHINE.format(most_rpm))
+            more += ['--machine', 'own.toml']
         done = bench.call('check', 'p.nc', '--control', control, '--format', 'json', '--lang', 'en', *more)
     try:
         found = json.loads(done.stdout)
@@ -106,7 +115,7 @@ def drawn(kadr, program):
         for m in places:
             if taken == PLACES:
                 break
-            advice, alarms = findings(kadr, program.control, m.text, program.setup if m.setup is None else m.setup)
+            advice, alarms = findings(kadr, program.control, m.text, program.setup if m.setup is None else m.setup, m.tools, m.most_rpm)
             if alarms:
                 refused += 1
                 continue
@@ -185,12 +194,14 @@ def innocents():
     for part in re.split(r'^== ', (HERE / 'innocent.txt').read_text(encoding='utf-8'), flags=re.M)[1:]:
         head, *lines = part.rstrip('\n').split('\n')
         control, name = head.split(' ', 1)
-        setup = json.loads(lines.pop(0).removeprefix('setup:')) if lines[0].startswith('setup:') else None
-        yield name, control, lines, setup
+        given = {'setup': None, 'tools': None}
+        while (key := lines[0].split(':')[0]) in given:
+            given[key] = json.loads(lines.pop(0).removeprefix(f'{key}:'))
+        yield name, control, lines, given['setup'], given['tools']
 
 
-def faults_of_text(kadr, control, text, setup):
-    advice, alarms = findings(kadr, control, text, setup)
+def faults_of_text(kadr, control, text, setup, tools=None):
+    advice, alarms = findings(kadr, control, text, setup, tools)
     return [f'{a["line"]} {a["id"]}: {a["line_text"].strip()}: {a["text"]}' for a in [*alarms, *advice]]
 
 
@@ -203,7 +214,7 @@ def main():
     tally = harness.Tally()
     bases = programs()
     clean, results, refused = [], [], 0
-    for program, faults in zip(bases, harness.each(lambda p: faults_of_text(options.kadr, p.control, p.lines, p.setup), bases)):
+    for program, faults in zip(bases, harness.each(lambda p: faults_of_text(options.kadr, p.control, p.lines, p.setup, p.numbers()), bases)):
         if 'examples' not in program.name and (HERE / f'{program.name}.nc').exists():
             judge_without(tally, 'clean', program.name, faults)
         if not faults:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "cli/files.h"
 #include "cli/found.h"
@@ -24,21 +25,22 @@
 namespace kadr::cli {
 namespace {
 
+struct Count {
+  std::size_t faults = 0, warnings = 0, advices = 0;
+};
+
 /// Where findings go as they are found, or when all are there.
 struct Report {
   std::FILE* text = nullptr;  // of --format text: as they come; else nullptr
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
+  Count count;
   std::vector<Unreadable> unreadable;
 
   void add(const AlarmReport& report, Finding finding, Found& found) {
     if (text != nullptr) found.tell(report);
     else findings.push_back(std::move(finding));
   }
-};
-
-struct Count {
-  std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
 /// Takes what is found in the programs of one file; what the baseline knows is left out.
@@ -80,7 +82,8 @@ Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& che
 }
 
 /// Every program of the file, if it is a tape with several and none is named.
-Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, Count& count, Report& report) {
+///   basis  of all files together
+Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
   if (control->empty()) return Checked::unknown;
@@ -90,10 +93,14 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   RunLimits limits = options.limits;
   const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes asks for more
   if (one_pass) limits.restarts = 0;
+  const bool only_program = programs == 1 && options.program == 0;  // of a tape
+  if (!basis.tools) basis.tools = tool_table_beside(file);
+  basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
+  basis.own_setup = only_program && basis.own_setup;
   Progress progress(options.quiet);
   Found found(job->texts(), language(options), report.text, options.every);
   Collector collector(*job, options, report, found);
-  ProgramCheck check({job->stated, one_pass, &progress, stop_token()}, [&](std::size_t, const AlarmReport& told) {
+  ProgramCheck check({job->stated, basis, one_pass, &progress, stop_token()}, [&](std::size_t, const AlarmReport& told) {
     collector.take(told);
     return true;
   });
@@ -104,7 +111,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   }
   if (report.text != nullptr) found.finish();
   const Count& of_file = collector.count;
-  count.faults += of_file.faults, count.warnings += of_file.warnings, count.advices += of_file.advices;
+  report.count.faults += of_file.faults, report.count.warnings += of_file.warnings, report.count.advices += of_file.advices;
   const bool faulty = of_file.faults != 0 || (options.strict && of_file.warnings != 0);
   return std::max(worst, faulty ? Checked::faulty : Checked::clean);
 }
@@ -141,10 +148,22 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
+/// The tools file that is asked for; complains.
+bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
+  if (options.table.empty()) return true;
+  auto tools = load_tools(options.table);
+  if (!tools) {
+    complain(tools.error());
+    return false;
+  }
+  to = std::make_shared<const ToolTable>(ToolTable{std::filesystem::path(options.table).filename().string(), std::move(*tools)});
+  return true;
+}
+
 Outputs outputs_of(const Options& options, const ProgramFiles& programs) {
   Outputs outputs(language(options));
   for (const std::string& file : programs.files) outputs.reads(file);
-  for (const std::string& file : {options.setup, options.baseline}) outputs.reads(file);
+  for (const std::string& file : {options.setup, options.baseline, options.table}) outputs.reads(file);
   outputs.writes("--output", options.output.empty() && options.format != "text" ? "-" : options.output);
   return outputs;
 }
@@ -166,7 +185,8 @@ int check(const Options& given) {
   ProgramFiles programs = program_files(options.programs, options.exclude);
   Outputs outputs = outputs_of(options, programs);
   Report report;
-  if (!read_baseline(options, report) || !outputs.check() || !outputs.open()) return wrong_usage;
+  std::shared_ptr<const ToolTable> tools;
+  if (!read_table(options, tools) || !read_baseline(options, report) || !outputs.check() || !outputs.open()) return wrong_usage;
   const ResultFile* const output = outputs.file("--output");
   if (options.format == "text") report.text = output != nullptr ? output->get() : stderr;
   for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
@@ -176,11 +196,11 @@ int check(const Options& given) {
     complain(told("no program to check there", "там нет УП для проверки"));
     return wrong_usage;
   }
-  Count count;
   std::size_t checked = 0;
+  const bool alone = programs.files.size() == 1;
   const GuessedControls controls(options, programs.files);
   for (const std::string& file : programs.files) {
-    const Checked result = check_file(options, controls, file, count, report);
+    const Checked result = check_file(options, controls, file, {tools, alone, alone}, report);
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
@@ -197,7 +217,7 @@ int check(const Options& given) {
                   "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
     status = wrong_usage;
   }
-  if (checked != 0) print_count(options, checked, count, report.baseline ? report.baseline->found() : 0);
+  if (checked != 0) print_count(options, checked, report.count, report.baseline ? report.baseline->found() : 0);
   return outputs.keep() ? status : wrong_usage;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include "cli/guessed_control.h"
@@ -49,13 +50,33 @@ bool take_setup(Job& job, const Options& options) {
   return true;
 }
 
+/// Of a command that takes many programs: each control is read once, as it is at the first. Complains.
+///   returns  nullptr: it cannot be read
+std::shared_ptr<const ControlDef> control_named(const std::string& name) {
+  static std::map<std::string, std::shared_ptr<const ControlDef>> known;
+  if (const auto found = known.find(name); found != known.end()) return found->second;
+  auto def = load_control(name);
+  if (!def) {
+    complain(def.error());
+    return nullptr;
+  }
+  return known[name] = std::make_shared<const ControlDef>(std::move(*def));
+}
+
+/// The same of its texts.
+std::shared_ptr<const AlarmTexts> texts_of(const std::shared_ptr<const ControlDef>& def) {
+  static std::map<std::shared_ptr<const ControlDef>, std::shared_ptr<const AlarmTexts>> known;
+  std::shared_ptr<const AlarmTexts>& of = known[def];
+  if (of) return of;
+  auto texts = AlarmTexts::load(def.get());
+  if (!texts) complain(texts.error());
+  return of = std::make_shared<const AlarmTexts>(texts ? std::move(*texts) : AlarmTexts());
+}
+
 }  // namespace
 
 const AlarmTexts& Job::texts() const {
-  if (texts_) return *texts_;
-  auto texts = AlarmTexts::load(def.get());
-  if (!texts) complain(texts.error());
-  texts_ = std::make_unique<AlarmTexts>(texts ? std::move(*texts) : AlarmTexts());
+  if (!texts_) texts_ = texts_of(def);
   return *texts_;
 }
 
@@ -81,12 +102,8 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   job.setup_file = options.setup;
   job.lang = language(options);
   job.program = options.program;
-  auto def = load_control(control);
-  if (!def) {
-    complain(def.error());
-    return std::nullopt;
-  }
-  job.def = std::make_shared<const ControlDef>(std::move(*def));
+  job.def = control_named(control);
+  if (!job.def) return std::nullopt;
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
   if (!profile) {
     complain(profile.error());

@@ -31,7 +31,7 @@ struct Job {
   std::string place_of(const std::string& key) const;
 
  private:
-  mutable std::unique_ptr<AlarmTexts> texts_;
+  mutable std::shared_ptr<const AlarmTexts> texts_;
 };
 
 /// What to say where nobody knows that name.

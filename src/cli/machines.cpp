@@ -91,6 +91,7 @@ void print_one(const MachineProfile& machine) {
   line(told("speed", "скорость"), planner_of(machine));
   line(told("tool change", "смена инструмента"), number_of(machine.tool_change_s) + told(" s", " с"));
   line(told("spindle start", "разгон шпинделя"), number_of(machine.spindle_start_s) + told(" s", " с"));
+  if (machine.most_rpm > 0) line(told("spindle speed", "частота шпинделя"), told("at most ", "не более ") + number_of(machine.most_rpm));
   line(told("corners within", "допуск на углах"), number_of(machine.tolerance) + told(" mm", " мм"));
   type_out("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
            padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),

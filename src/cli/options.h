@@ -42,6 +42,7 @@ struct Options {
   std::vector<std::string> exclude;      // patterns of paths in folders
   std::vector<std::string> control_for;  // PATTERN=ID
   bool guesses_silently = false;         // which control: nothing is said of it
+  std::string table;                     // a tools file that the programs are held against; empty: what lies beside each
   bool strict = false;                   // warnings count as errors
   std::string explained;                 // a finding's id: what it means, instead of a check
   bool every = false;                    // each finding is printed whole, however many are alike

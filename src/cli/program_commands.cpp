@@ -223,6 +223,11 @@ void add_check(CLI::App& app, Commands& c) {
   takes_file(check->add_option("--baseline", o.baseline,
                                told("findings that are known, as --format json wrote them: only new ones are told",
                                     "известное, как его записал --format json: сообщается только о новом")));
+  takes_file(check->add_option("--tools", o.table,
+                               told("tools file that the programs are held against, as of kadr cut: which tools are missing in it, which "
+                                    "are never called (default: NAME.toml, NAME.tbl or tools.toml beside NAME.nc)",
+                                    "файл инструментов, как у kadr cut, с которым сверяются УП: каких инструментов в нём нет и какие не "
+                                    "вызываются (по умолчанию NAME.toml, NAME.tbl или tools.toml рядом с NAME.nc)")));
   takes(check->add_option("--exclude", o.exclude,
                           told("in folders, leave out what is like the pattern (* ? [abc]): a path or a name; may be repeated",
                                "в папках пропускать похожее на образец (* ? [abc]): путь или имя; можно повторять")),

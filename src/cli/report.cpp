@@ -175,7 +175,7 @@ int report(const ReportOptions& options) {
   auto job = make_job(options.cut.run, options.cut.run.programs.front());
   if (!job) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
-  const auto opened = outputs.check() ? opened_by(*job, options.cut.run) : std::nullopt;
+  auto opened = outputs.check() ? opened_by(*job, options.cut.run) : std::nullopt;
   if (!opened) return wrong_usage;
   ToolLibrary tools;
   if (!options.cut.tools.empty()) {
@@ -187,6 +187,8 @@ int report(const ReportOptions& options) {
     for (const std::string& note : library->notes) say(note + "\n");
     tools = std::move(*library);
   }
+  opened->tools = options.cut.tools.empty() ? tool_table_beside(job->file)
+                                            : std::make_shared<const ToolTable>(ToolTable{shown_name(options.cut.tools), tools});
   ReportRun run(*job, options.cut.run);
   if (!run.open(*opened) || !outputs.open()) return wrong_usage;
   run.carry_out();

@@ -1,10 +1,13 @@
 // Which control a program was written for, guessed from its text: marks of the controls' files and what the text is like as a whole. For
-// cli/guessed_control, cli/program_files; tested by tests/config/guess_test.cpp.
+// session/folder_guess, cli/program_files; tested by tests/config/guess_test.cpp.
 
 #include "config/guess.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -35,32 +38,18 @@ struct Found {
 /// A control, or a language, and what of its rows has been found so far.
 struct Candidate {
   const GuessRows* rows;
-  std::vector<LineSigns> needs;  // of each mark
-  std::vector<bool> seen;
-  std::vector<Found> found;
+  bool is_dialect;
+  std::vector<Found> found{};
   double strongest_mark = 0;
 
-  explicit Candidate(const GuessRows& of) : rows(&of), seen(of.marks.size()) {
-    for (const GuessMark& mark : of.marks) needs.push_back(signs_needed(mark.pattern));
-  }
-
-  /// `signs`: of the line as it is written, with its comments. `only_against`: what speaks for it does not count there.
-  void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
-    for (std::size_t i = 0; i < rows->marks.size(); ++i) {
-      if (seen[i] || (needs[i] & ~signs) != 0 || (only_against && rows->marks[i].weight > 0)) continue;
-      const auto& [pattern, weight, place] = rows->marks[i];
-      if (place == MarkPlace::name) continue;
-      const std::string_view text = place == MarkPlace::comment ? found_in_words(line.comments, pattern) : found_in(line, pattern);
-      if (text.empty()) continue;
-      seen[i] = true;
-      strongest_mark = std::max(strongest_mark, weight);
-      const std::string where = std::to_string(number), said(text);
-      found.push_back({weight, number, "line " + where + ": " + said, "строка " + where + ": " + said});
-    }
+  void take(std::string_view text, double weight, std::uint32_t number) {
+    strongest_mark = std::max(strongest_mark, weight);
+    const std::string where = std::to_string(number), said(text);
+    found.push_back({weight, number, "line " + where + ": " + said, "строка " + where + ": " + said});
   }
 
   void take_name(std::string_view path) {
-    for (const auto& [pattern, weight, place] : rows->marks)
+    for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkPlace::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
         const std::size_t last = path.rfind('/');  // "/folder/part.nc"
@@ -95,6 +84,53 @@ struct Candidate {
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 is last
     return all;
   }
+};
+
+/// The marks of all that have not been found yet: each lies under the rarest sign that it needs, so that most lines need not look at most.
+class OpenMarks {
+ public:
+  void add(Candidate& candidate) {
+    for (const GuessMark& mark : candidate.rows->marks)
+      if (mark.place != MarkPlace::name) marks_[mark.rarest].push_back({&candidate, &mark});
+  }
+
+  /// `signs`: of the line as it is written, with its comments. `only_against`: what speaks for a language that Kadr does not read does not
+  /// count there.
+  void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
+    hits_.clear();
+    for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
+      look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
+    look(any_sign, line, signs, only_against);
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });  // as the rows stand
+    for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
+  }
+
+ private:
+  struct Open {
+    Candidate* of;
+    const GuessMark* mark;
+  };
+  struct Hit : Open {
+    std::string_view text;
+  };
+
+  void look(std::size_t sign, const GuessLine& line, LineSigns signs, bool only_against) {
+    std::vector<Open>& marks = marks_[sign];
+    for (std::size_t i = 0; i < marks.size();) {
+      const Open open = marks[i++];
+      const GuessMark& mark = *open.mark;
+      if ((mark.needs & ~signs) != 0 || (only_against && open.of->is_dialect && mark.weight > 0)) continue;
+      const std::string_view text =
+          mark.place == MarkPlace::comment ? found_in_words(line.comments, mark.pattern) : found_in(line, mark.pattern);
+      if (text.empty()) continue;
+      hits_.push_back({open, text});
+      marks[--i] = marks.back();
+      marks.pop_back();
+    }
+  }
+
+  std::array<std::vector<Open>, any_sign + 1> marks_;
+  std::vector<Hit> hits_;
 };
 
 std::string reason_of(const std::vector<Found>& found, std::string Found::*language) {
@@ -203,17 +239,18 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
   const KindOfText text = kind_of_text(sample);
   if (text.kind == TextKind::binary) return unknown(text);
   std::vector<Candidate> candidates, dialects;
-  for (const GuessRows& rows : controls) candidates.emplace_back(rows);
-  for (const GuessRows& rows : dialects_known) dialects.emplace_back(rows);
+  for (const GuessRows& rows : controls) candidates.push_back({&rows, false});
+  for (const GuessRows& rows : dialects_known) dialects.push_back({&rows, true});
+  OpenMarks marks;
+  for (auto* all : {&candidates, &dialects})
+    for (Candidate& c : *all) marks.add(c);
   Traits traits;
   for (std::uint32_t number = 1; !sample.empty() && number <= lines_of_guess; ++number) {
     const std::size_t end = std::min(sample.find('\n'), sample.size());
     const GuessLine line = guess_line(sample.substr(0, end));
     sample.remove_prefix(std::min(end + 1, sample.size()));
     if (line.raw.empty()) continue;
-    const LineSigns signs = signs_of(line.raw);
-    for (Candidate& c : candidates) c.take(line, signs, number, false);
-    for (Candidate& c : dialects) c.take(line, signs, number, has_names(line));
+    marks.take(line, signs_of(line.raw), number, has_names(line));
     if (!line.written.empty()) traits.take(line.written);
   }
   for (auto* all : {&candidates, &dialects})

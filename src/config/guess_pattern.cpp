@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "base/ascii.h"
@@ -162,6 +163,18 @@ LineSigns signs_needed(std::string_view pattern) {
     else ++i;
   }
   return signs;
+}
+
+std::size_t rarest_sign(LineSigns signs) {
+  constexpr std::string_view from_common_on = "01GXYZ.23456789-FNMIJSRTKHPQ";
+  std::size_t best = any_sign, rank = 0;
+  for (LineSigns rest = signs; rest != 0; rest &= rest - 1) {
+    const auto sign = static_cast<std::size_t>(std::countr_zero(rest));
+    const auto is_it = [sign](char c) { return static_cast<unsigned char>(c) % any_sign == sign; };
+    const auto its = static_cast<std::size_t>(std::find_if(from_common_on.begin(), from_common_on.end(), is_it) - from_common_on.begin());
+    if (best == any_sign || its > rank) best = sign, rank = its;
+  }
+  return best;
 }
 
 bool is_named_like(std::string_view path, std::string_view pattern) {

@@ -33,6 +33,9 @@ std::string_view found_in_words(std::string_view text, std::string_view pattern)
 using LineSigns = std::uint64_t;
 LineSigns signs_of(std::string_view text);
 LineSigns signs_needed(std::string_view pattern);
+/// Which of them, by its bit, the fewest lines of programs have; any_sign: there is none.
+inline constexpr std::size_t any_sign = 64;
+std::size_t rarest_sign(LineSigns signs);
 
 /// `*`, `?` of file names, in small letters.
 ///   path  with `/`; a pattern without one is held against the last part of the path alone

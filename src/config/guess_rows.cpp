@@ -30,7 +30,8 @@ std::optional<std::string> take_marks(const toml::table& table, MarkPlace place,
     if (node.is_table() && place == MarkPlace::statement) continue;
     const auto weight = weight_of(node, key.str(), file);
     if (!weight) return weight.error();
-    rows.marks.push_back({std::string(key.str()), *weight, place});
+    const LineSigns needs = signs_needed(key.str());
+    rows.marks.push_back({std::string(key.str()), *weight, place, needs, rarest_sign(needs)});
   }
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/guess_pattern.h"
 #include "config/guess_traits.h"
 
 namespace kadr {
@@ -25,6 +26,8 @@ struct GuessMark {
   std::string pattern;  // guess_pattern.h
   double weight = 0;    // below 0: speaks against it
   MarkPlace place = MarkPlace::statement;
+  LineSigns needs = 0;            // of the pattern
+  std::size_t rarest = any_sign;  // of those
 };
 
 /// Of one control, or one language.

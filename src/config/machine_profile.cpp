@@ -163,8 +163,9 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done =
-          known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics", "bodies"});
+  if (auto done = known_keys(
+          file, table,
+          {"id", "name", "tool_change", "spindle_start", "spindle_speed", "tolerance", "planner", "axes", "kinematics", "bodies"});
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
@@ -176,6 +177,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   }
   const std::tuple<const char*, const NumberRange&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
                                                                           {"spindle_start", ranges::seconds, profile.spindle_start_s},
+                                                                          {"spindle_speed", ranges::speed, profile.most_rpm},
                                                                           {"tolerance", ranges::distance, profile.tolerance}};
   for (const auto& [key, range, to] : numbers)
     if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());

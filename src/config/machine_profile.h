@@ -51,6 +51,7 @@ struct MachineProfile {
   std::vector<MachineBody> bodies;
   double tool_change_s = 10;
   double spindle_start_s = 0;
+  double most_rpm = 0;      // of the spindle; 0: not said
   double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say
   PlannerMode planner = PlannerMode::programmed;
 };

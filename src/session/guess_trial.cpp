@@ -1,4 +1,4 @@
-// For cli/guessed_control and view/opening; tested by tests/guess.py.
+// For session/folder_guess; tested by tests/guess.py.
 
 #include "session/guess_trial.h"
 

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <filesystem>
 
 #include "config/control_file.h"
 #include "config/read_file.h"
@@ -13,7 +12,7 @@
 #include "config/told.h"
 #include "lang/text/several_programs.h"
 #include "machine/plc.h"
-#include "session/guess_trial.h"
+#include "session/folder_guess.h"
 
 namespace kadr {
 namespace {
@@ -23,26 +22,30 @@ OpenedText text_of(const OpenedProgram& opened) {
   return open_text(opened.path, opened.encoding, opened.door);
 }
 
-/// What the control is guessed from.
-std::optional<std::string> beginning_of(const OpenedProgram& opened) {
-  OpenedText text = text_of(opened);
-  if (!text.source) return std::nullopt;
-  LineReader reader(std::move(text.source));
-  const std::string_view sample = reader.sample();
-  const auto encoding = text.encoding ? text.encoding : detect_encoding(sample);
-  if (!encoding) return std::string(sample);
-  std::string utf8;
-  (void)append_utf8(sample, *encoding, utf8);
-  return utf8;
-}
-
-/// "/folder/part.nc"
-std::string called(const std::string& path) {
-  const std::filesystem::path whole(path);
-  return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
-}
-
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
+
+/// The named control, the one that the folder remembers, or that which `kadr check` would take it for. Sets `opened.guess`.
+tl::expected<std::string, std::string> control_for(const OpeningWish& wish, OpenedProgram& opened) {
+  std::string wrong_memory;
+  RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, wish.door);
+  const std::string named = wish.control.empty() ? remembered.of(wish.path) : wish.control;
+  if (!wrong_memory.empty()) return wrong(wrong_memory);
+  if (!named.empty()) {
+    const auto beginning = wish.text ? wish.text : beginning_of_program(wish.path, opened.encoding, wish.door);
+    if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
+    const std::string why = named.ends_with(".toml") ? "" : refused_by_control(*beginning, named, wish.lang == Lang::ru);
+    return why.empty() ? tl::expected<std::string, std::string>(named) : wrong(fmt::format("{}: {}", wish.path, why));
+  }
+  const auto named_for = [&](const std::string& file) { return remembered.of(file); };
+  const auto answer = FolderGuess({named_for, opened.encoding, wish.door, wish.text}, {wish.path}).of(wish.path);
+  if (!answer) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
+  opened.guess = with_neighbours(*answer);
+  if (!opened.guess->control.empty()) return opened.guess->control;
+  return wrong(fmt::format("{}: {}",
+                           told("no program of a control that Kadr knows; name the control to open it all the same",
+                                "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
+                           wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
+}
 
 tl::expected<Program, std::string> program_in(const OpenedProgram& opened, OpenedText text) {
   if (!text.source) return wrong(fmt::format("{}: {}", opened.path, told_errno(errno)));
@@ -93,27 +96,9 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   opened.text = wish.text;
   opened.door = wish.door;
   if (!read_encoding(wish.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", wish.encoding));
-  const auto beginning = beginning_of(opened);
-  if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
-  std::string control = wish.control;
-  if (const std::string why = refused_by_control(*beginning, control, wish.lang == Lang::ru); !why.empty())
-    return wrong(fmt::format("{}: {}", wish.path, why));
-  if (control.empty()) {
-    std::string wrong_memory;
-    control = RememberedControls([&](const std::string& why) { wrong_memory = why; }, wish.door).of(wish.path);
-    if (!wrong_memory.empty()) return wrong(wrong_memory);
-  }
-  if (control.empty()) {
-    opened.guess = guess_control(*beginning, called(wish.path));
-    try_guess(*opened.guess, *beginning);
-    control = opened.guess->control;
-    if (control.empty())
-      return wrong(fmt::format("{}: {}",
-                               told("no program of a control that Kadr knows; name the control to open it all the same",
-                                    "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
-                               wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
-  }
-  auto def = load_control(control, wish.door);
+  const auto control = control_for(wish, opened);
+  if (!control) return wrong(control.error());
+  auto def = load_control(*control, wish.door);
   if (!def) return wrong(def.error());
   opened.def = std::make_shared<const ControlDef>(std::move(*def));
   auto texts = AlarmTexts::load(opened.def.get());
@@ -122,6 +107,7 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
+  opened.tools = tool_table_beside(wish.path, wish.door);
   if (wish.setup.empty() && wish.tables.empty()) return opened;
   auto setup = read_with_tables(wish, *opened.def);
   if (!setup) return wrong(setup.error());

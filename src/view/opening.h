@@ -10,6 +10,7 @@
 #include "config/guess.h"
 #include "config/setup_file.h"
 #include "lang/text/utf16.h"
+#include "session/checklist/tool_table.h"
 #include "session/session.h"
 
 namespace kadr {
@@ -32,7 +33,8 @@ struct OpenedProgram {
   Setup setup;
   std::set<std::string> stated;  // PlacedSetup::stated
   SaidEncoding encoding;
-  std::optional<Guess> guess;  // nothing: the control was named
+  std::shared_ptr<const ToolTable> tools;  // the checklist holds it against
+  std::optional<Guess> guess;              // nothing: the control was named
   std::optional<std::string> text;
   std::uint32_t number = 0;  // of the program on a tape with several; 0: the first
   RunLimits limits;          // nothing is written

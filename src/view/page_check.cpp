@@ -22,10 +22,14 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   auto session = Session::open(std::move(spec));
   if (!session) return tl::unexpected(Refusal{told(session.error().fault.en, session.error().fault.ru)});
   PageJson problems = PageJson::array();
-  ProgramCheck({.stated = run->opened().stated, .stop = token()}, [&](std::size_t, const AlarmReport& report) {
-    problems.push_back(problem(report));
-    return problems.size() < most_problems;
-  }).check(**session);
+  ProgramCheck({.stated = run->opened().stated,
+                .basis = {run->opened().tools, run->opened().number == 0, run->opened().number == 0},
+                .stop = token()},
+               [&](std::size_t, const AlarmReport& report) {
+                 problems.push_back(problem(report));
+                 return problems.size() < most_problems;
+               })
+      .check(**session);
   return PageJson{{"problems", std::move(problems)}};
 }
 

@@ -61,7 +61,8 @@ void ProgramRun::attach() {
     tell(report, 0);
     return false;
   };
-  checklist_ = std::make_unique<Checklist>(*session_, session_->own());
+  checklist_ =
+      std::make_unique<Checklist>(*session_, session_->own(), ChecklistBasis{opened_.tools, opened_.number == 0, opened_.number == 0});
   outlets.programmed = [this](const Action& action) {
     take_programmed(action);
     checklist_->take(action);

@@ -44,6 +44,7 @@ TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"),
             ":3: limits must be [least, most], the second above the first, each a number, -10000000 to 10000000 mm or degrees");
   EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: tool_change must be a number, 0 to 86400 s");
+  EXPECT_EQ(refusal("id = 'a'\nspindle_speed = -1\n[axes]"), ":2: spindle_speed must be a number, 0 to 1000000 rev/min");
   EXPECT_EQ(refusal("id = 'a'"), ": [axes] is missing");
   EXPECT_EQ(refusal("id = 'a'\nplanner = 'fast'\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
   EXPECT_EQ(refusal("id = 'a'\nplanner = 1\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");

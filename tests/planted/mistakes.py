@@ -13,10 +13,12 @@ class Mistake:
     line: int       # there
     text: list
     setup: dict | None = None   # instead of the program's own
+    tools: list | None = None   # numbers of a tools file beside the program
+    most_rpm: int | None = None   # of the machine
 
 
-def plant(kind, ids, at, text, setup=None):
-    return Mistake(kind, (ids,) if isinstance(ids, str) else ids, at + 1, text, setup)
+def plant(kind, ids, at, text, setup=None, **more):
+    return Mistake(kind, (ids,) if isinstance(ids, str) else ids, at + 1, text, setup, **more)
 
 
 # ---- numbers
@@ -207,6 +209,11 @@ def tap_mistakes(p):
 
 
 def speed_mistakes(p):
+    """Beyond the machine's file, and beyond the gears of the set-up."""
+    for b in p.blocks:
+        speed = b.find('S')
+        if speed and speed.number > 10:
+            yield plant('S beyond the machine', 'speed_beyond_spindle', b.at, list(p.lines), most_rpm=int(speed.number) - 1)
     if p.control != 'nct' or p.setup is None:   # no other control's set-up states the gears
         return
     setup = {**p.setup, 'axes': ['X', 'Y', 'Z'], 'spindle': {'1': {'name': 'S', 'ranges': [[50, 1000], [800, 8000]]}}}
@@ -214,6 +221,42 @@ def speed_mistakes(p):
         speed = b.find('S')
         if speed:
             yield plant('S beyond the gears', 'speed_beyond_spindle', b.at, p.replaced(b.at, speed, 'S2' + speed.text + '0'), setup)
+
+
+# ---- the tables beside the program
+
+STRANGE = 19   # no program has a tool, nor an offset, of this number
+
+
+def table_mistakes(p):
+    """At the first word that calls the tool; what is never called, at the first call of all. The file holds the tools of the program."""
+    changes = p.tools()
+    numbers = sorted({b.tool for b in changes})
+    for number in numbers:
+        others = [n for n in numbers if n != number]
+        if others:
+            yield plant('a tool left out of the table', 'tool_not_in_table', p.first_call(number).at, list(p.lines), tools=others)
+    for change in changes:
+        tool = change.find('T')
+        if tool and len(tool.text) < 4 and len(numbers) > 1:   # T0404 is tool and corrector
+            strange = p.replaced(change.at, tool, f'T{STRANGE:0{len(tool.text)}}')
+            yield plant('T of no tool of the table', 'tool_not_in_table', change.at, strange, tools=numbers)
+    if numbers:
+        yield plant('a tool too many in the table', 'table_tools_unused', p.first_call().at, list(p.lines), tools=[*numbers, STRANGE])
+    for change, following in zip(changes, changes[1:]):
+        own = range(change.at, following.at)
+        alone = sum(b.tool == change.tool for b in changes) == 1 and not any(b.has('T') for b in p.blocks[change.at + 1:following.at])
+        if alone and len(numbers) > 2 and change is not changes[0] and change.find('T'):
+            lines = [line for i, line in enumerate(p.lines) if i not in own]
+            yield plant('an operation dropped', 'table_tools_unused', p.first_call().at, lines, tools=numbers)
+    offsets = (p.setup or {}).get('offsets', {})
+    for b in p.blocks:
+        length = b.code('G', 43) and (b.find('H') or b.find('D'))
+        if length and str(int(length.number)) in offsets:
+            row = str(int(length.number))
+            first = next(c for c in p.blocks if c.code('G', 43) and (c.find('H') or c.find('D')) and int((c.find('H') or c.find('D')).number) == int(row))
+            setup = {**p.setup, 'offsets': {**{n: o for n, o in offsets.items() if n != row}, str(STRANGE): offsets[row]}}
+            yield plant('an offset under another number', 'offset_row_unused', first.at, list(p.lines), setup)
 
 
 # ---- cycles
@@ -360,6 +403,17 @@ def flow_mistakes(p):
                 yield plant('a block number twice', 'jump_to_two', b.at, p.replaced(twin.at, number, f'N{target}'))
 
 
+def end_mistakes(p):
+    """The file is cut off in transfer, behind a cut of the program itself. The other controls miss the end, or the closing %: they warn, or stop."""
+    if p.control not in ('mach3', 'grbl'):
+        return
+    lifted = False   # by a rapid, since the tool was changed
+    for b in p.blocks:
+        lifted = (lifted or bool(b.motion == 0 and b.find('Z') and p.value(b.find('Z')) > 0)) and not b.code('M', 6)
+        if lifted and b.motion in (1, 2, 3) and b.sideways() and b.cuts() and not b.cycle and not b.section and not b.find('Z'):
+            yield plant('file cut off', 'end_missing', b.at, p.lines[:b.at + 1])
+
+
 def mode_mistakes(p):
     """Of a program whose head does not state the mode, and whose end does not take it back by itself."""
     moved = next((b.at for b in p.blocks if any(b.has(a) for a in 'XYZ')), 0)
@@ -379,8 +433,8 @@ def mode_mistakes(p):
 
 
 KINDS = (point_dropped, digit_too_many, unit_changed, offset_of_another, length_dropped, spindle_mistakes, coolant_dropped, system_changed,
-         tool_not_changed, retract_dropped, feed_mistakes, tooth_mistakes, tap_mistakes, speed_mistakes, cycle_mistakes, compensation_mistakes,
-         arc_mistakes, rapid_mistakes, low_mistakes, flow_mistakes, mode_mistakes)
+         tool_not_changed, retract_dropped, feed_mistakes, tooth_mistakes, tap_mistakes, speed_mistakes, table_mistakes, cycle_mistakes, compensation_mistakes,
+         arc_mistakes, rapid_mistakes, low_mistakes, flow_mistakes, end_mistakes, mode_mistakes)
 
 
 def all_of(program):
@@ -388,7 +442,7 @@ def all_of(program):
     seen = set()
     for kind in KINDS:
         for m in kind(program):
-            text = tuple(m.text), m.setup is None
-            if m.text != program.lines and text not in seen:
+            text = tuple(m.text), m.setup is None, tuple(m.tools or ()), m.most_rpm
+            if (m.text != program.lines or m.tools or m.setup or m.most_rpm) and text not in seen:
                 seen.add(text)
                 yield m

@@ -140,6 +140,19 @@ class Program:
         """Blocks that change the tool."""
         return [b for b in self.blocks if b.code('M', 6)]
 
+    def numbers(self):
+        """Of all tools that it calls; nothing where it calls none."""
+        return sorted({b.tool for b in self.tools()}) or None
+
+    def first_call(self, tool=None):
+        """The block whose T calls that tool first, or any tool."""
+        for b in self.blocks:
+            word = b.find('T')
+            number = word and (int(word.number) // 100 if self.control in ('gost', 'correctors') else int(word.number))
+            if word and tool in (None, number):
+                return b
+        return None
+
     def stint(self, change):
         """The blocks from a tool change to the next, or to the end of the program."""
         stint = []

@@ -15,12 +15,12 @@
 namespace kadr {
 namespace {
 
-/// Of the spindle's gears, rev/min; 0: the set-up states none.
-double most_rpm_of(const Setup& setup) {
+/// Of the spindle's gears, else of the machine's file, rev/min; 0: neither says it.
+double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
   double most = 0;
   for (const auto& [number, spindle] : setup.spindles)
     for (const auto& [least_of_gear, most_of_gear] : spindle.ranges) most = std::max(most, most_of_gear);
-  return most;
+  return most > 0 ? most : machine.most_rpm;
 }
 
 /// The word of that address outside comments; the whole line where there is none.
@@ -42,9 +42,10 @@ Span place_of(const std::string& line, char address) {
 
 }  // namespace
 
-Checklist::Checklist(Session& session, std::size_t channel)
+Checklist::Checklist(Session& session, std::size_t channel, ChecklistBasis basis)
     : session_(session),
       channel_(channel),
+      basis_(std::move(basis)),
       roles_(AxisRoles::of(session.channels()[channel].control->axes(), session.channels()[channel].control->rotary())),
       steps_(roles_, session.stand(channel)) {}
 
@@ -66,7 +67,7 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const Control& control = *session_.channels()[channel_].control;
   ControlDef def = session_.def();
   (void)fit_to_machine(def, session_.channels()[channel_].setup);  // what is wrong with it has been told
-  TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup));
+  TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup, session_.machine()));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
   Advices advices = advices_;
   tools_.finish(system_names(def), advices);
@@ -74,6 +75,11 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   levels_.finish(advices);
   path_.finish(advices);
   text.finish(advices);
+  if (const auto& cut = levels_.ends_in_cut(); cut && !text.has_end() && !def.behaviour.end_required)
+    advices.add(AlarmId::end_missing, *cut, 0);
+  const bool shared = session_.channels().size() > 1;  // another channel may use what this one does not
+  check_tables({basis_.tools, basis_.own_tools && !shared, basis_.own_setup && !shared}, text.named(), session_.channels()[channel_].setup,
+               control.use(), advices);
   return told(advices);
 }
 

@@ -9,6 +9,7 @@
 #include "session/checklist/hole_watch.h"
 #include "session/checklist/level_watch.h"
 #include "session/checklist/path_watch.h"
+#include "session/checklist/table_check.h"
 #include "session/checklist/text_watch.h"
 #include "session/checklist/tool_watch.h"
 #include "session/session.h"
@@ -18,7 +19,7 @@ namespace kadr {
 class Checklist {
  public:
   /// Of a session that has not begun.
-  Checklist(Session& session, std::size_t channel);
+  Checklist(Session& session, std::size_t channel, ChecklistBasis basis = {});
   Checklist(const Checklist&) = delete;  // the session calls it back
   Checklist& operator=(const Checklist&) = delete;
 
@@ -33,6 +34,7 @@ class Checklist {
 
   Session& session_;
   const std::size_t channel_;
+  ChecklistBasis basis_;
   AxisRoles roles_;
   Steps steps_;
   Advices advices_;

@@ -48,6 +48,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   turned_ = turned_ || turns(step, motion);
   if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, approach_ = -1e300;
   if (motion.end_given != EndGiven::by_work || motion.kind == MotionKind::home) {
+    in_cut_.reset();
     z_by_machine_ = z_by_machine_ || (motion.named >> std::size_t(std::max(step.roles.xyz[2], 0)) & 1U) != 0;
     return;
   }
@@ -92,6 +93,8 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   }
   if (motion.kind == MotionKind::rapid && ends.to.z != ends.from.z) approach_ = std::max(approach_, ends.to.z);
   was_cut_ = is_cut(motion) && !motion.of_cycle;
+  if (was_cut_ && ends.to.z <= ends.from.z && ends.to.z < approach_ - level) in_cut_ = origin;
+  else in_cut_.reset();
   z_ = ends.to.z;
 }
 

@@ -17,6 +17,8 @@ class LevelWatch {
  public:
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
+  /// The last motion was a cut, sideways or down, below a height at which the tool has been: there a program hardly ends.
+  const std::optional<Origin>& ends_in_cut() const { return in_cut_; }
 
  private:
   /// A rapid at a low Z: it matters only within the region that is cut, not beside the part.
@@ -58,6 +60,7 @@ class LevelWatch {
   std::optional<Low> sideways_;                     // since the last cut
   std::optional<Low> plunge_;                       // by the motion before
   bool was_cut_ = false;                            // the motion before
+  std::optional<Origin> in_cut_;                    // see ends_in_cut()
   std::vector<Low> lows_;
   std::vector<Vec3> drilled_;  // bottoms of holes that cycles have made
   std::array<Span, 3> spans_;

@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 double degrees_between(Vec2 a, Vec2 b) { return std::fabs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / pi; }
 
 Vec2 unit(Vec2 v) {
-  const double size = std::hypot(v.x, v.y);
+  const double size = length(v);
   return {v.x / size, v.y / size};
 }
 
@@ -42,10 +42,10 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   p.from = {step.from.work[p.first], step.from.work[p.second]};
   p.to = {motion.to[p.first], motion.to[p.second]};
   p.arc = is_arc(motion.kind);
-  const double chord = std::hypot(p.to.x - p.from.x, p.to.y - p.from.y);
+  const double chord = length(p.to - p.from);
   if (!p.arc) {
     if (chord < least) return std::nullopt;
-    p.begins = p.ends = unit(p.to - p.from);
+    p.begins = p.ends = 1 / chord * (p.to - p.from);
     return p;
   }
   p.ccw = motion.kind == MotionKind::arc_ccw;
@@ -55,8 +55,7 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   for (std::size_t axis = 0; axis < step.roles.count; ++axis)
     if (axis != p.first && axis != p.second) p.helix = p.helix || std::fabs(motion.to[axis] - step.from.work[axis]) > least;
   p.full = chord < least;
-  if (std::hypot(p.from.x - p.center.x, p.from.y - p.center.y) < least || std::hypot(p.to.x - p.center.x, p.to.y - p.center.y) < least)
-    return std::nullopt;
+  if (length(p.from - p.center) < least || length(p.to - p.center) < least) return std::nullopt;
   p.begins = along_circle(p.from, p.center, p.ccw);
   p.ends = along_circle(p.to, p.center, p.ccw);
   return p;
@@ -66,9 +65,7 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
 void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
-  const auto retraces = [&](const Piece& other) {
-    return other.arc && std::hypot(other.center.x - arc.center.x, other.center.y - arc.center.y) < 0.01;
-  };
+  const auto retraces = [&](const Piece& other) { return other.arc && length(other.center - arc.center) < 0.01; };
   if (kinks_.size() >= most_kinks || retraces(before) || retraces(after)) return;
   const auto kinks = [&](Vec2 begins, Vec2 ends) {
     return std::pair(degrees_between(before.ends, begins), degrees_between(ends, after.begins));
@@ -85,8 +82,8 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
 /// A circle is written with its end where it begins; one whose end is rounded by some micrometres is meant so.
 void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
   constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;  // degrees, of the radius, mm
-  const double apart = std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y);
-  const double radius = std::hypot(arc.from.x - arc.center.x, arc.from.y - arc.center.y);
+  const double apart = length(arc.to - arc.from);
+  const double radius = length(arc.from - arc.center);
   if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > (arc.inch ? coarse : fine) && apart < small * radius)
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
@@ -96,7 +93,7 @@ void PathWatch::close() {
   constexpr double same = 0.01;  // mm
   if (last_[0] && last_[1] && first_.size() > 1) {
     const Vec2 apart = last_[1]->to - first_[0].from;
-    if (std::hypot(apart.x, apart.y) < same) {
+    if (length(apart) < same) {
       look_at_arc(*last_[0], *last_[1], first_[0]);
       look_at_arc(*last_[1], first_[0], first_[1]);
     }
@@ -114,7 +111,7 @@ void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to
   const Ends ends(step.roles, step.from, motion);
   const Origin& origin = step.action.origin;
   const double way =
-      std::hypot(motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]);
+      length(Vec2{motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]});
   if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && way > 0 && way < motion.tool_radius)
     to.add(AlarmId::approach_short, origin, 0, way, motion.tool_radius);
   const bool compensated = motion.side != 0 || motion.radius_offset != 0;

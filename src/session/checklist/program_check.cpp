@@ -24,7 +24,7 @@ bool holds_only_subs(const Session& session) {
 }  // namespace
 
 struct ProgramCheck::OfChannel {
-  OfChannel(Session& session, std::size_t channel) : checklist(session, channel) {}
+  OfChannel(Session& session, std::size_t channel, const ChecklistBasis& basis) : checklist(session, channel, basis) {}
   Checklist checklist;
   std::size_t alarms = 0, warnings = 0, again = 0;
 };
@@ -46,7 +46,7 @@ void ProgramCheck::check(Session& session) {
   session.together().stop_together = false;
   std::deque<OfChannel> all;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    OfChannel& of = all.emplace_back(session, i);
+    OfChannel& of = all.emplace_back(session, i, wish_.basis);
     const auto take_one = [this, i, &of](const AlarmReport& report) { return take(i, of, report); };
     session.outlets(i) = {.warning = [take_one](const AlarmReport& report) { (void)take_one(report); },
                           .alarm = take_one,

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "session/checklist/tool_table.h"
 #include "session/session.h"
 
 namespace kadr {
@@ -21,6 +22,7 @@ class ProgramCheck {
 
   struct Wish {
     std::set<std::string> stated{};  // PlacedSetup::stated
+    ChecklistBasis basis{};          // the tools file and whether it is the program's own
     bool one_pass = true;            // of a program that begins again (M99, M47); else its set-up or somebody wants more
     Onlooker* onlooker = nullptr;
     StopToken stop{};

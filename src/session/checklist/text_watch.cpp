@@ -100,12 +100,21 @@ void TextWatch::take_points(const Block& block) {
   }
 }
 
+void TextWatch::take_numbers(const Word& word) {
+  const bool tool = word.address == 'T';
+  if (word.expression) (tool ? named_.tools_by_value : named_.rows_by_value) = true;
+  std::set<std::uint32_t>& to = tool ? named_.tools : named_.rows;
+  const double number = word.value * std::pow(10.0, word.counted);
+  if (number >= 0 && number < 1e9 && to.size() < most_numbers) to.insert(static_cast<std::uint32_t>(std::llround(number)));
+}
+
 void TextWatch::take_codes(const Block& block) {
   if (const Word* const s = block.find('S'); s != nullptr && !s->expression && most_rpm_ > 0 && s->value > most_rpm_)
     add(AlarmId::speed_beyond_spindle, origin_of(block), s->where, s->value, most_rpm_);
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
+    if (w.address == 'T' || w.address == 'H' || w.address == 'D') take_numbers(w);
     const CodeRow* const code = row(w);
     if (code == nullptr) continue;
     if (code->function == Function::inch) inch_ = true;
@@ -216,6 +225,7 @@ void TextWatch::take_flow(const Block& block) {
     if (w.address == 'M' && w.code == 99_m)
       now.returns = true, ended_ = ended_ || (block.skip == 0 && s.condition_count == 0 && !block.has('P'));
     const CodeRow* const code = row(w);
+    if (code != nullptr && code->function == Function::repeat_program) repeats_ = true;
     if (code != nullptr && (code->function == Function::program_end || code->function == Function::tape_end)) {
       now.ends_program = main_over_ = true;
       ended_ = ended_ || (block.skip == 0 && s.condition_count == 0);
@@ -274,6 +284,10 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     Section& section = sections_[at];
     if (block.has_number && section.jumps.contains(block.number)) ++section.twice[block.number];
   });
+}
+
+bool TextWatch::has_end() const {
+  return repeats_ || std::any_of(sections_.begin(), sections_.end(), [](const Section& s) { return s.ends_program || s.returns; });
 }
 
 void TextWatch::finish(Advices& to) {

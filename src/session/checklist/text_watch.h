@@ -12,6 +12,7 @@
 #include "config/control_def.h"
 #include "lang/block/block_reader.h"
 #include "session/checklist/advice.h"
+#include "session/checklist/table_check.h"
 
 namespace kadr {
 
@@ -25,6 +26,9 @@ class TextWatch {
   void finish(Advices& to);
   /// Of tools, as comments name them: "4 FLUTE", "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
+  const NamedInText& named() const { return named_; }
+  /// The program says somewhere that it ends or returns.
+  bool has_end() const;
 
  private:
   /// A program or subprogram of the text: from one O number to the next.
@@ -45,6 +49,7 @@ class TextWatch {
   void take_levels(const Block& block, const Word& cycle);
   void take_flow(const Block& block);
   void take_comments(const Block& block);
+  void take_numbers(const Word& word);
   void note_call(const Block& block, const Word& code);
   bool is_axis(char letter) const;
   bool moves(const Block& block) const;
@@ -55,6 +60,7 @@ class TextWatch {
 
   const ControlDef& def_;
   const double most_rpm_;
+  NamedInText named_;
   std::vector<Advice> found_;
   // numbers without a point
   std::size_t with_point_ = 0, without_point_ = 0;
@@ -75,6 +81,7 @@ class TextWatch {
   std::set<std::uint32_t> calls_;
   bool calls_by_value_ = false, has_o_words_ = false;
   bool ended_ = false;
+  bool repeats_ = false;  // from its beginning, by a code
   // comments
   std::map<std::uint32_t, int> teeth_;
   std::uint32_t tool_ = 0;

@@ -1,0 +1,99 @@
+// Tables beside a program. For session/checklist; tested by tests/checklist.py.
+
+#include "session/checklist/table_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace kadr {
+namespace {
+
+using Calls = std::map<std::uint32_t, Origin>;  // tools, each with the place where it is called first
+
+Calls calls_of(const ProgramUse& use) {
+  Calls calls;
+  for (const Use& one : use.all())
+    if (one.kind == UseKind::tool && one.number != 0) calls.try_emplace(one.number, one.origin);
+  return calls;
+}
+
+const Origin& first_of(const Calls& calls) {
+  return std::min_element(calls.begin(), calls.end(), [](const auto& a, const auto& b) { return a.second.number < b.second.number; })
+      ->second;
+}
+
+/// "T7, T9, T12 +3"
+std::string list_of(const std::vector<std::uint32_t>& numbers, const char* letter) {
+  constexpr std::size_t most = 4;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i) list += fmt::format("{}{}{}", i == 0 ? "" : ", ", letter, numbers[i]);
+  return numbers.size() > most ? fmt::format("{} +{}", list, numbers.size() - most) : list;
+}
+
+/// A table with more rows that nobody uses is that of a magazine, or of a shop.
+bool is_of_program(std::size_t used, std::size_t unused) { return unused > 0 && unused <= used; }
+
+void judge_missing(const ToolTable& table, const Calls& calls, Advices& to) {
+  const auto is_there = [&](const Calls::value_type& call) { return table.tools.find(call.first) != nullptr; };
+  const auto there = static_cast<std::size_t>(std::count_if(calls.begin(), calls.end(), is_there));
+  if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;  // of other work
+  for (const auto& call : calls)
+    if (!is_there(call)) to.add(AlarmId::tool_not_in_table, call.second, 'T', double(call.first), std::string_view(table.file));
+}
+
+/// T0405 names tool 4 or 5 where two numbers stand in one word.
+bool names(const std::set<std::uint32_t>& numbers, std::uint32_t n) {
+  constexpr std::uint32_t two_digits = 100;
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [n](std::uint32_t m) { return m == n || (m >= two_digits && (m / two_digits == n || m % two_digits == n)); });
+}
+
+void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText& named, const Setup& setup, Advices& to) {
+  if (table.kind == ToolTable::Kind::common || named.tools_by_value) return;
+  std::vector<std::uint32_t> unused;
+  std::size_t used = 0;
+  for (const ToolGeometry& tool : table.tools.tools) {
+    const bool is_used =
+        calls.contains(tool.number) || names(named.tools, tool.number) || tool.number == 0 || int(tool.number) == setup.tool;
+    if (is_used) ++used;
+    else unused.push_back(tool.number);
+  }
+  if (!is_of_program(used, unused.size())) return;
+  std::sort(unused.begin(), unused.end());
+  to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
+}
+
+/// A row without values is used, and one with values is not: their numbers do not fit. A set-up may hold more than a program needs.
+void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
+  const Use* empty = nullptr;
+  std::set<std::uint32_t> used;
+  for (const Use& one : use.all()) {
+    if ((one.kind != UseKind::length && one.kind != UseKind::radius) || one.number == 0) continue;
+    used.insert(one.number);
+    if (empty == nullptr && one.zero && !setup.offsets.contains(int(one.number))) empty = &one;
+  }
+  if (empty == nullptr || named.rows_by_value) return;
+  std::vector<std::uint32_t> unused;
+  for (const auto& [number, values] : setup.offsets) {
+    const auto n = static_cast<std::uint32_t>(number);
+    const bool is_called = used.contains(n) || tools.contains(n) || names(named.rows, n) || names(named.tools, n) || number == setup.tool;
+    if (values != ToolOffset{} && !is_called) unused.push_back(n);
+  }
+  if (!is_of_program(used.size(), unused.size())) return;
+  to.add(AlarmId::offset_row_unused, empty->origin, 0, double(empty->number), std::string_view(list_of(unused, "")));
+}
+
+}  // namespace
+
+void check_tables(const ChecklistBasis& basis, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
+  const Calls tools = calls_of(use);
+  if (basis.tools && !tools.empty()) {
+    judge_missing(*basis.tools, tools, to);
+    if (basis.own_tools) judge_unused(*basis.tools, tools, named, setup, to);
+  }
+  if (basis.own_setup) judge_rows(tools, named, setup, use, to);
+}
+
+}  // namespace kadr
