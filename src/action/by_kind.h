@@ -8,6 +8,7 @@
 //       ignores<Motion, Spindle, Speed /* and all the others */>);
 
 #include <concepts>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -23,11 +24,15 @@ struct EachKind : Functions... {
 template <class... Functions>
 EachKind(Functions...) -> EachKind<Functions...>;
 
+template <class Kind, class... Kinds>
+concept IsOneOf = (std::same_as<Kind, Kinds> || ...);
+
 /// Takes these kinds and does nothing.
 template <class... Kinds>
 struct Ignored {
   template <class Kind>
-  requires(std::same_as<Kind, Kinds> || ...) void operator()(const Kind&) const {}
+  requires IsOneOf<Kind, Kinds...>
+  void operator()(const Kind&) const {}
 };
 template <class... Kinds>
 inline constexpr Ignored<Kinds...> ignores{};
@@ -37,7 +42,7 @@ template <class Result, class... Kinds>
 struct SameOf {
   Result result;
   template <class Kind>
-  requires(std::same_as<Kind, Kinds> || ...) Result operator()(const Kind&) const { return result; }
+  requires IsOneOf<Kind, Kinds...> Result operator()(const Kind&) const { return result; }
 };
 template <class... Kinds, class Result>
 SameOf<Result, Kinds...> same(Result result) {
@@ -47,6 +52,11 @@ SameOf<Result, Kinds...> same(Result result) {
 /// Calls the function that takes the action's kind, and returns what it returns: the same type for all kinds.
 template <class... Functions>
 auto by_kind(const Action& action, Functions&&... functions) {
+  return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
+}
+
+template <class... Functions>
+auto by_kind(Action& action, Functions&&... functions) {
   return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
 }
 

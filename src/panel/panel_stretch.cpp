@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "config/told.h"
 #include "motion/time/steps.h"
 #include "panel/panel_machine.h"
@@ -23,16 +24,19 @@ void PanelMachine::look(PanelLane& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;
   const auto hold_next = [&] { is_own ? stepping_->hold_next() : void(lane.holds_next = true); };
-  const auto& what = step.action.what;
-  if (const auto* const frame = std::get_if<FrameChange>(&what)) lane.placement = frame->placement;
-  if (const auto* const message = std::get_if<Message>(&what)) {
-    kept_.told = message->text;
-    if (message->asks) kept_.asks = true, asks_ = &control, hold_next();
-  }
-  if (const auto* const stop = std::get_if<Stop>(&what); stop != nullptr && (!stop->optional || kept_.optional_stop)) {
-    hold_next();
-    kept_.why = stop->optional ? "M1" : "M0";
-  }
+  by_kind(
+      step.action, [&](const FrameChange& frame) { lane.placement = frame.placement; },
+      [&](const Message& message) {
+        kept_.told = message.text;
+        if (message.asks) kept_.asks = true, asks_ = &control, hold_next();
+      },
+      [&](const Stop& stop) {
+        if (stop.optional && !kept_.optional_stop) return;
+        hold_next();
+        kept_.why = stop.optional ? "M1" : "M0";
+      },
+      ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, SurfaceSpeed, Sync,
+              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
   const Motion* const motion = step.motion();
   if (motion == nullptr) return;
   const Origin& origin = step.action.origin;

@@ -43,10 +43,11 @@ TEST(PartProgram, PointsAndCentresFromTheStart) {
 
 TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M6"), std::string::npos); }
 
-/// Without a point it would be thousandths of it (spec/haas 1.2).
+/// Without a point it would be thousandths of it (spec/haas 1.2), in inches hundredths (spec/fanuc 1.3).
 TEST(PartProgram, FeedsKeepTheirPointWhereTheControlCountsIncrements) {
   EXPECT_NE(program_of("haas").find(" F240.\n"), std::string::npos);
-  EXPECT_NE(program_of("fanuc").find(" F240\n"), std::string::npos);
+  EXPECT_NE(program_of("fanuc").find(" F240.\n"), std::string::npos);
+  EXPECT_NE(program_of("nct").find(" F240\n"), std::string::npos);
 }
 
 TEST(PartProgram, EveryControlReadsItBack) {

@@ -23,7 +23,7 @@ class Words {
         format_(def.grammar.word(letter)),
         letter_(letter),
         more_(more),
-        counts_(letter == 'F' && def.behaviour.feed_counts_increments),
+        counts_(letter == 'F' && (def.behaviour.feed_counts_increments || !def.grammar.least_increments.empty())),
         decimals_(decimals_of()),
         increment_(row_.scale / ten_to(decimals_)),
         most_(format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals_) - 1 : most_counts) {}
@@ -91,7 +91,7 @@ class Words {
   const WordFormat& format_;
   char letter_;
   int more_;
-  bool counts_;  // increments, where it has no point (spec/haas 1.2)
+  bool counts_;  // increments in some mode, where it has no point (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
   int decimals_;
   double increment_, most_;  // of value and counts
 };

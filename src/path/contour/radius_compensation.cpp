@@ -72,23 +72,26 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
 }
 
 void RadiusCompensation::next(Action& action) {
-  if (motion_of(action) != nullptr) return motion(action);
-  if (const auto* const end = std::get_if<ContourBreak>(&action.what)) {
-    if (end->here) stay();
-    else if (end->off) leave();
-    else flush(Vec2{});
-    return;
-  }
-  if (std::holds_alternative<ContourCorner>(action.what)) return corner(action);
-  if (const auto* const check = std::get_if<ContourCheck>(&action.what)) {
-    flush({});
-    now_.check = *check;
-    return;
-  }
-  if (auto* const frame = std::get_if<FrameChange>(&action.what)) return frame_change(action, *frame);
-  now_.at.take(action);
-  if (now_.count == 0) hand_out(std::move(action));
-  else wait(std::move(action));
+  by_kind(
+      action, [&](Motion&) { motion(action); },
+      [&](ContourBreak& end) {
+        if (end.here) stay();
+        else if (end.off) leave();
+        else flush(Vec2{});
+      },
+      [&](ContourCorner&) { corner(action); },
+      [&](ContourCheck& check) {
+        const ContourCheck from_here = check;
+        flush({});
+        now_.check = from_here;
+      },
+      [&](FrameChange& frame) { frame_change(action, frame); },
+      [&]<class Other>(Other&) requires IsOneOf<Other, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction,
+                                                AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple> {
+        now_.at.take(action);
+        if (now_.count == 0) hand_out(std::move(action));
+        else wait(std::move(action));
+      });
 }
 
 /// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.

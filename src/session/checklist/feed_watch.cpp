@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
@@ -65,16 +67,15 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
 }
 
 void FeedWatch::take(const Step& step, Advices& to) {
-  const Action& action = step.action;
-  if (const Motion* const motion = step.motion()) return take_motion(step, *motion, to);
-  if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
-    const bool turns = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    if (turns) rpm_ = spindle->rpm;
-  } else if (const auto* const speed = std::get_if<Speed>(&action.what)) {
-    rpm_ = speed->surface ? speed->rpm : speed->value;
-  } else if (const auto* const change = std::get_if<ToolChange>(&action.what)) {
-    tool_ = change->tool;
-  }
+  by_kind(
+      step.action, [&](const Motion& motion) { take_motion(step, motion, to); },
+      [&](const Spindle& spindle) {
+        const bool turns = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;
+        if (turns) rpm_ = spindle.rpm;
+      },
+      [&](const Speed& speed) { rpm_ = speed.surface ? speed.rpm : speed.value; }, [&](const ToolChange& change) { tool_ = change.tool; },
+      ignores<Dwell, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync,
+              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
 void FeedWatch::finish(const std::map<std::uint32_t, int>& teeth, Advices& to) {

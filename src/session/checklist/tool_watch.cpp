@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "action/by_kind.h"
+
 namespace kadr {
 namespace {
 
@@ -57,29 +59,33 @@ void ToolWatch::take_motion(const Step& step, const Motion& motion) {
 
 void ToolWatch::take(const Step& step, Advices&) {
   const Action& action = step.action;
-  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
-  if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
-    take_spindle(*spindle, action.origin);
-  } else if (const auto* const speed = std::get_if<Speed>(&action.what)) {
-    rpm_ = speed->surface ? std::max(speed->rpm, 1.0) : speed->value;
-    asks_speed_ = asks_speed_ || rpm_ > 0;
-    zero_speeds_ += rpm_ == 0;
-  } else if (const auto* const function = std::get_if<MachineFunction>(&action.what)) {
-    constexpr std::uint32_t rigid_tapping = 29;  // of Fanuc and Haas, by the machine's builder
-    taps_rigidly_ = taps_rigidly_ || function->code == rigid_tapping;
-  } else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) {
-    coolant_ = coolant->what != Coolant::off;
-  } else if (const auto* const select = std::get_if<ToolSelect>(&action.what)) {
-    if (first_tool_ == 0) first_tool_ = select->tool;
-    if (select->tool != 0 && selected_.size() < most_rows) selected_.try_emplace(select->tool, action.origin);
-  } else if (const auto* const change = std::get_if<ToolChange>(&action.what)) {
-    changes_ = true;
-    selected_.erase(change->tool);
-    if (change->tool == now().tool && !now().cuts) return;
-    if (stints_.size() < most_stints) stints_.emplace_back();
-    now().tool = change->tool;
-    now().started = started_since_cut_;  // S and M3 may stand before the change
-  }
+  by_kind(
+      action, [&](const Motion& motion) { take_motion(step, motion); },
+      [&](const Spindle& spindle) { take_spindle(spindle, action.origin); },
+      [&](const Speed& speed) {
+        rpm_ = speed.surface ? std::max(speed.rpm, 1.0) : speed.value;
+        asks_speed_ = asks_speed_ || rpm_ > 0;
+        zero_speeds_ += rpm_ == 0;
+      },
+      [&](const MachineFunction& function) {
+        constexpr std::uint32_t rigid_tapping = 29;  // of Fanuc and Haas, by the machine's builder
+        taps_rigidly_ = taps_rigidly_ || function.code == rigid_tapping;
+      },
+      [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },
+      [&](const ToolSelect& select) {
+        if (first_tool_ == 0) first_tool_ = select.tool;
+        if (select.tool != 0 && selected_.size() < most_rows) selected_.try_emplace(select.tool, action.origin);
+      },
+      [&](const ToolChange& change) {
+        changes_ = true;
+        selected_.erase(change.tool);
+        if (change.tool == now().tool && !now().cuts) return;
+        if (stints_.size() < most_stints) stints_.emplace_back();
+        now().tool = change.tool;
+        now().started = started_since_cut_;  // S and M3 may stand before the change
+      },
+      ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak,
+              ContourCorner, ContourCheck>);
 }
 
 /// Of tools that cut: the others turn their spindles. A laser or a pen switches its beam by M3 and M5 all the time and is left alone.
