@@ -100,20 +100,6 @@ Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
       [&](const Uncouple&) { return no_code("gear_on"); }, same<SurfaceSpeed, Sync, ContourBreak, ContourCorner, ContourCheck>(Status()));
 }
 
-Status FlatProgram::stop(const Stop& stop) {
-  if (stop.reason == StopReason::single_block || (stop.reason == StopReason::message && source_.same_messages)) return {};
-  KADR_TRY(end_block());
-  KADR_TRY(blocks_.code({{stop.optional ? Function::optional_stop : Function::program_stop, any_argument}}));
-  return blocks_.end();
-}
-
-Status FlatProgram::message(const Message& message) {
-  if (source_.same_messages || message.asks) return no_code("message");
-  KADR_TRY(end_block());
-  blocks_.comment(message.text);
-  return blocks_.end();
-}
-
 Status FlatProgram::end_block() {
   has_acts_ = false;
   if (std::exchange(wants_direction_, false)) KADR_TRY(spindle_on());

@@ -234,4 +234,18 @@ Status FlatProgram::machine_code(std::uint32_t code) {
   return end_block();
 }
 
+Status FlatProgram::stop(const Stop& stop) {
+  if (stop.reason == StopReason::single_block || (stop.reason == StopReason::message && source_.same_messages)) return {};
+  KADR_TRY(end_block());
+  KADR_TRY(blocks_.code({{stop.optional ? Function::optional_stop : Function::program_stop, any_argument}}));
+  return blocks_.end();
+}
+
+Status FlatProgram::message(const Message& message) {
+  if (source_.same_messages || message.asks) return no_code("message");
+  KADR_TRY(end_block());
+  blocks_.comment(message.text);
+  return blocks_.end();
+}
+
 }  // namespace kadr
