@@ -9,72 +9,72 @@
 
 namespace kadr {
 
-bool Dialect::start(Interpreter&, const Setup&) { return false; }
-void Dialect::take_setup(Interpreter&, const Setup&) {}
-std::pair<double, double> Dialect::limits_by_file(std::size_t) const { return {-1e300, 1e300}; }
-void Dialect::started(Interpreter&) {}
-bool Dialect::end_program(Interpreter&) { return false; }
-bool Dialect::lose_power(Interpreter&) { return false; }
-void Dialect::add_variables(Interpreter&, Ending&, const std::vector<std::string>&) {}
-StateChanges Dialect::take_changes(Interpreter&) { return {}; }
-Result<bool> Dialect::finish(Interpreter&) { return false; }
-bool Dialect::reads_clock(const Block&) const { return false; }
-void Dialect::note_skip_mark(Interpreter&) {}
-Result<bool> Dialect::interrupt(Interpreter&, BlockMoment) { return false; }
-Result<bool> Dialect::statement(Interpreter&) { return true; }
-void Dialect::begin_block(Interpreter&) {}
-Status Dialect::restore(Interpreter&, const DialectState&) { return {}; }
-Result<bool> Dialect::takes_block(Interpreter& m) {
+bool ProgramDialect::start(Interpreter&, const Setup&) { return false; }
+void ProgramDialect::take_setup(Emitter&, const Setup&) {}
+std::pair<double, double> ProgramDialect::limits_by_file(std::size_t) const { return {-1e300, 1e300}; }
+void ProgramDialect::started(Emitter&) {}
+bool ProgramDialect::end_program(Interpreter&) { return false; }
+bool ProgramDialect::lose_power(Interpreter&) { return false; }
+void VariableDialect::add_variables(Emitter&, Ending&, const std::vector<std::string>&) {}
+StateChanges ProgramDialect::take_changes(Interpreter&) { return {}; }
+Result<bool> BlockDialect::finish(Interpreter&) { return false; }
+bool BlockDialect::reads_clock(const Block&) const { return false; }
+void BlockDialect::note_skip_mark(Emitter&) {}
+Result<bool> BlockDialect::interrupt(Interpreter&, BlockMoment) { return false; }
+Result<bool> BlockDialect::statement(Interpreter&) { return true; }
+void BlockDialect::begin_block(Emitter&) {}
+Status ProgramDialect::restore(BlockContext&, const DialectState&) { return {}; }
+Result<bool> BlockDialect::takes_block(Interpreter& m) {
   KADR_TRY(m.take_words());
   return false;
 }
-std::int16_t Dialect::motion_row(const Interpreter& m) const { return m.modal.motion_row; }
-BlockChanges Dialect::changes_of(const Interpreter& m, const Plan& plan) const { return m.changes_of_block(plan); }
-void Dialect::before_function(Interpreter&, Function) {}
-void Dialect::after_code(Interpreter&, const CodeRow&, std::int32_t) {}
-Status Dialect::after_block(Interpreter&) { return {}; }
-Result<bool> Dialect::sign_of_file(Interpreter&) { return false; }
-Result<bool> Dialect::end_of_file(Interpreter&) { return false; }
-Status Dialect::comments(Interpreter& m) {
+std::int16_t BlockDialect::motion_row(const BlockContext& m) const { return m.modal.motion_row; }
+BlockChanges BlockDialect::changes_of(const Interpreter& m, const Plan& plan) const { return m.changes_of_block(plan); }
+void BlockDialect::before_function(Emitter&, Function) {}
+void BlockDialect::after_code(Interpreter&, const CodeRow&, std::int32_t) {}
+Status BlockDialect::after_block(Interpreter&) { return {}; }
+Result<bool> ProgramDialect::sign_of_file(Interpreter&) { return false; }
+Result<bool> ProgramDialect::end_of_file(BlockContext&) { return false; }
+Status BlockDialect::comments(Emitter& m) {
   m.show_messages();
   return {};
 }
-void Dialect::reword(const Interpreter&, AlarmReport&) const {}
-Status Dialect::write_variable(Interpreter& m, double number, double value, Span where) { return m.variables.set(number, value, where); }
-void Dialect::note_shadowed(Interpreter&, std::uint32_t, Span) {}
-void Dialect::keep(Interpreter&) {}
-void Dialect::take_back(Interpreter&) {}
-void Dialect::taken_back(Interpreter&) {}
-void Dialect::note_fault(Interpreter&, bool) {}
-bool Dialect::leave_call(Interpreter&) { return false; }
-Status Dialect::target(const Interpreter& m, Axes& to, AxisMask& named) const { return m.axis_words(to, named); }
-bool Dialect::adds_to_motion(const Interpreter&) const { return false; }
-Result<AxisMask> Dialect::add_to_motion(Interpreter&) { return AxisMask{0}; }
-bool Dialect::shapes_lines(const Interpreter&) const { return false; }
-Status Dialect::straight(Interpreter&, const Call&, MotionKind) { return {}; }
-bool Dialect::only_shifts(const Interpreter&) const { return false; }
-Status Dialect::arc(Interpreter& m, const Call& call, Turn turn) { return m.plain_arc(turn, call.where); }
-Status Dialect::surface_line(Interpreter&, MotionKind, const Axes&, AxisMask) { return {}; }
-Status Dialect::may_move(const Interpreter&, AxisMask) const { return {}; }
-void Dialect::note_motion(Interpreter& m, Motion& motion) {
+void ProgramDialect::reword(const BlockContext&, AlarmReport&) const {}
+Status VariableDialect::write_variable(BlockContext& m, double number, double value, Span where) { return m.variables.set(number, value, where); }
+void BlockDialect::note_shadowed(Emitter&, std::uint32_t, Span) {}
+void BlockDialect::keep(BlockContext&) {}
+void BlockDialect::take_back(BlockContext&) {}
+void BlockDialect::taken_back(Emitter&) {}
+void ProgramDialect::note_fault(Interpreter&, bool) {}
+bool ProgramDialect::leave_call(Interpreter&) { return false; }
+Status MotionDialect::target(const BlockContext& m, Axes& to, AxisMask& named) const { return m.axis_words(to, named); }
+bool MotionDialect::adds_to_motion(const BlockContext&) const { return false; }
+Result<AxisMask> MotionDialect::add_to_motion(Emitter&) { return AxisMask{0}; }
+bool MotionDialect::shapes_lines(const BlockContext&) const { return false; }
+Status MotionDialect::straight(Emitter&, const Call&, MotionKind) { return {}; }
+bool MotionDialect::only_shifts(const BlockContext&) const { return false; }
+Status MotionDialect::arc(Emitter& m, const Call& call, Turn turn) { return m.plain_arc(turn, call.where); }
+Status MotionDialect::surface_line(Emitter&, MotionKind, const Axes&, AxisMask) { return {}; }
+Status MotionDialect::may_move(const BlockContext&, AxisMask) const { return {}; }
+void MotionDialect::note_motion(Emitter& m, Motion& motion) {
   if (m.modal.contour != ContourPhase::off) note_contour(m, motion, m.moved_from);
 }
-double Dialect::inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const { return feed_in_inches(m, motion, from); }
-ArcRule Dialect::arc_rule(const Interpreter& m) const { return m.plain_arc_rule(); }
-void Dialect::note_feed(Interpreter&) {}
-const WrittenFiles& Dialect::files_written() const {
+double MotionDialect::inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const { return feed_in_inches(m, motion, from); }
+ArcRule MotionDialect::arc_rule(const BlockContext& m) const { return m.plain_arc_rule(); }
+void MotionDialect::note_feed(BlockContext&) {}
+const WrittenFiles& ProgramDialect::files_written() const {
   static const WrittenFiles none;
   return none;
 }
-SurfaceSpeed Dialect::surface_speed(const Interpreter& m) const { return m.speed_by_x(); }
-void Dialect::refresh_frames(Interpreter& m) { m.frames_by_tables(); }
-Axes Dialect::shift_of_origin(const Interpreter& m) const { return m.shift_by_tables(); }
-void Dialect::roll(const Interpreter&, Axes&) const {}
-Status Dialect::take_answer(Interpreter& m, const ProbeAnswer& answer) { return m.note_answer(answer); }
-Status Dialect::machine_code(Interpreter& m, const Call& call) { return m.emit_machine_function(call); }
-Result<double> Dialect::read_variable(Interpreter& m, double number, Span where) const { return m.variables.variable(number, where); }
-Result<double> Dialect::number_of_element(const Interpreter&, double, double, Span) const { return 0.0; }
-Result<double> Dialect::control_value(Interpreter&, double, double, double, Span) const { return 0.0; }
+SurfaceSpeed MotionDialect::surface_speed(const BlockContext& m) const { return m.speed_by_x(); }
+void FrameDialect::refresh_frames(Emitter& m) { m.frames_by_tables(); }
+Axes FrameDialect::shift_of_origin(const BlockContext& m) const { return m.shift_by_tables(); }
+void FrameDialect::roll(const BlockContext&, Axes&) const {}
+Status MotionDialect::take_answer(Emitter& m, const ProbeAnswer& answer) { return m.note_answer(answer); }
+Status BlockDialect::machine_code(Interpreter& m, const Call& call) { return m.emit_machine_function(call); }
+Result<double> VariableDialect::read_variable(Emitter& m, double number, Span where) const { return m.variables.variable(number, where); }
+Result<double> VariableDialect::number_of_element(const BlockContext&, double, double, Span) const { return 0.0; }
+Result<double> VariableDialect::control_value(BlockContext&, double, double, double, Span) const { return 0.0; }
 
 std::unique_ptr<Dialect> make_iso_dialect() {
   struct Iso final : Dialect {
@@ -83,7 +83,7 @@ std::unique_ptr<Dialect> make_iso_dialect() {
   return std::make_unique<Iso>();
 }
 
-std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
+std::unique_ptr<Dialect> make_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
   switch (m.def.dialect) {
     case DialectId::s2c42: return make_s2c42_dialect();
     case DialectId::correctors: return make_correctors_dialect(m, setup);

@@ -16,12 +16,8 @@ namespace kadr {
 // NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
 Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
                          const RunLimits& limits, std::shared_ptr<Commons> commons)
-    : own_def(std::move(own)),
-      def(own_def ? *own_def : control),
-      letters(def),
-      variables(def, journal),
-      flow(def, std::move(program), limits),
-      stop_(limits.stop) {
+    : Emitter(control, std::move(own), std::move(program), limits), stop_(limits.stop) {
+  block = &first_block;
   modal.rows.fill(-1);
   dialect = make_dialect(*this, setup, limits, std::move(commons));
   read_setup(setup);
@@ -44,6 +40,8 @@ bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
 }  // namespace
 
 Interpreter::~Interpreter() = default;
+
+Status Running::lead_on(Interpreter&) const { return {}; }
 
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
@@ -248,8 +246,9 @@ Status Interpreter::next_of_cycle() {
   if (ellipse_run.active()) return ellipse_run.next(*this);
   const auto more = running->next(*this);
   if (!more) return fail(more.error());
-  if (!*more) running.reset();
-  return {};
+  if (*more) return {};
+  const std::unique_ptr<Running> over = std::move(running);
+  return over->lead_on(*this);
 }
 
 void Interpreter::stop_cycles() {

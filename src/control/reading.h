@@ -1,12 +1,12 @@
 #pragma once
 // The instructions' view of a control's variables (lang/expression/expression evaluates with it).
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 
 struct Reading {
-  Interpreter& m;
+  Emitter& m;
 
   bool known(double number, double& value) const {
     if (m.macro_variables == nullptr || !m.macro_variables->known(number, value)) return false;

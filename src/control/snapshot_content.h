@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/state/snapshot.h"
 
 namespace kadr {

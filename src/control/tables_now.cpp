@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_stored = 6;  // axes of a fixture's parameters
 
-Axes stored_zero(const Interpreter& m, std::uint32_t row) {
+Axes stored_zero(const BlockContext& m, std::uint32_t row) {
   if (!m.has_fixtures) return row < m.tables.zeros.size() ? m.tables.zeros[row] : Axes{};
   Axes values{};
   const std::uint32_t first = m.variables.first(VariableKind::fixture, row - 1);
@@ -21,7 +21,7 @@ Axes stored_zero(const Interpreter& m, std::uint32_t row) {
   return values;
 }
 
-void add_work_systems(const Interpreter& m, Setup& tables) {
+void add_work_systems(const BlockContext& m, Setup& tables) {
   std::set<std::uint32_t> named;  // G54 is G59 P1 too
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);

@@ -16,7 +16,7 @@ bool ends_or_stops(const CodeRow* row) { return is(row, function_fact::ends | fu
 
 }  // namespace
 
-void Interpreter::show_messages() {
+void Emitter::show_messages() {
   for (const Span comment : block->comments) {
     const std::string_view text = block->text_of(comment);
     if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
@@ -96,7 +96,7 @@ bool Interpreter::carry_out_call(std::uint8_t word) {
   return true;
 }
 
-void Interpreter::tell_machine(std::int32_t code) {
+void Emitter::tell_machine(std::int32_t code) {
   MachineFunction function{static_cast<std::uint32_t>(code / 10)};
   function.by_control = true;
   emit(function);

@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 /// The block did with its motion what the modes say.
-bool was_plain(const Interpreter& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
+bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
 /// Nothing but a motion's own words decides what it does.
 bool only_words_count(const Interpreter& m) {
@@ -22,13 +22,13 @@ bool only_words_count(const Interpreter& m) {
   const bool uncompensated = modal.radius_side == 0 && modal.contour == ContourPhase::off;
   const bool plain_frames = m.transform.identity && m.frames.is_plain();
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
-  const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
+  const bool in_program = !m.program().in_body() && m.program().started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
   return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 && m.unplaced == 0 &&
          m.dialect->lines_follow(m);
 }
 
 /// A modal call may act again where the program has returned to.
-bool stays_after_call(const Interpreter& m) { return !m.flow.in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
+bool stays_after_call(const BlockContext& m) { return !m.program().in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
 
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
 constexpr MotionMode mode_made[] = {MotionMode::rapid, MotionMode::linear, MotionMode::arc_cw, MotionMode::arc_ccw};
@@ -50,7 +50,7 @@ bool keeps_modes(const Block& block) {
 }
 
 /// It calls a subprogram or returns from it, and does nothing else.
-bool only_calls(const Interpreter& m, const Block& block) {
+bool only_calls(const BlockContext& m, const Block& block) {
   bool calls = false, takes_words = false;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
@@ -70,7 +70,7 @@ bool is_label(const Block& block) {
 }
 
 /// The word that calls a macro, or returns without any other word: such a block either fails before it has changed anything, or is done.
-std::uint8_t quick_call(const Interpreter& m, const Block& block) {
+std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   std::uint8_t word = no_word;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     if (block.words[i].code < 0) continue;
@@ -92,11 +92,11 @@ bool is_read_again(const Block& block) {
 /// The same, and some of its words are expressions.
 bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
-AxisMask plane_of(const Interpreter& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
+AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
 
 }  // namespace
 
-Motion& Interpreter::add_motion_as(const MotionModes& modes, AxisMask named) {
+Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
   Motion& motion = next_motion();
   static_cast<MotionModes&>(motion) = modes;
   motion.named = named;
@@ -141,7 +141,7 @@ void MotionRun::begin(const Interpreter& m, const Form& form) {
   number_most_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.most, 0.0, 4e9)) : ~std::uint32_t{0};
 }
 
-const MotionRun::Form& MotionRun::form_of(const Interpreter& m, const Block& block) {
+const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& block) {
   const bool shaped = static_cast<bool>(block.shape);
   const std::uint64_t key = shaped ? block.shape.first : reinterpret_cast<std::uintptr_t>(&block) / alignof(Block);  // NOLINT: a place
   Form& form = forms_[(key * 0x9E3779B97F4A7C15u) >> 60];
@@ -158,7 +158,7 @@ const MotionRun::Form& MotionRun::form_of(const Interpreter& m, const Block& blo
 }
 
 /// Axis words, each axis once; besides at most a motion code, codes that change nothing, a centre and a feed.
-bool MotionRun::make(const Interpreter& m, const Block& block, Form& form) const {
+bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
   constexpr double most_value = 1e9;  // as Interpreter::check_ranges
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
@@ -190,7 +190,7 @@ bool MotionRun::make(const Interpreter& m, const Block& block, Form& form) const
   return form.axes != 0 || form.centered;
 }
 
-bool MotionRun::add_code(const Interpreter& m, const Word& word, Form& form) const {
+bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) const {
   const std::int32_t row = m.def.row_of(word.address, word.code);
   if (row < 0) return false;
   const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
@@ -209,7 +209,7 @@ bool MotionRun::add_code(const Interpreter& m, const Word& word, Form& form) con
 }
 
 /// The codes that it repeats are in force, the numbers within their limits; the feed is the one in force.
-bool MotionRun::holds(const Interpreter& m, const Form& form) const {
+bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
     if (m.modal.rows[m.def.codes[static_cast<std::size_t>(form.steady[i])].group] != form.steady[i]) return false;
@@ -222,7 +222,7 @@ bool MotionRun::holds(const Interpreter& m, const Form& form) const {
 }
 
 /// By its centre, as the general way would.
-bool MotionRun::find_arc(const Interpreter& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
+bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
   const PlaneAxes plane = m.modal.axes;
   const AxisMask normal = AxisMask{1} << plane.normal;
   if (!arcs_.by_words || plane.first > 2 || plane.second > 2 || plane.normal > 2) return false;
@@ -244,7 +244,7 @@ bool MotionRun::find_arc(const Interpreter& m, const Form& form, Kind kind, cons
   return found.has_value();
 }
 
-bool MotionRun::changes_radius(const Interpreter& m, const Axes& to, Vec2 center) {
+bool MotionRun::changes_radius(const BlockContext& m, const Axes& to, Vec2 center) {
   const PlaneAxes& plane = m.modal.axes;
   const Axes& from = m.position.programmed;
   return radius_changes({from[plane.first], from[plane.second]}, {to[plane.first], to[plane.second]}, center);
@@ -259,7 +259,7 @@ bool MotionRun::take(Interpreter& m) {
     return true;
   }
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
-  if (is_label(block)) return block.kept && m.flow.depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
+  if (is_label(block)) return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);

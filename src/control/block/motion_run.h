@@ -16,6 +16,7 @@
 
 namespace kadr {
 
+class BlockContext;
 class Interpreter;
 
 class MotionRun {
@@ -64,15 +65,15 @@ class MotionRun {
     std::array<Slot, most_words> slots;
   };
   void begin(const Interpreter& m, const Form& form);
-  const Form& form_of(const Interpreter& m, const Block& block);
-  bool make(const Interpreter& m, const Block& block, Form& form) const;
-  bool add_code(const Interpreter& m, const Word& word, Form& form) const;
+  const Form& form_of(const BlockContext& m, const Block& block);
+  bool make(const BlockContext& m, const Block& block, Form& form) const;
+  bool add_code(const BlockContext& m, const Word& word, Form& form) const;
   bool number_fits(const Block& block) const {
     return !block.has_number || (block.number >= number_least_ && block.number <= number_most_);
   }
-  bool holds(const Interpreter& m, const Form& form) const;
-  static bool changes_radius(const Interpreter& m, const Axes& to, Vec2 center);
-  bool find_arc(const Interpreter& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const;
+  bool holds(const BlockContext& m, const Form& form) const;
+  static bool changes_radius(const BlockContext& m, const Axes& to, Vec2 center);
+  bool find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const;
 
   bool on_ = false;
   std::uint8_t known_ = 0;  // motion codes met in this run, a bit a Kind

@@ -31,7 +31,7 @@ Status Interpreter::evaluate_word(Word& w) {
   return {};
 }
 
-Result<double> Interpreter::value_of(std::string_view expression) {
+Result<double> Emitter::value_of(std::string_view expression) {
   const bool brackets = !def.grammar.macro && def.grammar.expressions;  // there a sum stands between them only
   const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
   Cursor cursor{text};
@@ -82,7 +82,7 @@ Status Interpreter::take_words() {
 }
 
 /// Which addresses the block has, after some were found vacant or taken away.
-void Interpreter::note_addresses() {
+void BlockContext::note_addresses() {
   block->letters = 0;
   for (std::uint32_t i = block->word_count; i-- > 0;) {
     const char address = block->words[i].address;
@@ -137,7 +137,7 @@ bool sets_variables_only(const Block& block) {
   });
 }
 
-Status Interpreter::check_ranges() const {
+Status BlockContext::check_ranges() const {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
     if (w.address == 0) continue;
@@ -153,12 +153,12 @@ Status Interpreter::check_ranges() const {
 
 // ---- words
 
-double Interpreter::value(char letter) const {
+double BlockContext::value(char letter) const {
   const Word* const w = block->find(letter);
   return w == nullptr ? 0.0 : w->value * def.address(letter).scale;
 }
 
-bool Interpreter::has_code(std::initializer_list<Function> functions) const {
+bool BlockContext::has_code(std::initializer_list<Function> functions) const {
   if (const ShapeFacts* const facts = shape(); facts != nullptr && facts->shape == block->shape) [[likely]]
     return std::any_of(functions.begin(), functions.end(), [&](Function f) { return facts->functions[static_cast<std::size_t>(f)]; });
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -170,12 +170,12 @@ bool Interpreter::has_code(std::initializer_list<Function> functions) const {
   return false;
 }
 
-Span Interpreter::where(char letter) const {
+Span BlockContext::where(char letter) const {
   const Word* const w = block->find(letter);
   return w == nullptr ? block->where : w->where;
 }
 
-Result<std::uint32_t> Interpreter::whole(char letter, double least, double most) const {
+Result<std::uint32_t> BlockContext::whole(char letter, double least, double most) const {
   const double v = value(letter);
   const double nearest = std::round(v);
   if (std::fabs(v - nearest) > tol::whole_number) return fail(alarm(AlarmId::word_not_integer, where(letter), letter, v));

@@ -28,7 +28,7 @@ struct Named {
 };
 
 /// `L2 15`: axes by a bit sum 1 X, 2 Y, 4 Z, then the corrector. `L17`: corrector 17 on the one axis that moves.
-Result<Named> read(const Interpreter& m, const Word& w) {
+Result<Named> read(const BlockContext& m, const Word& w) {
   Named named;
   const bool pair = !std::isnan(w.second);
   const double number = pair ? w.second : w.value;
@@ -47,7 +47,7 @@ Result<Named> read(const Interpreter& m, const Word& w) {
 }
 
 /// Of the corrector that T names (2: T0915, corrector 15 = radius), mm; 0: not known.
-double tool_radius(Interpreter& m) {
+double tool_radius(BlockContext& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
   const double stored = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_radius() : 0.0;
@@ -58,7 +58,7 @@ double tool_radius(Interpreter& m) {
 
 /// Coaxial pockets (3, figure b): one whose face lies deeper than another's begins on the floor of a larger one. Elsewhere the rapid down
 /// to the clearance would go into the part, as far as the program shows.
-void warn_above_solid(Interpreter& m, Span where, const Axes& middle) {
+void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t most_pockets = 1000;
   const PocketCut now = {{middle[0], middle[1]}, {own.pocket.x / 2, own.pocket.y / 2}, middle[2], middle[2] + own.pocket.z};
@@ -77,27 +77,27 @@ void warn_above_solid(Interpreter& m, Span where, const Axes& middle) {
 
 namespace correctors {
 
-Correctors::Correctors(const Interpreter& m, const Setup& setup) {
+Correctors::Correctors(const BlockContext& m, const Setup& setup) {
   is_set.resize(m.def.behaviour.offsets + 1);
   applied.resize(is_set.size() * corrected_axes);
   for (const auto& [number, mm] : setup.correctors)
     if (number >= 0 && static_cast<std::size_t>(number) < is_set.size()) is_set[static_cast<std::size_t>(number)] = true;
 }
 
-Correctors& correctors_of(const Interpreter& m) { return static_cast<Correctors&>(*m.dialect); }
+Correctors& correctors_of(const BlockContext& m) { return static_cast<Correctors&>(*m.dialect); }
 
 BlockChanges Correctors::changes_of(const Interpreter& m, const Plan& plan) const {
   return m.has('L') ? BlockChanges::anything : Dialect::changes_of(m, plan);
 }
 
-void Correctors::begin_block(Interpreter&) { kept_ = false; }
+void Correctors::begin_block(Emitter&) { kept_ = false; }
 
-void Correctors::keep(Interpreter&) {
+void Correctors::keep(BlockContext&) {
   before_ = {pocket, applied};
   kept_ = true;
 }
 
-void Correctors::take_back(Interpreter&) {
+void Correctors::take_back(BlockContext&) {
   if (!kept_) return;
   pocket = before_.pocket;
   applied = before_.applied;
@@ -111,14 +111,14 @@ struct CorrectorsState : DialectState, Memory {
 
 std::shared_ptr<const DialectState> Correctors::snapshot() const { return std::make_shared<CorrectorsState>(*this); }
 
-Status Correctors::restore(Interpreter&, const DialectState& from) {
+Status Correctors::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = static_cast<const CorrectorsState&>(from);
   return {};
 }
 
-bool Correctors::adds_to_motion(const Interpreter& m) const { return m.has('L'); }
+bool Correctors::adds_to_motion(const BlockContext& m) const { return m.has('L'); }
 
-Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
+Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
   AxisMask moved = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -157,22 +157,22 @@ Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
 
 namespace functions {
 
-Status corrector_plus(Interpreter& m, const Call&) {
+Status corrector_plus(Emitter& m, const Call&) {
   m.modal.corrector_sign = +1;
   return {};
 }
-Status corrector_minus(Interpreter& m, const Call&) {
+Status corrector_minus(Emitter& m, const Call&) {
   m.modal.corrector_sign = -1;
   return {};
 }
-Status corrector_cancel(Interpreter& m, const Call& call) {
+Status corrector_cancel(Emitter& m, const Call& call) {
   m.modal.corrector_sign = 0;
   if (call.row->group != 0) m.modal.rows[call.row->group] = -1;
   return {};
 }
 
 /// G87: stores a rectangular pocket; nothing moves.
-Status pocket_define(Interpreter& m, const Call& call) {
+Status pocket_define(Emitter& m, const Call& call) {
   for (const char letter : {'X', 'Y', 'Z', 'R', 'I', 'J', 'K'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double most_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
@@ -200,7 +200,7 @@ Status pocket_define(Interpreter& m, const Call& call) {
 }
 
 /// G79: runs it at a point, in the plane XY.
-Status pocket_run(Interpreter& m, const Call& call) {
+Status pocket_run(Emitter& m, const Call& call) {
   const PocketCycle& pocket = correctors_of(m).pocket;
   if (!pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -222,7 +222,7 @@ Status pocket_run(Interpreter& m, const Call& call) {
 }
 
 }  // namespace functions
-std::unique_ptr<Dialect> make_correctors_dialect(const Interpreter& m, const Setup& setup) {
+std::unique_ptr<Dialect> make_correctors_dialect(const BlockContext& m, const Setup& setup) {
   return std::make_unique<correctors::Correctors>(m, setup);
 }
 

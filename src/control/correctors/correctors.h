@@ -30,23 +30,23 @@ struct Memory {
 
 class Correctors final : public Dialect, public Memory {
  public:
-  Correctors(const Interpreter& m, const Setup& setup);
+  Correctors(const BlockContext& m, const Setup& setup);
 
   BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
-  void keep(Interpreter& m) override;
-  void begin_block(Interpreter& m) override;
-  void take_back(Interpreter& m) override;
+  void keep(BlockContext& m) override;
+  void begin_block(Emitter& m) override;
+  void take_back(BlockContext& m) override;
 
   std::shared_ptr<const DialectState> snapshot() const override;
-  Status restore(Interpreter& m, const DialectState& from) override;
+  Status restore(BlockContext& m, const DialectState& from) override;
 
   /// An L stands in the block.
-  bool adds_to_motion(const Interpreter& m) const override;
-  bool lines_follow(const Interpreter&) const override { return true; }
+  bool adds_to_motion(const BlockContext& m) const override;
+  bool lines_follow(const BlockContext&) const override { return true; }
   /// Adds the block's correctors to its motion: sets Transform::added.
   ///   returns  the axes it moves besides those of the words
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
-  Result<AxisMask> add_to_motion(Interpreter& m) override;
+  Result<AxisMask> add_to_motion(Emitter& m) override;
 
  private:
   struct Before {
@@ -57,6 +57,6 @@ class Correctors final : public Dialect, public Memory {
   bool kept_ = false;
 };
 
-Correctors& correctors_of(const Interpreter& m);
+Correctors& correctors_of(const BlockContext& m);
 
 }  // namespace kadr::correctors

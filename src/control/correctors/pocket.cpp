@@ -54,7 +54,7 @@ double PocketRun::passes(const PocketCycle& pocket) { return steps(-pocket.z, po
 
 double PocketRun::floor_of(double pass) const { return middle_[2] - std::min((pass + 1) * pocket_.pass, -pocket_.z); }
 
-Status PocketRun::move(Interpreter& m, MotionKind kind, Vec2 at, double z, AxisMask named) const {
+Status PocketRun::move(Emitter& m, MotionKind kind, Vec2 at, double z, AxisMask named) const {
   Axes to = m.position.programmed;
   to[0] = middle_[0] + at.x;
   to[1] = middle_[1] + at.y;
@@ -63,7 +63,7 @@ Status PocketRun::move(Interpreter& m, MotionKind kind, Vec2 at, double z, AxisM
 }
 
 /// Over the middle at the height where the tool stands, or at the clearance if it stands lower; INFERRED.
-Status PocketRun::approach(Interpreter& m) const {
+Status PocketRun::approach(Emitter& m) const {
   const double z = std::max(m.position.programmed[2], clear());
   if (z > m.position.programmed[2]) {
     Axes up = m.position.programmed;
@@ -74,7 +74,7 @@ Status PocketRun::approach(Interpreter& m) const {
   return move(m, MotionKind::rapid, {}, clear(), along_tool);
 }
 
-Status PocketRun::round(Interpreter& m, const PocketRound& round) const {
+Status PocketRun::round(Emitter& m, const PocketRound& round) const {
   const double z = m.position.programmed[2];
   KADR_TRY(move(m, MotionKind::feed, {round.x, 0}, z, in_plane));
   for (const PocketPiece& piece : pieces_of(round, pocket_.direction)) {
@@ -94,7 +94,7 @@ Status PocketRun::round(Interpreter& m, const PocketRound& round) const {
   return {};
 }
 
-Result<bool> PocketRun::next(Interpreter& m) {
+Result<bool> PocketRun::next(Emitter& m) {
   const auto done = [](const Status& status, bool more) -> Result<bool> {
     if (!status) return fail(status.error());
     return more;

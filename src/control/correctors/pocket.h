@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/correctors/correctors.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr::correctors {
 
@@ -54,12 +54,12 @@ class PocketRun final : public RunningValue<PocketRun> {
 
   /// Passes of no more than K.
   static double passes(const PocketCycle& pocket);
-  Result<bool> next(Interpreter& m) override;
+  Result<bool> next(Emitter& m) override;
 
  private:
-  Status approach(Interpreter& m) const;
-  Status move(Interpreter& m, MotionKind kind, Vec2 at, double z, AxisMask named) const;
-  Status round(Interpreter& m, const PocketRound& round) const;
+  Status approach(Emitter& m) const;
+  Status move(Emitter& m, MotionKind kind, Vec2 at, double z, AxisMask named) const;
+  Status round(Emitter& m, const PocketRound& round) const;
   double floor_of(double pass) const;
   double clear() const { return middle_[2] + pocket_.clearance; }
 

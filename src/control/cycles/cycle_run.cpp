@@ -8,11 +8,11 @@
 
 #include "base/tolerance.h"
 #include "control/cycles/hole_work.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 
-void CycleRun::start(const Interpreter& m, const Job& job) {
+void CycleRun::start(const BlockContext& m, const Job& job) {
   cycle_ = job.cycle;
   job_ = job;
   spindle_ = m.modal.spindle;
@@ -25,7 +25,7 @@ void CycleRun::start(const Interpreter& m, const Job& job) {
 }
 
 /// A cycle that moves nothing is left now and then, too: a Ctrl-C is asked for between two calls.
-Status CycleRun::next(Interpreter& m) {
+Status CycleRun::next(Emitter& m) {
   for (std::size_t i = 0; i < batch_size && active(); ++i) {
     KADR_TRY(go_on(m));
     if (m.each_block || m.batch->size() >= batch_size) break;
@@ -33,7 +33,7 @@ Status CycleRun::next(Interpreter& m) {
   return {};
 }
 
-Status CycleRun::go_on(Interpreter& m) {
+Status CycleRun::go_on(Emitter& m) {
   if (!in_hole_) {
     if (hole_ == job_.holes) {
       stop();
@@ -53,7 +53,7 @@ Status CycleRun::go_on(Interpreter& m) {
 }
 
 /// Up to R if below it (once), over the hole, down to R (spec/mach3 4, preliminary motion).
-Status CycleRun::begin_hole(Interpreter& m) {
+Status CycleRun::begin_hole(Emitter& m) {
   in_hole_ = true;
   step_ = 0;
   part_ = 0;
@@ -66,7 +66,7 @@ Status CycleRun::begin_hole(Interpreter& m) {
   return drill_to(m, MotionKind::rapid, job_.level);
 }
 
-Status CycleRun::step(Interpreter& m) {
+Status CycleRun::step(Emitter& m) {
   const CycleStep now = cycle_->steps[step_];
   if (now == CycleStep::peck_full) return peck(m, true);
   if (now == CycleStep::peck_break) return peck(m, false);
@@ -99,7 +99,7 @@ Status CycleRun::step(Interpreter& m) {
 }
 
 /// Down by the peck; out to R and back to just above the bottom (G83), or back a little and down again (G73).
-Status CycleRun::peck(Interpreter& m, bool full) {
+Status CycleRun::peck(Emitter& m, bool full) {
   switch (part_) {
     case 0:
       depth_ = std::max(job_.bottom, depth_ - job_.peck);
@@ -117,7 +117,7 @@ Status CycleRun::peck(Interpreter& m, bool full) {
 }
 
 /// L83 of the 2С42 (table 9): pass i begins at rapid at R2 + i·R3, a pass down, 0.3 s, rapid to R2; the last stops at R1.
-Status CycleRun::passes(Interpreter& m) {
+Status CycleRun::passes(Emitter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {
     case 0: part_ = 1; return drill_to(m, MotionKind::rapid, depth_);
@@ -135,7 +135,7 @@ Status CycleRun::passes(Interpreter& m) {
   }
 }
 
-Status CycleRun::drill_to(Interpreter& m, MotionKind kind, double level) {
+Status CycleRun::drill_to(Emitter& m, MotionKind kind, double level) {
   double& at = m.position.programmed[job_.drill];
   if (std::fabs(at - level) <= tol::level) return {};
   if (plain_) {
@@ -147,7 +147,7 @@ Status CycleRun::drill_to(Interpreter& m, MotionKind kind, double level) {
   return emit_in_hole(*m.batch, work_, [&] { return m.straight(kind, to, 1u << job_.drill); });
 }
 
-Status CycleRun::plane_to(Interpreter& m, double first, double second) {
+Status CycleRun::plane_to(Emitter& m, double first, double second) {
   Axes& at = m.position.programmed;
   const AxisMask named = 1u << job_.first | 1u << job_.second;
   if (std::fabs(at[job_.first] - first) <= tol::level && std::fabs(at[job_.second] - second) <= tol::level) return {};
@@ -163,7 +163,7 @@ Status CycleRun::plane_to(Interpreter& m, double first, double second) {
 }
 
 /// To the programmed position, as Interpreter::straight would.
-Status CycleRun::line(Interpreter& m, MotionKind kind, AxisMask named) {
+Status CycleRun::line(Emitter& m, MotionKind kind, AxisMask named) {
   m.place_plainly(named);
   Motion& motion = m.add_motion(kind, named);
   motion.in_hole = work_;

@@ -11,7 +11,8 @@
 
 namespace kadr {
 
-class Interpreter;
+class BlockContext;
+class Emitter;
 
 class CycleRun {
  public:
@@ -35,20 +36,20 @@ class CycleRun {
     bool preliminary = true;                                  // up to R before the first hole if below it
     bool pass_from_level = false;                             // L83: rapid to the level a pass begins at
   };
-  void start(const Interpreter& m, const Job& job);
+  void start(const BlockContext& m, const Job& job);
 
   /// Emits the next actions, as many as the batch has room for; a few at a time where each block is handed over.
-  Status next(Interpreter& m);
+  Status next(Emitter& m);
 
  private:
-  Status go_on(Interpreter& m);
-  Status begin_hole(Interpreter& m);
-  Status step(Interpreter& m);
-  Status peck(Interpreter& m, bool full);
-  Status passes(Interpreter& m);
-  Status drill_to(Interpreter& m, MotionKind kind, double level);
-  Status plane_to(Interpreter& m, double first, double second);
-  Status line(Interpreter& m, MotionKind kind, AxisMask named);
+  Status go_on(Emitter& m);
+  Status begin_hole(Emitter& m);
+  Status step(Emitter& m);
+  Status peck(Emitter& m, bool full);
+  Status passes(Emitter& m);
+  Status drill_to(Emitter& m, MotionKind kind, double level);
+  Status plane_to(Emitter& m, double first, double second);
+  Status line(Emitter& m, MotionKind kind, AxisMask named);
 
   const CycleRow* cycle_ = nullptr;
   Job job_;

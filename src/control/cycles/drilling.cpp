@@ -25,7 +25,7 @@ CycleAxes cycle_axes(Plane plane) {
 
 class Drilling {
  public:
-  Drilling(Interpreter& m, const Call& call)
+  Drilling(Emitter& m, const Call& call)
       : m_(m), call_(call), cycle_(m.def.cycles[call.row->cycle - 1u]), axes_(cycle_axes(m.modal.plane)), memory_(m.cycle_memory) {}
 
   Status run() {
@@ -174,7 +174,7 @@ class Drilling {
     return job.holes == 1 ? Status() : within_reach(job, last);
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const Call& call_;
   const CycleRow& cycle_;
   CycleAxes axes_;
@@ -184,6 +184,6 @@ class Drilling {
 
 }  // namespace
 
-Status functions::cycle(Interpreter& m, const Call& call) { return Drilling(m, call).run(); }
+Status functions::cycle(Emitter& m, const Call& call) { return Drilling(m, call).run(); }
 
 }  // namespace kadr

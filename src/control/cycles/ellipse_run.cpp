@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 namespace {
@@ -27,7 +27,7 @@ void EllipseRun::start(const Job& job) {
   pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, most_chords));
 }
 
-Status EllipseRun::next(Interpreter& m) {
+Status EllipseRun::next(Emitter& m) {
   const double part = static_cast<double>(++done_) / pieces_;
   const bool last = done_ == pieces_;
   Axes to = job_.to;

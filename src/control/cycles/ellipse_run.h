@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-class Interpreter;
+class Emitter;
 
 class EllipseRun {
  public:
@@ -30,7 +30,7 @@ class EllipseRun {
   void start(const Job& job);
 
   /// Emits the next straight motion.
-  Status next(Interpreter& m);
+  Status next(Emitter& m);
 
  private:
   Job job_;

@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-Motion& arc_motion(Interpreter& m, const PlaneArc& arc, Turn turn, const Axes& end, AxisMask named, double turns) {
+Motion& arc_motion(Emitter& m, const PlaneArc& arc, Turn turn, const Axes& end, AxisMask named, double turns) {
   named |= AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second;
   m.move_to(end, end, named);
   Motion& motion = m.add_motion(turn == Turn::cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);

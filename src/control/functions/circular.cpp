@@ -7,7 +7,7 @@
 #include "control/block/arc.h"
 #include "control/functions/contour.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 namespace {
@@ -15,13 +15,13 @@ namespace {
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
 /// A circle of another plane does not stay in it under G68, which turns in XY.
-Status turned_in_plane(const Interpreter& m, PlaneAxes axes, Span where, std::string_view code) {
+Status turned_in_plane(const BlockContext& m, PlaneAxes axes, Span where, std::string_view code) {
   if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
 }
 
 /// Places an alarm of the geometry at the arc's own words.
-tl::unexpected<Alarm> placed(const Interpreter& m, Alarm alarm) {
+tl::unexpected<Alarm> placed(const BlockContext& m, Alarm alarm) {
   alarm.where = m.block->where;
   while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
   return fail(alarm);
@@ -29,7 +29,7 @@ tl::unexpected<Alarm> placed(const Interpreter& m, Alarm alarm) {
 
 class Circular {
  public:
-  Circular(Interpreter& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes), rule_(m.plain_arc_rule()) {}
+  Circular(Emitter& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes), rule_(m.plain_arc_rule()) {}
 
   Status run(Span where) {
     if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where, turn_ == Turn::cw ? "G2" : "G3"));
@@ -151,13 +151,13 @@ class Circular {
     note_arc_end(m_, motion);
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   Turn turn_;
   PlaneAxes axes_;
   ArcRule rule_;
 };
 
-Status circular(Interpreter& m, const Call& call, Turn turn, MotionMode mode) {
+Status circular(Emitter& m, const Call& call, Turn turn, MotionMode mode) {
   if (call.row->modal) {
     m.modal.motion = mode;
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -169,7 +169,7 @@ Status circular(Interpreter& m, const Call& call, Turn turn, MotionMode mode) {
 
 }  // namespace
 
-ArcRule Interpreter::plain_arc_rule() const {
+ArcRule BlockContext::plain_arc_rule() const {
   const Behaviour& b = def.behaviour;
   const bool as_distance = b.arc_centers == ArcCenters::as_distance, by_code = b.arc_centers == ArcCenters::by_code;
   const bool absolute = (as_distance && modal.absolute) || (by_code && modal.centers_absolute);
@@ -177,13 +177,13 @@ ArcRule Interpreter::plain_arc_rule() const {
   return {true, absolute, b.helix_by_lead, difference};
 }
 
-Status Interpreter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }
+Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }
 
-Status functions::arc_cw(Interpreter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
-Status functions::arc_ccw(Interpreter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
+Status functions::arc_cw(Emitter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
+Status functions::arc_ccw(Emitter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
 
 /// G12 / G13 (Mach3): from the centre out along +X by I, the circle, back; arg: 2 clockwise, 3 counter-clockwise.
-Status functions::circular_pocket(Interpreter& m, const Call& call) {
+Status functions::circular_pocket(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));
   const double radius = m.length_value('I');

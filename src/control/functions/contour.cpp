@@ -10,12 +10,12 @@
 namespace kadr {
 namespace {
 
-Vec2 in_plane(const Interpreter& m, const Axes& axes) { return {axes[m.modal.axes.first], axes[m.modal.axes.second]}; }
+Vec2 in_plane(const BlockContext& m, const Axes& axes) { return {axes[m.modal.axes.first], axes[m.modal.axes.second]}; }
 AxisMask mask_of(PlaneAxes plane) { return AxisMask{1} << plane.first | AxisMask{1} << plane.second; }
-AxisMask plane_mask(const Interpreter& m) { return mask_of(m.modal.axes); }
+AxisMask plane_mask(const BlockContext& m) { return mask_of(m.modal.axes); }
 
 /// G41 or G42 have come, the second block of the contour has not.
-bool only_begun(const Interpreter& m) { return m.modal.contour == ContourPhase::on || m.modal.contour == ContourPhase::approached; }
+bool only_begun(const BlockContext& m) { return m.modal.contour == ContourPhase::on || m.modal.contour == ContourPhase::approached; }
 
 bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == MotionKind::feed || is_arc(kind); }
 
@@ -23,7 +23,7 @@ double beside(const Modal& modal) { return modal.contour_side == 0 ? 0 : length(
 
 /// The tool goes on beside the contour, in an axis of its own: a hole or a step there is rarely what was meant. Once a contour; G40 of
 /// the 2С42 has Z for a word of its own (6.4.7).
-void tell_beside(Interpreter& m, const Motion& motion, const Axes& from) {
+void tell_beside(Emitter& m, const Motion& motion, const Axes& from) {
   if (m.modal.beside_told || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
   bool moves = false;
@@ -35,7 +35,7 @@ void tell_beside(Interpreter& m, const Motion& motion, const Axes& from) {
 
 /// The motion that G40 has been waiting for, or one that leaves the tool where it stands in the plane. That is the contour's, whatever
 /// plane has been chosen after G40.
-void lead_off(Interpreter& m, Motion& motion, const Axes& from) {
+void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.contour_side;
   motion.first = static_cast<std::uint8_t>(modal.contour_axes.first);
@@ -60,7 +60,7 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
 }
 
 /// Any motion of a queued contour begins it or follows, whatever axes it moves; after G40 any leads to its point (spec/linuxcnc 7.5).
-void note_queued(Interpreter& m, Motion& motion, const Axes& from) {
+void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   if (modal.contour == ContourPhase::leaving) return void(modal.contour = ContourPhase::off);
   const double radius = m.radius_in_force();
@@ -80,7 +80,7 @@ void note_queued(Interpreter& m, Motion& motion, const Axes& from) {
 
 bool compensates(const Modal& modal) { return modal.contour != ContourPhase::off && modal.contour != ContourPhase::leaving; }
 
-Status begin_contour(Interpreter& m, const Call& call, std::int8_t side) {
+Status begin_contour(BlockContext& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
   const bool queued = m.def.behaviour.contour_queued;
   if (modal.contour == ContourPhase::leaving && !queued &&
@@ -93,7 +93,7 @@ Status begin_contour(Interpreter& m, const Call& call, std::int8_t side) {
   return {};
 }
 
-void take_up_contour(Interpreter& m) {
+void take_up_contour(Emitter& m) {
   Modal& modal = m.modal;
   if (modal.contour != ContourPhase::leaving) return;
   const double vector[] = {modal.contour_vector.x, modal.contour_vector.y};
@@ -108,14 +108,14 @@ void take_up_contour(Interpreter& m) {
   modal.contour_side = 0;
 }
 
-void note_arc_end(Interpreter& m, const Motion& arc) {
+void note_arc_end(BlockContext& m, const Motion& arc) {
   if (m.modal.contour != ContourPhase::following || arc.side == 0) return;
   const Vec2 arm = in_plane(m, arc.to) - arc.center;
   const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // left of a counter-clockwise arc lies its centre
   if (length(arm) > 0) m.modal.contour_vector = toward * arc.tool_radius / length(arm) * arm;
 }
 
-Status end_contour(Interpreter& m, const Call& call) {
+Status end_contour(Emitter& m, const Call& call) {
   Modal& modal = m.modal;
   if (modal.contour == ContourPhase::approached && m.def.behaviour.contour_blocks_checked)
     return fail(alarm(AlarmId::compensation_two_blocks, call.where));
@@ -131,22 +131,22 @@ Status end_contour(Interpreter& m, const Call& call) {
   return {};
 }
 
-void stop_beside_contour(Interpreter& m) {
+void stop_beside_contour(Emitter& m) {
   if (m.def.behaviour.contour_queued && m.modal.contour == ContourPhase::following) m.emit(ContourBreak{});
 }
 
-bool leads_without_words(const Interpreter& m) {
+bool leads_without_words(const BlockContext& m) {
   if (!m.def.behaviour.contour_queued || m.modal.contour == ContourPhase::off) return false;
   return m.modal.contour == ContourPhase::leaving || m.radius_in_force() != 0;
 }
 
-Status contour_allows_infeed(const Interpreter& m, Span where) {
+Status contour_allows_infeed(const BlockContext& m, Span where) {
   if (!m.def.behaviour.contour_blocks_checked || !only_begun(m)) return {};
   if (m.has_code({Function::radius_comp_left, Function::radius_comp_right})) return {};
   return fail(alarm(AlarmId::compensation_two_blocks, where));
 }
 
-Status contour_allows_motion(const Interpreter& m) {
+Status contour_allows_motion(const BlockContext& m) {
   if (!m.def.behaviour.contour_blocks_checked || m.modal.contour == ContourPhase::off || !m.has_axis_words()) return {};
   Axes to;
   AxisMask named = 0;
@@ -158,13 +158,13 @@ Status contour_allows_motion(const Interpreter& m) {
   return fail(alarm(AlarmId::compensation_closing, m.block->where));
 }
 
-Status arc_beside_contour(const Interpreter& m, Span where, std::string_view code) {
+Status arc_beside_contour(const BlockContext& m, Span where, std::string_view code) {
   if (m.modal.contour == ContourPhase::leaving) return fail(alarm(AlarmId::compensation_ends_in_arc, where));
   if (m.modal.contour == ContourPhase::on && m.radius_in_force() != 0) return fail(alarm(AlarmId::compensation_begins_in_arc, where, code));
   return {};
 }
 
-void note_contour(Interpreter& m, Motion& motion, const Axes& from) {
+void note_contour(Emitter& m, Motion& motion, const Axes& from) {
   if (m.def.behaviour.contour_queued) return note_queued(m, motion, from);
   Modal& modal = m.modal;
   const bool named = (motion.named & plane_mask(m)) != 0;

@@ -10,14 +10,24 @@
 namespace kadr {
 namespace {
 
+/// A function as an entry of the table.
+template <Status (*function)(Emitter&, const Call&)>
+Status entry(Interpreter& m, const Call& call) {
+  return function(m, call);
+}
+template <Status (*function)(Interpreter&, const Call&)>
+Status entry(Interpreter& m, const Call& call) {
+  return function(m, call);
+}
+
 constexpr Handler handlers[] = {
-#define KADR_FUNCTION_HANDLER(name, ...) functions::name,
+#define KADR_FUNCTION_HANDLER(name, ...) entry<functions::name>,
     KADR_FUNCTIONS(KADR_FUNCTION_HANDLER)
 #undef KADR_FUNCTION_HANDLER
 };
 static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
 
-Status set_plane(Interpreter& m, Plane plane) {
+Status set_plane(Emitter& m, Plane plane) {
   if (compensates(m.modal) && m.modal.plane != plane) return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
   m.modal.plane = plane;
   m.modal.axes = axes_of(plane);
@@ -25,7 +35,7 @@ Status set_plane(Interpreter& m, Plane plane) {
   return {};
 }
 
-Status set_feed_mode(Interpreter& m, FeedMode mode) {
+Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
   if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
@@ -38,7 +48,7 @@ Status set_feed_mode(Interpreter& m, FeedMode mode) {
 }
 
 /// Not under radius compensation (RS274/NGC).
-Status set_unit(Interpreter& m, const Call& call, bool inch) {
+Status set_unit(BlockContext& m, const Call& call, bool inch) {
   const bool may_change = m.dialect->units_may_change();
   if (!may_change && compensates(m.modal) && m.modal.inch != inch)
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -53,93 +63,93 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 namespace functions {
 
 // Addresses that other functions read: nothing to do by themselves.
-Status block_number(Interpreter&, const Call&) { return {}; }
-Status axis(Interpreter&, const Call&) { return {}; }
-Status center(Interpreter&, const Call&) { return {}; }
-Status word_of_code(Interpreter&, const Call&) { return {}; }
-Status formal_parameter(Interpreter&, const Call&) { return {}; }
-Status code(Interpreter&, const Call&) { return {}; }
-Status label(Interpreter&, const Call&) { return {}; }
-Status corrector_word(Interpreter&, const Call&) { return {}; }
+Status block_number(Emitter&, const Call&) { return {}; }
+Status axis(Emitter&, const Call&) { return {}; }
+Status center(Emitter&, const Call&) { return {}; }
+Status word_of_code(Emitter&, const Call&) { return {}; }
+Status formal_parameter(Emitter&, const Call&) { return {}; }
+Status code(Emitter&, const Call&) { return {}; }
+Status label(Emitter&, const Call&) { return {}; }
+Status corrector_word(Emitter&, const Call&) { return {}; }
 
-Status plane_xy(Interpreter& m, const Call&) { return set_plane(m, Plane::xy); }
-Status plane_zx(Interpreter& m, const Call&) { return set_plane(m, Plane::zx); }
-Status plane_yz(Interpreter& m, const Call&) { return set_plane(m, Plane::yz); }
-Status absolute(Interpreter& m, const Call&) {
+Status plane_xy(Emitter& m, const Call&) { return set_plane(m, Plane::xy); }
+Status plane_zx(Emitter& m, const Call&) { return set_plane(m, Plane::zx); }
+Status plane_yz(Emitter& m, const Call&) { return set_plane(m, Plane::yz); }
+Status absolute(Emitter& m, const Call&) {
   m.modal.absolute = true;
   return {};
 }
-Status incremental(Interpreter& m, const Call&) {
+Status incremental(Emitter& m, const Call&) {
   m.modal.absolute = false;
   return {};
 }
-Status centers_absolute(Interpreter& m, const Call&) {
+Status centers_absolute(Emitter& m, const Call&) {
   m.modal.centers_absolute = true;
   return {};
 }
-Status centers_incremental(Interpreter& m, const Call&) {
+Status centers_incremental(Emitter& m, const Call&) {
   m.modal.centers_absolute = false;
   return {};
 }
-Status inch(Interpreter& m, const Call& call) { return set_unit(m, call, true); }
-Status millimetre(Interpreter& m, const Call& call) { return set_unit(m, call, false); }
-Status feed_inverse_time(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
-Status feed_per_minute(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
-Status feed_per_revolution(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
-Status surface_speed(Interpreter& m, const Call&) {
+Status inch(Emitter& m, const Call& call) { return set_unit(m, call, true); }
+Status millimetre(Emitter& m, const Call& call) { return set_unit(m, call, false); }
+Status feed_inverse_time(Emitter& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
+Status feed_per_minute(Emitter& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
+Status feed_per_revolution(Emitter& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
+Status surface_speed(Emitter& m, const Call&) {
   m.modal.surface_speed = true;
   m.emit(m.surface_speed());
   return {};
 }
 /// The spindle keeps the speed that it has.
-Status spindle_rpm(Interpreter& m, const Call&) {
+Status spindle_rpm(Emitter& m, const Call&) {
   if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
   m.modal.surface_speed = false;
   m.emit(m.surface_speed());
   return {};
 }
-Status exact_stop_block(Interpreter& m, const Call&) {
+Status exact_stop_block(Emitter& m, const Call&) {
   m.block_exact = true;
   return {};
 }
-Status exact_stop_mode(Interpreter& m, const Call&) {
+Status exact_stop_mode(Emitter& m, const Call&) {
   m.modal.exact = true;
   m.modal.blend_tolerance = 0;
   return {};
 }
 /// G64, with P the path tolerance (RS274/NGC; Mach3 itself has none).
-Status constant_velocity(Interpreter& m, const Call&) {
+Status constant_velocity(Emitter& m, const Call&) {
   const double tolerance = m.length_value('P');
   if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));
   m.modal.exact = false;
   m.modal.blend_tolerance = tolerance;
   return {};
 }
-Status corner_arc(Interpreter& m, const Call&) {
+Status corner_arc(Emitter& m, const Call&) {
   m.modal.corner_join = CornerJoin::arc;
   return {};
 }
-Status corner_line(Interpreter& m, const Call&) {
+Status corner_line(Emitter& m, const Call&) {
   m.modal.corner_join = CornerJoin::straight;
   return {};
 }
-Status retract_initial(Interpreter& m, const Call&) {
+Status retract_initial(Emitter& m, const Call&) {
   m.modal.retract_initial = true;
   return {};
 }
-Status retract_level(Interpreter& m, const Call&) {
+Status retract_level(Emitter& m, const Call&) {
   m.modal.retract_initial = false;
   return {};
 }
-Status override_permission(Interpreter& m, const Call& call) {
+Status override_permission(Emitter& m, const Call& call) {
   m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg);
   return {};
 }
-Status override_on(Interpreter& m, const Call&) {
+Status override_on(Emitter& m, const Call&) {
   m.modal.override_enabled = true;
   return {};
 }
-Status override_off(Interpreter& m, const Call&) {
+Status override_off(Emitter& m, const Call&) {
   m.modal.override_enabled = false;
   return {};
 }

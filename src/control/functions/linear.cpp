@@ -14,7 +14,7 @@ constexpr std::uint64_t x_bit = letter_bit('X');
 constexpr std::uint64_t y_bit = letter_bit('Y');
 
 /// Mach3 10.7.6: X is the radius and Y the angle from the pole; a word left out keeps its last value.
-void polar_target(Interpreter& m, Axes& to, AxisMask& named) {
+void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   if ((m.block->letters & (x_bit | y_bit)) == 0) return;
   Modal& modal = m.modal;
   if (m.has('X')) modal.polar_radius = (modal.absolute ? 0.0 : modal.polar_radius) + m.length_value('X');
@@ -26,7 +26,7 @@ void polar_target(Interpreter& m, Axes& to, AxisMask& named) {
 }
 
 /// G53 beside G0 or G1: the words are machine coordinates (Mach3 10.7.17).
-Status machine_motion(Interpreter& m, MotionKind kind) {
+Status machine_motion(Emitter& m, MotionKind kind) {
   Axes to = m.position.machine;
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -41,7 +41,7 @@ Status machine_motion(Interpreter& m, MotionKind kind) {
   return m.to_machine(kind, to, named, 0);
 }
 
-Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mode) {
+Status straight(Emitter& m, const Call& call, MotionKind kind, MotionMode mode) {
   if (call.row->modal) {
     m.modal.motion = mode;
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -68,7 +68,7 @@ Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mo
   return m.straight(kind, to, named);
 }
 
-bool axes_taken_by_code(const Interpreter& m) {
+bool axes_taken_by_code(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
@@ -78,13 +78,13 @@ bool axes_taken_by_code(const Interpreter& m) {
 }
 
 /// Machine points, reference points and probes: not with radius compensation (Mach3 10.7.12; 2С42 INFERRED).
-Status no_compensation(const Interpreter& m, const Call& call) {
+Status no_compensation(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side == 0) return {};
   return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
 }
 
 /// Axes of the block's words, whatever their values; all linear ones if there is none.
-AxisMask named_axes(const Interpreter& m) {
+AxisMask named_axes(const BlockContext& m) {
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.letters.axis_letter[a] != 0 && m.has(m.letters.axis_letter[a])) named |= 1u << a;
@@ -95,11 +95,11 @@ AxisMask named_axes(const Interpreter& m) {
 
 namespace functions {
 
-Status rapid(Interpreter& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
-Status linear(Interpreter& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
+Status rapid(Emitter& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
+Status linear(Emitter& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
 
 /// G80 (Mach3 10.7.23): axis words of its block need another code that takes them.
-Status no_motion(Interpreter& m, const Call& call) {
+Status no_motion(Emitter& m, const Call& call) {
   if (m.def.behaviour.arc_radius_word && m.has_axis_words() && !axes_taken_by_code(m)) {
     const Word* first = nullptr;
     for (std::uint32_t i = 0; i < m.block->word_count && first == nullptr; ++i)
@@ -112,7 +112,7 @@ Status no_motion(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status machine_coordinates(Interpreter& m, const Call& call) {
+Status machine_coordinates(Emitter& m, const Call& call) {
   const bool straight_coded = m.has_code({Function::rapid, Function::linear});
   const bool other_coded = m.has_code({Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::circular_pocket});
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
@@ -125,7 +125,7 @@ Status machine_coordinates(Interpreter& m, const Call& call) {
 
 /// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second.
 /// INFERRED: axes named go home; none named: all of them, at once.
-Status home_through(Interpreter& m, const Call& call) {
+Status home_through(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
   AxisMask named = 0;
@@ -140,26 +140,26 @@ Status home_through(Interpreter& m, const Call& call) {
 }
 
 /// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
-Status home_axes(Interpreter& m, const Call& call) {
+Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed, EndGiven::reference_1);
 }
 
 /// G25 (2С42): to the machine's reference point at 2000 mm/min.
-Status approach_reference(Interpreter& m, const Call& call) {
+Status approach_reference(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed, EndGiven::reference_1);
 }
 
 /// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
-Status machine_point(Interpreter& m, const Call& call) {
+Status machine_point(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   return machine_motion(m, MotionKind::rapid);
 }
 
 /// G31 (Mach3 10.7.12).
-Status probe(Interpreter& m, const Call& call) {
+Status probe(Emitter& m, const Call& call) {
   const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
   if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.modal.feed_mode == FeedMode::inverse_time && !m.def.behaviour.probe_in_inverse_time)
@@ -196,7 +196,7 @@ void Interpreter::answer(const ProbeAnswer& answer) {
   if (!taken) fail_with(taken.error());
 }
 
-Status Interpreter::note_answer(const ProbeAnswer& answer) {
+Status Emitter::note_answer(const ProbeAnswer& answer) {
   needs_probe = false;
   const bool touched = made_contact(*this, answer);
   const std::uint32_t first = variables.first(VariableKind::probe_point);

@@ -7,11 +7,11 @@
 #include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "control/functions/contour.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 
-double Interpreter::axis_target(const Word& w, std::size_t axis) const {
+double BlockContext::axis_target(const Word& w, std::size_t axis) const {
   const bool is_length = def.address(w.address).unit == WordUnit::length;
   double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
   if ((modal.diameter >> axis & 1u) != 0) v /= 2;
@@ -19,9 +19,9 @@ double Interpreter::axis_target(const Word& w, std::size_t axis) const {
   return absolute ? v : position.programmed[axis] + v;
 }
 
-Status Interpreter::target(Axes& to, AxisMask& named) const { return dialect->target(*this, to, named); }
+Status BlockContext::target(Axes& to, AxisMask& named) const { return dialect->target(*this, to, named); }
 
-Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
+Status BlockContext::axis_words(Axes& to, AxisMask& named) const {
   to = position.programmed;
   named = 0;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -36,7 +36,7 @@ Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
 }
 
 /// The next action of the batch, a motion to where the tool is to stand; its modes are those of another.
-Motion& Interpreter::next_motion() {
+Motion& Emitter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
   Motion* const reused = motion_of(action);
@@ -49,13 +49,13 @@ Motion& Interpreter::next_motion() {
   return motion;
 }
 
-std::uint16_t Interpreter::length_row() const {
+std::uint16_t BlockContext::length_row() const {
   const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 takes the number away, and there is no sign
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
 
-Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
+Motion& Emitter::add_motion(MotionKind kind, AxisMask named) {
   Motion& motion = next_motion();
   motion.kind = kind;
   motion.first = static_cast<std::uint8_t>(modal.axes.first);
@@ -92,7 +92,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   return motion;
 }
 
-void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
+void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (modal.inch || modal.contour != ContourPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
@@ -114,13 +114,13 @@ void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask nam
   position.programmed = programmed;
 }
 
-Status Interpreter::within_reach(const Axes& work) const {
+Status BlockContext::within_reach(const Axes& work) const {
   for (std::size_t a = 0; a < axis_count; ++a)
     if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
   return {};
 }
 
-Status Interpreter::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
+Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
   if (modal.surface != PathSurface::plane) return dialect->surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
@@ -137,7 +137,7 @@ Status Interpreter::straight(MotionKind kind, const Axes& programmed, AxisMask n
 
 /// Along a line on which an axis has a feed of its own (GOST 20999-83). INFERRED: the line stays; the axis, or the others together, that
 /// need the longest time say how fast it is gone.
-double Interpreter::feed_by_axes(const Motion& motion) const {
+double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
     const double way = motion.to[a] - moved_from[a];
@@ -149,14 +149,14 @@ double Interpreter::feed_by_axes(const Motion& motion) const {
   return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;
 }
 
-void Interpreter::stand_at(const Axes& machine) {
+void Emitter::stand_at(const Axes& machine) {
   position.machine = machine;
   for (std::size_t a = 0; a < axis_count && frames.is_plain(); ++a) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
   if (!frames.is_plain()) position.work = frames.work_of(machine);
   position.programmed = transform.to_programmed(position.work);
 }
 
-Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end) {
+Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end) {
   KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
@@ -178,7 +178,7 @@ Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask na
   return {};
 }
 
-Status Interpreter::feed_known(Span at) {
+Status Emitter::feed_known(Span at) {
   if (modal.feed_mode == FeedMode::inverse_time) {
     if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
     return {};
@@ -192,7 +192,7 @@ Status Interpreter::feed_known(Span at) {
 }
 
 /// Each axis that the block names has a feed of its own.
-bool Interpreter::axes_have_feeds() const {
+bool BlockContext::axes_have_feeds() const {
   const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
   AxisMask named = 0;
   for (std::size_t a = 0; a < axis_count; ++a)
@@ -200,12 +200,12 @@ bool Interpreter::axes_have_feeds() const {
   return !arc && named != 0 && (named & ~modal.feeds_of_axes) == 0;
 }
 
-double Interpreter::feed_limited(double feed) const {
+double BlockContext::feed_limited(double feed) const {
   const double most = def.behaviour.feed_most;
   return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
 }
 
-double feed_in_inches(const Interpreter& m, const Motion& motion, const Axes& from) {
+double feed_in_inches(const BlockContext& m, const Motion& motion, const Axes& from) {
   bool turns = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if (std::fabs(motion.to[a] - from[a]) <= tol::same_point) continue;
@@ -215,7 +215,7 @@ double feed_in_inches(const Interpreter& m, const Motion& motion, const Axes& fr
   return turns ? motion.feed / mm_per_inch : motion.feed;
 }
 
-void Interpreter::set_feed(Motion& motion) {
+void Emitter::set_feed(Motion& motion) {
   switch (modal.feed_mode) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
@@ -235,35 +235,35 @@ void Interpreter::set_feed(Motion& motion) {
 
 // ---- frames
 
-double Interpreter::radius_in_force() const {
+double BlockContext::radius_in_force() const {
   if (modal.radius_by_word >= 0) return modal.radius_by_word;
   return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
-SurfaceSpeed Interpreter::surface_speed() const { return dialect->surface_speed(*this); }
+SurfaceSpeed BlockContext::surface_speed() const { return dialect->surface_speed(*this); }
 
-SurfaceSpeed Interpreter::speed_by_x() const {
+SurfaceSpeed BlockContext::speed_by_x() const {
   const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
   const bool there = x != axis_names.end();
   return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
 }
 
-FrameChange Interpreter::frame_change() const {
+FrameChange BlockContext::frame_change() const {
   FrameChange change{frames, position.work};
   const Axes shift = dialect->shift_of_origin(*this);
   if (shift != Axes{}) change.shifted = std::make_shared<const Axes>(shift);
   return change;
 }
 
-void Interpreter::refresh_frames() { dialect->refresh_frames(*this); }
+void Emitter::refresh_frames() { dialect->refresh_frames(*this); }
 
-Axes Interpreter::shift_by_tables() const {
+Axes BlockContext::shift_by_tables() const {
   Axes shift = zero_shift;
   for (std::size_t a = 0; a < axis_count; ++a) shift[a] += set_position[a];
   return shift;
 }
 
-void Interpreter::frames_by_tables() {
+void Emitter::frames_by_tables() {
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < axis_count; ++a) {
     double origin_of_axis = tables.common[a] + zero_shift[a] + set_position[a];
@@ -280,7 +280,7 @@ void Interpreter::frames_by_tables() {
   frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
 }
 
-void Interpreter::change_frames() {
+void Emitter::change_frames() {
   const Placement before = frames;
   refresh_frames();
   if (before == frames) return;
@@ -302,7 +302,7 @@ void Interpreter::change_frames() {
   position.programmed = transform.to_programmed(position.work);
 }
 
-void Interpreter::apply_mirror() {
+void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
     if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored

@@ -10,13 +10,13 @@ namespace kadr {
 namespace {
 
 /// Offset number in a word, or the fallback if the word is missing.
-Result<std::uint32_t> offset_number(const Interpreter& m, char letter, std::uint32_t otherwise) {
+Result<std::uint32_t> offset_number(const BlockContext& m, char letter, std::uint32_t otherwise) {
   if (!m.has(letter)) return otherwise;
   return m.whole(letter, 0, m.def.behaviour.offsets);
 }
 
 /// Mach3 10.7.13: XY plane only, not when on already; D or the tool in the spindle; P overrides the radius.
-Status radius_comp(Interpreter& m, const Call& call, std::int8_t side) {
+Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
   if (m.def.behaviour.arc_radius_word) {
     if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
     if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -29,7 +29,7 @@ Status radius_comp(Interpreter& m, const Call& call, std::int8_t side) {
   return begin_contour(m, call, side);
 }
 
-Status length(Interpreter& m, const Call& call, std::int8_t sign) {
+Status length(Emitter& m, const Call& call, std::int8_t sign) {
   m.modal.length_sign = sign;
   if ((call.row->takes & letter_bit('H')) != 0) {
     const auto number = offset_number(m, 'H', 0);
@@ -43,7 +43,7 @@ Status length(Interpreter& m, const Call& call, std::int8_t sign) {
 }
 
 /// 2С42, note to 6.4.1: a work zero changes on a straight section, with G90 and G40.
-Status check_zero_change(const Interpreter& m, Span where) {
+Status check_zero_change(const BlockContext& m, Span where) {
   if (!m.def.behaviour.zero_change_checked) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
   const bool arc_coded = m.has_code({Function::arc_cw, Function::arc_ccw});
@@ -53,14 +53,14 @@ Status check_zero_change(const Interpreter& m, Span where) {
 }
 
 /// The programmed coordinate system is given a new transformation; the tool stands.
-void transform_changed(Interpreter& m) {
+void transform_changed(BlockContext& m) {
   m.transform.refresh();
   m.position.programmed = m.transform.to_programmed(m.position.work);
 }
 
 /// Values of the axis words in mm or degrees, as they stand (not incremental).
 template <class Use>
-void each_axis_word(const Interpreter& m, Use use) {
+void each_axis_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const char letter = m.letters.axis_letter[a];
     if (letter == 0 || !m.has(letter)) continue;
@@ -70,7 +70,7 @@ void each_axis_word(const Interpreter& m, Use use) {
   }
 }
 
-void store_set_position(Interpreter& m) {
+void store_set_position(BlockContext& m) {
   const std::uint32_t first = m.variables.first(VariableKind::set_position);
   for (std::uint32_t a = 0; a < 6 && a < m.axis_count && first != 0; ++a) m.variables.set_raw(first + a, m.set_position[a]);
   (void)m.variables.take_frames_changed();
@@ -89,7 +89,7 @@ void set_axes(Axes& axes, AxisMask which, const Axes& values) {
 }
 
 /// G10: words that its kind of data has no place for. L1 takes X too (spec/mach3 5), but a milling tool has no offset along it.
-Status data_words_used(Interpreter& m, bool of_tool) {
+Status data_words_used(Emitter& m, bool of_tool) {
   for (const char letter : {'X', 'Y', 'Z', 'A', 'B', 'C', 'R'}) {
     const bool used = of_tool ? letter == 'X' || letter == 'Z' || letter == 'R' : letter != 'R';
     if (m.has(letter) && !used) return fail(alarm(AlarmId::word_unused, m.where(letter), letter));
@@ -102,12 +102,12 @@ Status data_words_used(Interpreter& m, bool of_tool) {
 
 namespace functions {
 
-Status radius_comp_left(Interpreter& m, const Call& call) { return radius_comp(m, call, -1); }
-Status radius_comp_right(Interpreter& m, const Call& call) { return radius_comp(m, call, +1); }
-Status radius_comp_off(Interpreter& m, const Call& call) { return end_contour(m, call); }
+Status radius_comp_left(Emitter& m, const Call& call) { return radius_comp(m, call, -1); }
+Status radius_comp_right(Emitter& m, const Call& call) { return radius_comp(m, call, +1); }
+Status radius_comp_off(Emitter& m, const Call& call) { return end_contour(m, call); }
 
 /// G40 of the 2С42: the radius; with a Z motion in its block the length too (6.4.7, INFERRED for blocks without Z).
-Status compensation_off(Interpreter& m, const Call& call) {
+Status compensation_off(Emitter& m, const Call& call) {
   KADR_TRY(end_contour(m, call));
   if (m.has('Z') && m.modal.length_sign != 0) {
     m.modal.length_sign = 0;
@@ -122,9 +122,9 @@ Status compensation_off(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status length_plus(Interpreter& m, const Call& call) { return length(m, call, +1); }
-Status length_minus(Interpreter& m, const Call& call) { return length(m, call, -1); }
-Status length_off(Interpreter& m, const Call&) {
+Status length_plus(Emitter& m, const Call& call) { return length(m, call, +1); }
+Status length_minus(Emitter& m, const Call& call) { return length(m, call, -1); }
+Status length_off(Emitter& m, const Call&) {
   m.modal.length_sign = 0;
   m.modal.length_number = 0;
   m.change_frames();
@@ -132,7 +132,7 @@ Status length_off(Interpreter& m, const Call&) {
 }
 
 /// D of the 2С42 and GOST: radius and length of that number are in force.
-Status offset_word(Interpreter& m, const Call&) {
+Status offset_word(Emitter& m, const Call&) {
   const auto number = m.whole('D', 0, m.def.behaviour.offsets);
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
@@ -140,7 +140,7 @@ Status offset_word(Interpreter& m, const Call&) {
   return {};
 }
 
-Status work_zero(Interpreter& m, const Call& call) {
+Status work_zero(Emitter& m, const Call& call) {
   note_work_zero(m, static_cast<std::uint32_t>(call.row->arg));
   if (m.modal.work_zero == call.row->arg) return {};
   KADR_TRY(check_zero_change(m, call.where));
@@ -151,7 +151,7 @@ Status work_zero(Interpreter& m, const Call& call) {
 }
 
 /// G54–G59, G59 P (Mach3 10.7.18); arg: the fixture, P wins.
-Status fixture(Interpreter& m, const Call& call) {
+Status fixture(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   auto number = static_cast<std::uint32_t>(call.row->arg);
   if ((call.row->takes & letter_bit('P')) != 0 && m.has('P')) {
@@ -168,7 +168,7 @@ Status fixture(Interpreter& m, const Call& call) {
 }
 
 /// G92 of the 2С42's turning machines: /A/ a permanent zero, X Z a temporary one on top of it.
-Status zero_shift(Interpreter& m, const Call& call) {
+Status zero_shift(Emitter& m, const Call& call) {
   if (!m.has('A') && !m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.has('A')) {
     const auto number = m.whole('A', 1, 9);
@@ -183,7 +183,7 @@ Status zero_shift(Interpreter& m, const Call& call) {
 }
 
 /// G92 of GOST (turning example, N5): the zero moves from the machine's M to the part's W by the given amounts.
-Status part_zero(Interpreter& m, const Call& call) {
+Status part_zero(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
   m.change_frames();
@@ -192,7 +192,7 @@ Status part_zero(Interpreter& m, const Call& call) {
 
 /// G52 (Mach3 10.7.16): the start of the system moves by the given amounts; one mechanism with G92. The amounts are words as others are,
 /// scaled and turned: with X at 4 `G52 X7` makes X read -3.
-Status temporary_shift(Interpreter& m, const Call& call) {
+Status temporary_shift(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
   const Axes zero = m.transform.to_work(Axes{});
@@ -209,7 +209,7 @@ Status temporary_shift(Interpreter& m, const Call& call) {
 
 /// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the program's words count them: under G68 and G51 the zero is
 /// laid so that the tool, turned and scaled, reads them. After G40 the current point is where the tool stands.
-Status set_position(Interpreter& m, const Call& call) {
+Status set_position(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
   if (compensates(m.modal)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -225,7 +225,7 @@ Status set_position(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status set_position_reset(Interpreter& m, const Call&) {
+Status set_position_reset(Emitter& m, const Call&) {
   m.set_position = {};
   m.set_position_by_g52 = false;
   store_set_position(m);
@@ -233,14 +233,14 @@ Status set_position_reset(Interpreter& m, const Call&) {
   return {};
 }
 
-Status set_position_suspend(Interpreter& m, const Call&) {
+Status set_position_suspend(Emitter& m, const Call&) {
   m.set_position = {};
   m.set_position_by_g52 = false;
   m.change_frames();
   return {};
 }
 
-Status set_position_restore(Interpreter& m, const Call&) {
+Status set_position_restore(Emitter& m, const Call&) {
   const std::uint32_t first = m.variables.first(VariableKind::set_position);
   for (std::uint32_t a = 0; a < 6 && a < m.axis_count && first != 0; ++a) m.set_position[a] = m.variables.raw(first + a);
   m.change_frames();
@@ -248,7 +248,7 @@ Status set_position_restore(Interpreter& m, const Call&) {
 }
 
 /// G10 L1 P: tool table (Z length, R radius); G10 L2 P: fixture offsets (RS274/NGC).
-Status set_data(Interpreter& m, const Call& call) {
+Status set_data(Emitter& m, const Call& call) {
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
   const auto kind = m.whole('L', 1, 2);
   if (!kind) return fail(kind.error());
@@ -273,7 +273,7 @@ Status set_data(Interpreter& m, const Call& call) {
 }
 
 /// G51 (Mach3 10.7.15): factors for the words that follow; words left out keep theirs. I and J take those of X and Y.
-Status scale_on(Interpreter& m, const Call& call) {
+Status scale_on(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const char letter = m.letters.axis_letter[a];
@@ -290,14 +290,14 @@ Status scale_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status scale_off(Interpreter& m, const Call&) {
+Status scale_off(Emitter& m, const Call&) {
   m.transform.scale.fill(1);
   transform_changed(m);
   return {};
 }
 
 /// G68 A B R I (Mach3 10.7.20): turned by R about (A, B); with I by R more.
-Status rotation_on(Interpreter& m, const Call& call) {
+Status rotation_on(Emitter& m, const Call& call) {
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
   if (m.has('A')) m.transform.rotation_center.x = m.length_value('A');
@@ -307,14 +307,14 @@ Status rotation_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status rotation_off(Interpreter& m, const Call&) {
+Status rotation_off(Emitter& m, const Call&) {
   m.transform.rotation = 0;
   transform_changed(m);
   return {};
 }
 
 /// G16 (Mach3 10.7.6): the current point becomes the pole.
-Status polar_on(Interpreter& m, const Call&) {
+Status polar_on(Emitter& m, const Call&) {
   take_up_contour(m);
   m.modal.polar = true;
   m.modal.pole = {m.position.programmed[0], m.position.programmed[1]};
@@ -322,7 +322,7 @@ Status polar_on(Interpreter& m, const Call&) {
   return {};
 }
 
-Status polar_off(Interpreter& m, const Call&) {
+Status polar_off(Emitter& m, const Call&) {
   m.modal.polar = false;
   return {};
 }

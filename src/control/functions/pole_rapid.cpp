@@ -11,7 +11,7 @@ constexpr std::size_t linear_axes = 3;  // X Y Z
 bool has_axis(Plane plane, std::size_t axis) { return axes_of(plane).normal != axis; }
 
 /// Words of the pole in the block, a bit an axis.
-AxisMask pole_words(const Interpreter& m) {
+AxisMask pole_words(const BlockContext& m) {
   AxisMask words = 0;
   for (std::size_t a = 0; a < linear_axes; ++a)
     if (m.has(m.letters.axis_letter[a])) words |= 1u << a;
@@ -38,7 +38,7 @@ Plane plane_of_pole(const Modal& modal, AxisMask words) {
 }  // namespace
 
 /// INFERRED: in G91 each word is an increment on the value in force, as it is one of an axis.
-Status functions::pole_rapid(Interpreter& m, const Call& call) {
+Status functions::pole_rapid(Emitter& m, const Call& call) {
   Modal& modal = m.modal;
   modal.motion = MotionMode::rapid;
   modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());

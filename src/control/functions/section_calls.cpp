@@ -17,7 +17,7 @@ constexpr double most_passes = 100'000;
 
 /// L83: R1 depth, R2 retract, R3 one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from where the
 /// tool stands, R2 from the bottom. The direction is R1's; R3 counts by its size.
-Status start_deep_drilling(Interpreter& m, const CycleRow& cycle, Span where) {
+Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {
     if (m.use.watches()) note_read_parameter(m, i);
@@ -67,7 +67,7 @@ Status call_section(Interpreter& m, const Call& call) {
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
     if (!cycle->body.empty()) {
       m.call_where = w.where;
-      m.call_text = m.flow.shown(m.block->text, m.call_where);
+      m.call_text = m.program().shown(m.block->text, m.call_where);
       return m.flow.call_body(*cycle, times, m.origin, w.where);
     }
     KADR_TRY(contour_allows_infeed(m, w.where));
@@ -79,7 +79,7 @@ Status call_section(Interpreter& m, const Call& call) {
     m.run_modes({Function::rapid});
     return {};
   }
-  const std::size_t depth = m.flow.depth();
+  const std::size_t depth = m.program().depth();
   KADR_TRY(m.flow.call(name, times, m.origin, w.where));
   CallFrame& frame = m.flow.frames()[depth];
   frame.work_zero = m.modal.work_zero;
@@ -90,7 +90,7 @@ Status call_section(Interpreter& m, const Call& call) {
   return {};
 }
 
-void restore_zero(Interpreter& m, const CallFrame& left) {
+void restore_zero(Emitter& m, const CallFrame& left) {
   if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
   m.zero_shift = left.zero_shift;

@@ -13,6 +13,6 @@ Status call_section(Interpreter& m, const Call& call);
 const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number);
 
 /// A zero set in a subprogram is undone on return (last section).
-void restore_zero(Interpreter& m, const CallFrame& left);
+void restore_zero(Emitter& m, const CallFrame& left);
 
 }  // namespace kadr

@@ -10,14 +10,14 @@
 namespace kadr {
 namespace {
 
-bool turns_spindle(const Interpreter& m) {
+bool turns_spindle(const BlockContext& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
 /// The dialect has commanded other spindles than the first.
-Result<bool> is_for_others(Interpreter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
+Result<bool> is_for_others(Emitter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
-Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
+Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
   const auto others = is_for_others(m, dir, where);
   if (!others) return fail(others.error());
   if (*others) return {};
@@ -28,7 +28,7 @@ Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
   return {};
 }
 
-Status flood(Interpreter& m) {
+Status flood(Emitter& m) {
   m.modal.flood = true;
   m.emit(CoolantSwitch{Coolant::flood});
   return {};
@@ -41,7 +41,7 @@ double coded(const std::map<std::int32_t, double>& table, double value) {
   return found == table.end() ? -1 : found->second;
 }
 
-Status dwell_for(Interpreter& m, char letter) {
+Status dwell_for(Emitter& m, char letter) {
   const double seconds = m.value(letter);
   if (!(seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, seconds));
   m.emit(Dwell{seconds});
@@ -50,7 +50,7 @@ Status dwell_for(Interpreter& m, char letter) {
 
 /// GOST 20999-83: an F right after the word of an axis belongs to that axis; after the last of them it belongs to all that have none.
 ///   returns  the axis, or nothing
-std::optional<std::size_t> axis_of_feed(const Interpreter& m, const Word& f) {
+std::optional<std::size_t> axis_of_feed(const BlockContext& m, const Word& f) {
   const auto index = static_cast<std::uint32_t>(&f - m.block->words.data());
   const auto is_axis = [&](std::uint32_t i) { return (m.letters.axes & letter_bit(m.block->words[i].address)) != 0; };
   if (index == 0 || !is_axis(index - 1)) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<std::size_t> axis_of_feed(const Interpreter& m, const Word& f) {
 }
 
 /// F in the middle of the axes' words; at most one F of the block may belong to all of them.
-Status feed_of_axis(Interpreter& m, const Call& call, std::size_t axis, double feed) {
+Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
       (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
@@ -73,20 +73,20 @@ Status feed_of_axis(Interpreter& m, const Call& call, std::size_t axis, double f
 }
 
 /// A second F that belongs to no axis.
-Status only_common_feed(const Interpreter& m, const Word& f) {
+Status only_common_feed(const BlockContext& m, const Word& f) {
   for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
     if (m.block->words[i].address == 'F' && !axis_of_feed(m, m.block->words[i])) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
   return {};
 }
 
-bool has_feed_of_axis(const Interpreter& m) {
+bool has_feed_of_axis(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (m.block->words[i].address == 'F' && axis_of_feed(m, m.block->words[i])) return true;
   return false;
 }
 
 /// The feed of the motion as a whole.
-Status common_feed(Interpreter& m, Span where, double value) {
+Status common_feed(Emitter& m, Span where, double value) {
   const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
   double feed = coded(m.def.feed_codes, value);
   if (!(feed >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'F', value));
@@ -100,7 +100,7 @@ Status common_feed(Interpreter& m, Span where, double value) {
 }
 
 /// F of a control on which it may belong to one axis: until a new one of that axis, or a block with one for all.
-Status gost_feed(Interpreter& m, const Call& call) {
+Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
   if (const auto axis = axis_of_feed(m, *call.word)) return feed_of_axis(m, call, *axis, coded(m.def.feed_codes, value));
   KADR_TRY(only_common_feed(m, *call.word));
@@ -112,12 +112,12 @@ Status gost_feed(Interpreter& m, const Call& call) {
 
 namespace functions {
 
-Status feed_word(Interpreter& m, const Call& call) {
+Status feed_word(Emitter& m, const Call& call) {
   if (m.def.behaviour.feed_of_axis && call.word != nullptr) return gost_feed(m, call);
   return common_feed(m, call.where, m.value('F'));
 }
 
-Status speed_word(Interpreter& m, const Call& call) {
+Status speed_word(Emitter& m, const Call& call) {
   const double rpm = coded(m.def.speed_codes, m.value('S'));
   if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
   if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // 2С42 6.4.3
@@ -134,7 +134,7 @@ Status speed_word(Interpreter& m, const Call& call) {
 }
 
 /// T: place in the magazine; where correctors belong to tools, T0404 is tool 04 with corrector 04 (spec/gost 4).
-Status tool_word(Interpreter& m, const Call& call) {
+Status tool_word(Emitter& m, const Call& call) {
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
   constexpr std::uint32_t marked =
@@ -158,17 +158,17 @@ Status tool_word(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status change_tool(Interpreter& m, const Call&) {
+Status change_tool(Emitter& m, const Call&) {
   m.modal.tool = m.modal.tool_selected;
   m.use.change_to(m.modal.tool);
   m.emit(ToolChange{m.modal.tool});
   return {};
 }
 
-Status spindle_cw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::cw, call.where); }
-Status spindle_ccw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::ccw, call.where); }
-Status spindle_orient(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::orient, call.where); }
-Status spindle_stop(Interpreter& m, const Call& call) {
+Status spindle_cw(Emitter& m, const Call& call) { return turn_spindle(m, SpindleDir::cw, call.where); }
+Status spindle_ccw(Emitter& m, const Call& call) { return turn_spindle(m, SpindleDir::ccw, call.where); }
+Status spindle_orient(Emitter& m, const Call& call) { return turn_spindle(m, SpindleDir::orient, call.where); }
+Status spindle_stop(Emitter& m, const Call& call) {
   const auto others = is_for_others(m, SpindleDir::stop, call.where);
   if (!others) return fail(others.error());
   if (*others) return {};
@@ -176,47 +176,47 @@ Status spindle_stop(Interpreter& m, const Call& call) {
   m.emit(Spindle{SpindleDir::stop, 0});
   return {};
 }
-Status spindle_cw_coolant(Interpreter& m, const Call& call) {
+Status spindle_cw_coolant(Emitter& m, const Call& call) {
   KADR_TRY(turn_spindle(m, SpindleDir::cw, call.where));
   return flood(m);
 }
-Status spindle_ccw_coolant(Interpreter& m, const Call& call) {
+Status spindle_ccw_coolant(Emitter& m, const Call& call) {
   KADR_TRY(turn_spindle(m, SpindleDir::ccw, call.where));
   return flood(m);
 }
 
-Status coolant_mist(Interpreter& m, const Call&) {
+Status coolant_mist(Emitter& m, const Call&) {
   m.modal.mist = true;
   m.emit(CoolantSwitch{Coolant::mist});
   return {};
 }
-Status coolant_flood(Interpreter& m, const Call&) { return flood(m); }
-Status coolant_off(Interpreter& m, const Call&) {
+Status coolant_flood(Emitter& m, const Call&) { return flood(m); }
+Status coolant_off(Emitter& m, const Call&) {
   m.modal.mist = m.modal.flood = false;
   m.emit(CoolantSwitch{Coolant::off});
   return {};
 }
 
 /// G4 with the word its row takes: E in 0.1 s (2С42), P in s.
-Status dwell(Interpreter& m, const Call& call) {
+Status dwell(Emitter& m, const Call& call) {
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if ((call.row->takes & letter_bit(letter)) != 0 && m.has(letter)) return dwell_for(m, letter);
   return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
 }
 
 /// A dwell time in a block with a motion: after the motion (2С42 6.4.5).
-Status dwell_word(Interpreter& m, const Call& call) { return dwell_for(m, call.word->address); }
+Status dwell_word(Emitter& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
 
-Status program_stop(Interpreter& m, const Call&) {
+Status program_stop(Emitter& m, const Call&) {
   stop_beside_contour(m);
   m.emit(Stop{false});
   return {};
 }
 
 /// M01 stops only while the operator's switch is on.
-Status optional_stop(Interpreter& m, const Call& call) {
+Status optional_stop(Emitter& m, const Call& call) {
   stop_beside_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
   const bool always_told = call.row->arg == 1;  // the machine looks at the switch, not the interpreter
@@ -226,7 +226,7 @@ Status optional_stop(Interpreter& m, const Call& call) {
 
 }  // namespace functions
 
-Status Interpreter::emit_machine_function(const Call& call) {
+Status Emitter::emit_machine_function(const Call& call) {
   MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
   if ((call.row->takes & letter_bit('P')) != 0 && has('P')) function.p = value('P');
   if ((call.row->takes & letter_bit('Q')) != 0 && has('Q')) function.q = value('Q');

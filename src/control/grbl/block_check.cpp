@@ -11,7 +11,7 @@
 #include "base/units.h"
 #include "control/grbl/arc_readings.h"
 #include "control/grbl/grbl.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 
 namespace kadr::grbl {
 namespace {
@@ -39,7 +39,7 @@ CodeNumber code_number(double value) {
 
 class BlockCheck {
  public:
-  BlockCheck(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted)
+  BlockCheck(const BlockContext& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted)
       : m_(m), control_(control), block_(*m.block), is_jog_(is_jog), parted_(parted) {
     const Modal& modal = m.modal;
     if (is_jog) all_.motion = 1_g;
@@ -369,7 +369,7 @@ class BlockCheck {
     return {};
   }
 
-  const Interpreter& m_;
+  const BlockContext& m_;
   const Grbl& control_;
   const Block& block_;
   const bool is_jog_;
@@ -385,7 +385,7 @@ class BlockCheck {
 
 }  // namespace
 
-Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted) {
+Result<CheckedBlock> check(const BlockContext& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted) {
   return BlockCheck(m, control, is_jog, parted).run();
 }
 

@@ -11,7 +11,7 @@
 #include "control/grbl/singles.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::grbl {
@@ -47,10 +47,10 @@ inline std::int32_t byte_of(double value) { return static_cast<std::uint8_t>(sta
 ///           tool_number_large, block_number_large, feed_missing, word_missing, length_axis_wrong, no_axis_word, system_number_large,
 ///           illegal_address, machine_motion_mode, no_motion_mode, arc_without_plane_word, full_circle_by_radius, radius_too_small,
 ///           center_missing, radius_mismatch, probe_too_close, word_unused, jog_code, limit_exceeded
-Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted);
+Result<CheckedBlock> check(const BlockContext& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted);
 
 /// $20: every segment of the motion ends within the travel (8).
 ///   alarms  limit_exceeded; jog_target of a jog
-Status within_travel(const Interpreter& m, const Grbl& control, const CheckedBlock& block, bool is_jog);
+Status within_travel(const BlockContext& m, const Grbl& control, const CheckedBlock& block, bool is_jog);
 
 }  // namespace kadr::grbl

@@ -23,7 +23,7 @@ struct GrblMemory : DialectState {
   State state;
 };
 
-AxisMask named_in(const Interpreter& m) {
+AxisMask named_in(const BlockContext& m) {
   AxisMask named = 0;
   for (std::size_t a = 0; a < axes; ++a)
     if (m.has(m.letters.axis_letter[a])) named |= AxisMask{1} << a;
@@ -32,7 +32,7 @@ AxisMask named_in(const Interpreter& m) {
 
 }  // namespace
 
-Grbl& grbl_of(const Interpreter& m) { return static_cast<Grbl&>(*m.dialect); }
+Grbl& grbl_of(const BlockContext& m) { return static_cast<Grbl&>(*m.dialect); }
 
 /// The settings of the set-up; the others are those of the generic build (10).
 Grbl::Grbl(const Setup& setup) {
@@ -48,7 +48,7 @@ Grbl::Grbl(const Setup& setup) {
 
 std::shared_ptr<const DialectState> Grbl::snapshot() const { return std::make_shared<GrblMemory>(state); }
 
-Status Grbl::restore(Interpreter&, const DialectState& from) {
+Status Grbl::restore(BlockContext&, const DialectState& from) {
   state = before_ = static_cast<const GrblMemory&>(from).state;
   return {};
 }
@@ -63,7 +63,7 @@ bool Grbl::start(Interpreter& m, const Setup&) {
   return true;
 }
 
-void Grbl::started(Interpreter&) { before_ = state; }
+void Grbl::started(Emitter&) { before_ = state; }
 
 /// `$J=`: a straight motion at its own F, in mm/min; the modes are left as they are (9).
 Status Grbl::jog(Interpreter& m) {
@@ -106,7 +106,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
 }
 
 /// S stays as it is written; the spindle turns within $30 and $31 (4.17). Of each speed once.
-void Grbl::watch_speed(Interpreter& m) {
+void Grbl::watch_speed(Emitter& m) {
   const Settings& s = state.settings;
   const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
   if (!(speed > 0) || turned == speed || told_speed_ == speed) return;
@@ -114,17 +114,17 @@ void Grbl::watch_speed(Interpreter& m) {
   m.warn(warning(AlarmId::speed_beyond_setting, m.where('S'), speed, turned));
 }
 
-void Grbl::begin_block(Interpreter&) {
+void Grbl::begin_block(Emitter&) {
   before_ = state;
   feed_at_end_ = -1;
 }
 
-void Grbl::take_back(Interpreter&) { state = before_; }
+void Grbl::take_back(BlockContext&) { state = before_; }
 
 BlockChanges Grbl::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
 
 /// After G80 there is none.
-std::int16_t Grbl::motion_row(const Interpreter& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
+std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
 
 /// M2, M30: nothing moves again by the G1 that comes into force.
 bool Grbl::end_program(Interpreter& m) {
@@ -149,20 +149,20 @@ Status Grbl::after_block(Interpreter& m) {
   return {};
 }
 
-bool Grbl::lines_follow(const Interpreter& m) const {
+bool Grbl::lines_follow(const BlockContext& m) const {
   return m.modal.feed_mode == FeedMode::per_minute && m.modal.feed_known && m.modal.feed > 0 && !state.settings.soft_limits;
 }
 
-void Grbl::note_line(Interpreter& m) { state.singles.note_line(m); }
+void Grbl::note_line(BlockContext& m) { state.singles.note_line(m); }
 
 /// Its arcs are looked at one by one.
-ArcRule Grbl::arc_rule(const Interpreter& m) const {
+ArcRule Grbl::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;
   return rule;
 }
 
-Status Grbl::arc(Interpreter& m, const kadr::Call&, Turn turn) {
+Status Grbl::arc(Emitter& m, const kadr::Call&, Turn turn) {
   if (!checked.moves) return {};
   AxisMask named = 0;
   Axes end;
@@ -173,13 +173,13 @@ Status Grbl::arc(Interpreter& m, const kadr::Call&, Turn turn) {
   return {};
 }
 
-void Grbl::refresh_frames(Interpreter& m) {
+void Grbl::refresh_frames(Emitter& m) {
   m.frames_by_tables();
   m.frames.length[2] = state.length;
 }
 
 /// Without contact only .2 and .4 are faults (4.16).
-Status Grbl::take_answer(Interpreter& m, const ProbeAnswer& answer) {
+Status Grbl::take_answer(Emitter& m, const ProbeAnswer& answer) {
   const Status noted = m.note_answer(answer);
   const bool must = m.modal.motion_row == m.def.row_of('G', 38.2_g) || m.modal.motion_row == m.def.row_of('G', 38.4_g);
   if (noted || must) return noted;

@@ -10,18 +10,18 @@ namespace kadr {
 namespace {
 
 /// A row of a table that the block changes: an alarm brings the old one back.
-Axes& to_write(Interpreter& m, Axes& row) {
+Axes& to_write(BlockContext& m, Axes& row) {
   m.journal.on_undo([&row, before = row] { row = before; });
   return row;
 }
 
 template <class Use>
-void each_length(const Interpreter& m, Use use) {
+void each_length(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < grbl::axes; ++a)
     if (const char letter = m.letters.axis_letter[a]; m.has(letter)) use(a, m.length_value(letter));
 }
 
-void take_length(Interpreter& m, double length) {
+void take_length(Emitter& m, double length) {
   grbl::grbl_of(m).state.length = length;
   m.change_frames();
 }
@@ -31,13 +31,13 @@ void take_length(Interpreter& m, double length) {
 namespace functions {
 
 /// G53: the words of G0, G1 are machine coordinates; without words nothing.
-Status machine_block(Interpreter& m, const Call&) {
+Status machine_block(Emitter& m, const Call&) {
   m.block_machine_coordinates = true;
   return {};
 }
 
 /// G10 L2, L20: a work system, by its zero in machine coordinates or by what the present point is to read.
-Status stored_offsets(Interpreter& m, const Call&) {
+Status stored_offsets(Emitter& m, const Call&) {
   const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
   const bool by_position = grbl::byte_of(m.value('L')) == 20;
@@ -48,7 +48,7 @@ Status stored_offsets(Interpreter& m, const Call&) {
 }
 
 /// G28, G30 (arg 1, 2): through the point of the words, those axes; or all of them straight there.
-Status stored_move(Interpreter& m, const Call& call) {
+Status stored_move(Emitter& m, const Call& call) {
   const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
   AxisMask named = 0;
   Axes through;
@@ -59,19 +59,19 @@ Status stored_move(Interpreter& m, const Call& call) {
 }
 
 /// G28.1, G30.1 (arg 1, 2).
-Status stored_position(Interpreter& m, const Call& call) {
+Status stored_position(Emitter& m, const Call& call) {
   to_write(m, m.tables.reference[static_cast<std::size_t>(call.row->arg)]) = m.position.machine;
   return {};
 }
 
 /// G43.1 Z.
-Status length_by_word(Interpreter& m, const Call&) {
+Status length_by_word(Emitter& m, const Call&) {
   take_length(m, m.length_value('Z'));
   return {};
 }
 
 /// G49; axis words beside it have no effect.
-Status length_by_word_off(Interpreter& m, const Call&) {
+Status length_by_word_off(Emitter& m, const Call&) {
   take_length(m, 0);
   return {};
 }

@@ -33,24 +33,24 @@ class Grbl final : public Dialect {
   explicit Grbl(const Setup& setup);
 
   std::shared_ptr<const DialectState> snapshot() const override;
-  Status restore(Interpreter& m, const DialectState& from) override;
+  Status restore(BlockContext& m, const DialectState& from) override;
   bool start(Interpreter& m, const Setup& setup) override;
   bool starts_code_by_code() const override { return true; }
-  void started(Interpreter& m) override;
+  void started(Emitter& m) override;
   Result<bool> statement(Interpreter& m) override;
   Result<bool> takes_block(Interpreter& m) override;
-  void begin_block(Interpreter& m) override;
-  void take_back(Interpreter& m) override;
+  void begin_block(Emitter& m) override;
+  void take_back(BlockContext& m) override;
   BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
-  std::int16_t motion_row(const Interpreter& m) const override;
+  std::int16_t motion_row(const BlockContext& m) const override;
   bool end_program(Interpreter& m) override;
   Status after_block(Interpreter& m) override;
-  bool lines_follow(const Interpreter& m) const override;
-  void note_line(Interpreter& m) override;
-  ArcRule arc_rule(const Interpreter& m) const override;
-  Status arc(Interpreter& m, const Call& call, Turn turn) override;
-  void refresh_frames(Interpreter& m) override;
-  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
+  bool lines_follow(const BlockContext& m) const override;
+  void note_line(BlockContext& m) override;
+  ArcRule arc_rule(const BlockContext& m) const override;
+  Status arc(Emitter& m, const Call& call, Turn turn) override;
+  void refresh_frames(Emitter& m) override;
+  Status take_answer(Emitter& m, const ProbeAnswer& answer) override;
   Status machine_code(Interpreter& m, const Call& call) override;
 
   State state;
@@ -58,13 +58,13 @@ class Grbl final : public Dialect {
 
  private:
   Status jog(Interpreter& m);
-  void watch_speed(Interpreter& m);
+  void watch_speed(Emitter& m);
   State before_;
   double told_speed_ = 0;    // of the last warning
   double feed_at_end_ = -1;  // of a block with M2 or M30; -1: none
 };
 
-Grbl& grbl_of(const Interpreter& m);
+Grbl& grbl_of(const BlockContext& m);
 
 /// `$x=v`: a setting of the program (10).
 ///   returns  false: Kadr knows no meaning of it

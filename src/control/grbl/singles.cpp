@@ -9,7 +9,7 @@
 
 #include "base/units.h"
 #include "control/grbl/block_check.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "lang/block/line_word_reader.h"
 
 namespace kadr::grbl {
@@ -45,7 +45,7 @@ void Singles::read_lines(std::size_t system) {
     }
 }
 
-void Singles::follow(const Interpreter& m, double tool_length) {
+void Singles::follow(const BlockContext& m, double tool_length) {
   read_lines(m.modal.work_zero);
   position.follow(m.position.machine);
   shift.follow(m.set_position);
@@ -62,7 +62,7 @@ float Singles::target(std::size_t axis, float word, std::size_t system, bool abs
   return axis == z_axis ? placed + length : placed;
 }
 
-void Singles::note(const Interpreter& m, const CheckedBlock& block, double tool_length) {
+void Singles::note(const BlockContext& m, const CheckedBlock& block, double tool_length) {
   constexpr float mm = static_cast<float>(mm_per_inch);
   const auto each_word = [&](auto use) {
     for (std::size_t a = 0; a < axes; ++a)
@@ -100,7 +100,7 @@ void Singles::note(const Interpreter& m, const CheckedBlock& block, double tool_
   follow(m, tool_length);
 }
 
-void Singles::note_line(const Interpreter& m) {
+void Singles::note_line(const BlockContext& m) {
   for (std::size_t a = 0; a < axes; ++a) {
     const Word* const w = m.word(m.letters.axis_letter[a]);
     if (w == nullptr) continue;

@@ -9,7 +9,7 @@
 #include "lang/block/block.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::grbl {
@@ -43,11 +43,11 @@ struct Singles {
   std::array<Unread, axes> unread{};
 
   /// As the interpreter has them before a block.
-  void follow(const Interpreter& m, double tool_length);
+  void follow(const BlockContext& m, double tool_length);
   /// What a block has changed, which is carried out.
-  void note(const Interpreter& m, const CheckedBlock& block, double tool_length);
+  void note(const BlockContext& m, const CheckedBlock& block, double tool_length);
   /// A motion whose words are all that it is, in mm.
-  void note_line(const Interpreter& m);
+  void note_line(const BlockContext& m);
   void read_lines(std::size_t system);
   /// Where words lead to, axis by axis.
   float target(std::size_t axis, float word, std::size_t system, bool absolute) const;

@@ -7,12 +7,12 @@
 
 #include "base/code_literals.h"
 #include "control/grbl/grbl.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 
 namespace kadr::grbl {
 namespace {
 
-Status point_within(const Interpreter& m, const Grbl& control, const Axes& machine, bool is_jog) {
+Status point_within(const BlockContext& m, const Grbl& control, const Axes& machine, bool is_jog) {
   const Settings& s = control.state.settings;
   for (std::size_t a = 0; a < axes; ++a) {
     if (machine[a] >= -s.travel[a] && machine[a] <= 0) continue;
@@ -24,7 +24,7 @@ Status point_within(const Interpreter& m, const Grbl& control, const Axes& machi
 
 }  // namespace
 
-Status within_travel(const Interpreter& m, const Grbl& control, const CheckedBlock& block, bool is_jog) {
+Status within_travel(const BlockContext& m, const Grbl& control, const CheckedBlock& block, bool is_jog) {
   const bool by_stored = block.non_modal == 280 || block.non_modal == 300;  // G28, G30: through a point, or straight there
   if (!control.state.settings.soft_limits || !(block.moves || by_stored || (is_jog && block.has_axis))) return {};
   const auto system = block.system < 0 ? std::size_t{m.modal.work_zero} : static_cast<std::size_t>((block.system - 530) / 10);

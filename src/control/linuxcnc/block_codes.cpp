@@ -21,7 +21,7 @@ bool is_one_of(std::int32_t code, std::initializer_list<std::int32_t> all) { ret
 
 class Checker {
  public:
-  Checker(Interpreter& m, const LinuxCnc& control) : m_(m), control_(control) {
+  Checker(BlockContext& m, const LinuxCnc& control) : m_(m), control_(control) {
     codes_.g.fill(-1);
     codes_.m.fill(-1);
     polar_radius_ = sign('@');
@@ -254,7 +254,7 @@ class Checker {
     return 0;
   }
 
-  Interpreter& m_;
+  BlockContext& m_;
   const LinuxCnc& control_;
   BlockCodes codes_;
   int m_count_ = 0;
@@ -344,6 +344,6 @@ Status Checker::required() const {
 
 }  // namespace
 
-Result<BlockCodes> codes_of_block(Interpreter& m, const LinuxCnc& control) { return Checker(m, control).run(); }
+Result<BlockCodes> codes_of_block(BlockContext& m, const LinuxCnc& control) { return Checker(m, control).run(); }
 
 }  // namespace kadr::linuxcnc

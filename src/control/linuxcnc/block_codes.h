@@ -9,7 +9,7 @@
 #include "control/linuxcnc/modal_groups.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::linuxcnc {
@@ -32,6 +32,6 @@ struct BlockCodes {
 
 /// Reads and checks the codes and words of the interpreter's block.
 ///   alarms  rs274_codes, rs274_words, rs274_motion
-Result<BlockCodes> codes_of_block(Interpreter& m, const LinuxCnc& control);
+Result<BlockCodes> codes_of_block(BlockContext& m, const LinuxCnc& control);
 
 }  // namespace kadr::linuxcnc

@@ -13,7 +13,7 @@
 
 namespace kadr::linuxcnc {
 
-void enter_sub(Interpreter& m, Label label, std::optional<Level> level, bool by_m98) {
+void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by_m98) {
   LinuxCnc& control = linuxcnc_of(m);
   control.flow.calls.push_back(label);
   control.flow.by_m98.push_back(by_m98);
@@ -67,14 +67,14 @@ Status call_numbered(Interpreter& m, const Call& call) {
     frame.name = static_cast<std::uint32_t>(p);
     frame.left = static_cast<std::uint32_t>(std::min(times, 1e9));
     frame.caller = m.origin;
-    KADR_TRY(m.flow.call_at(m.flow.reader(), line.behind, frame, call.where));
+    KADR_TRY(m.flow.call_at(m.program().reader(), line.behind, frame, call.where));
     linuxcnc::enter_sub(m, label, std::nullopt, true);
     return {};
   }
   const std::string& text = linuxcnc_of(m).flow.text_of(label);
   if (file.closed) return control.fault(AlarmId::rs274_flow, call.where, fmt::format("Failed to find sub 'O{}' before EOF", text));
   return control.fault(AlarmId::rs274_flow, call.where,
-                       fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.flow.file(), text, m.block->position.line));
+                       fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.program().file(), text, m.block->position.line));
 }
 
 /// M99: back; in the main program: from its first line again (6.5).
@@ -82,7 +82,7 @@ Status return_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (!control.machine.fanuc_subprograms)
     return control.fault(AlarmId::rs274_flow, call.where, "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
-  if (m.flow.depth() == 0) return m.begin_again(call.where);
+  if (m.program().depth() == 0) return m.begin_again(call.where);
   if (!control.flow.by_m98.back())
     return control.fault(AlarmId::rs274_flow, call.where, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
   return linuxcnc::leave_sub(m, call.where);

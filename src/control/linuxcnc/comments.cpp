@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/ascii.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -37,7 +37,7 @@ bool takes(std::string_view text, std::string_view word, std::string_view& rest)
 /// The text with its parameters filled in (convert_param_comment).
 class Filled {
  public:
-  Filled(Interpreter& m, std::string_view text) : m_(m), text_(text) {}
+  Filled(Emitter& m, std::string_view text) : m_(m), text_(text) {}
 
   Result<std::string> run() {
     while (at_ < text_.size()) {
@@ -108,7 +108,7 @@ class Filled {
     return {};
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   std::string_view text_;
   std::size_t at_ = 0;
   std::string out_;
@@ -126,28 +126,28 @@ Status placed_at(const Status& status, Span where) {
 std::string_view without_front(std::string_view text) { return text.substr(std::min(text.find_first_not_of(" \t"), text.size())); }
 
 /// Path of the running program from the folder of the program memory.
-std::string running_program(const Interpreter& m) {
+std::string running_program(const BlockContext& m) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path program = fs::absolute(m.flow.file(), error).lexically_normal();
-  const fs::path root = fs::absolute(m.flow.limits().files + "/", error).lexically_normal().parent_path();
+  const fs::path program = fs::absolute(m.program().file(), error).lexically_normal();
+  const fs::path root = fs::absolute(m.program().limits().files + "/", error).lexically_normal().parent_path();
   return program.lexically_relative(root).generic_string();
 }
 
-Status open_file(Interpreter& m, ProgramFiles::Which which, std::string_view name, bool appends) {
+Status open_file(BlockContext& m, ProgramFiles::Which which, std::string_view name, bool appends) {
   Span all;
-  return placed_at(linuxcnc_of(m).outputs.open(which, m.flow.shown(name, all), appends, running_program(m)), m.block->where);
+  return placed_at(linuxcnc_of(m).outputs.open(which, m.program().shown(name, all), appends, running_program(m)), m.block->where);
 }
 
 }  // namespace
 
-Status LinuxCnc::comments(Interpreter& m) {
+Status LinuxCnc::comments(Emitter& m) {
   const auto text = last_comment(*m.block);
   if (!text) return {};
   std::string_view rest;
   Span all;
   if (takes(*text, "MSG,", rest)) {
-    m.emit(Message{m.flow.shown(rest, all)});
+    m.emit(Message{m.program().shown(rest, all)});
     return {};
   }
   if (takes(*text, "LOGOPEN,", rest)) return open_file(m, ProgramFiles::Which::log, rest, false);
@@ -167,8 +167,8 @@ Status LinuxCnc::comments(Interpreter& m) {
   const auto filled = Filled(m, rest).run();
   if (!filled) return fail(filled.error());
   if (logs) return placed_at(outputs.write(ProgramFiles::Which::log, *filled), m.block->where);
-  if (aborts) return fault(AlarmId::rs274_abort, m.block->where, m.flow.shown(*filled, all));
-  m.emit(Message{m.flow.shown(*filled, all)});
+  if (aborts) return fault(AlarmId::rs274_abort, m.block->where, m.program().shown(*filled, all));
+  m.emit(Message{m.program().shown(*filled, all)});
   return {};
 }
 

@@ -6,7 +6,7 @@
 
 #include "control/functions/contour.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::functions {
@@ -17,7 +17,7 @@ constexpr std::uint8_t unknown_nose = 10;  // no table has it: its centre is led
 }  // namespace
 
 /// arg: 41, 42 by the table; 411, 421 by D as a diameter.
-Status tool_side(Interpreter& m, const Call& call) {
+Status tool_side(Emitter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const int code = call.row->arg;
   const bool by_word = code > 100;

@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/hole.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/spindles.h"
@@ -24,7 +24,7 @@ constexpr double most_repeats = 1e8;
 /// Words → levels, checked in the order of the source.
 class Reader {
  public:
-  Reader(Interpreter& m, const kadr::Call& call) : m_(m), call_(call), control_(linuxcnc_of(m)) {}
+  Reader(Emitter& m, const kadr::Call& call) : m_(m), call_(call), control_(linuxcnc_of(m)) {}
 
   Status run() {
     hole_.code = call_.row->tenth;
@@ -231,7 +231,7 @@ class Reader {
       m_.warn(warning(AlarmId::tapping_axes_turned, call_.where, call_.row->code));
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const kadr::Call& call_;
   LinuxCnc& control_;
   Hole hole_;
@@ -240,12 +240,12 @@ class Reader {
 
 }  // namespace
 
-Status canned_cycle(Interpreter& m, const kadr::Call& call) { return Reader(m, call).run(); }
+Status canned_cycle(Emitter& m, const kadr::Call& call) { return Reader(m, call).run(); }
 
 }  // namespace kadr::linuxcnc
 
 namespace kadr::functions {
 
-Status canned_cycle(Interpreter& m, const Call& call) { return linuxcnc::canned_cycle(m, call); }
+Status canned_cycle(Emitter& m, const Call& call) { return linuxcnc::canned_cycle(m, call); }
 
 }  // namespace kadr::functions

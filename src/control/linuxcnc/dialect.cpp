@@ -15,7 +15,7 @@
 
 namespace kadr {
 
-std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits) {
+std::unique_ptr<Dialect> make_linuxcnc_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits) {
   return std::make_unique<linuxcnc::LinuxCnc>(m, setup, limits);
 }
 
@@ -26,7 +26,7 @@ constexpr std::uint32_t debug_on = 5599;
 
 }  // namespace
 
-bool is_plane_of_uvw(const Interpreter& m) {
+bool is_plane_of_uvw(const BlockContext& m) {
   return std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     if (row < 0) return false;
     const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
@@ -34,7 +34,7 @@ bool is_plane_of_uvw(const Interpreter& m) {
   });
 }
 
-LinuxCnc& linuxcnc_of(const Interpreter& m) { return static_cast<LinuxCnc&>(*m.dialect); }
+LinuxCnc& linuxcnc_of(const BlockContext& m) { return static_cast<LinuxCnc&>(*m.dialect); }
 
 struct LinuxCnc::Remembered : DialectState {
   State state;
@@ -52,7 +52,7 @@ struct LinuxCnc::Remembered : DialectState {
 };
 
 /// tool.tbl of the program memory, else the tools of the set-up (1.1).
-LinuxCnc::LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits)
+LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     : groups(m.def),
       outputs({.root = limits.files,
                .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
@@ -93,7 +93,7 @@ std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
 }
 
 /// X Y Z have the feed where they move, else U V W, else A B C (7.2).
-void LinuxCnc::note_motion(Interpreter& m, Motion& motion) {
+void LinuxCnc::note_motion(Emitter& m, Motion& motion) {
   motion.along = FeedAlong::xyz;
   if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no contours
     const PlaneAxes of_xyz = axes_of(m.modal.plane);
@@ -103,7 +103,7 @@ void LinuxCnc::note_motion(Interpreter& m, Motion& motion) {
   Dialect::note_motion(m, motion);
 }
 
-void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
+void LinuxCnc::take_setup(Emitter& m, const Setup& setup) {
   take_parameters(m);
   take_tables(m, setup);
   if (!machine.keeps_shift)
@@ -121,13 +121,13 @@ void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
   (void)m.variables.take_frames_changed();
 }
 
-void LinuxCnc::started(Interpreter&) {
+void LinuxCnc::started(Emitter&) {
   state.began = state.percent = false;
   before_ = state;
 }
 
 /// The shift of G92 is off, and what was kept of it is 0 (DISABLE_G92_PERSISTENCE).
-void LinuxCnc::forget_shift(Interpreter& m) {
+void LinuxCnc::forget_shift(Emitter& m) {
   for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   (void)m.variables.take_frames_changed();
   state.shift = {};
@@ -153,7 +153,7 @@ bool LinuxCnc::end_program(Interpreter& m) {
 }
 
 /// An alarm leaves the parameters as they are, and they are written: the machine asks the interpreter to (Interp::synch).
-void LinuxCnc::failed(Interpreter& m) {
+void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);
 }
@@ -175,7 +175,7 @@ std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
   return all;
 }
 
-Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
+Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
   const auto& all = static_cast<const Remembered&>(from);
   state = before_ = all.state;
   tools = all.tools;
@@ -195,7 +195,7 @@ Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
 namespace {
 
 /// A byte order mark is three characters to the control, of which it names the first; the reader of lines has passed it over.
-Status no_byte_order_mark(const Interpreter& m) {
+Status no_byte_order_mark(const BlockContext& m) {
   constexpr std::uint64_t size_of_mark = 3;
   if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_form, m.block->where, "Bad character '\\357' used");
@@ -224,10 +224,10 @@ Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   return true;
 }
 
-Result<bool> LinuxCnc::end_of_file(Interpreter& m) {
+Result<bool> LinuxCnc::end_of_file(BlockContext& m) {
   if (flow.defining != no_label || !flow.calls.empty())
     return fault(AlarmId::rs274_flow, {},
-                 "EOF in file:" + m.flow.file() + " seeking o-word: o<" +
+                 "EOF in file:" + m.program().file() + " seeking o-word: o<" +
                      flow.text_of(flow.calls.empty() ? flow.defining : flow.calls.back()) + "> from line: 0");
   return fault(AlarmId::rs274_program, {},
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
@@ -240,7 +240,7 @@ void LinuxCnc::note_fault(Interpreter& m, bool) {
   if (of_the_end && fault.where.end == 0) m.flow.end();
 }
 
-void LinuxCnc::begin_block(Interpreter&) {
+void LinuxCnc::begin_block(Emitter&) {
   state.began = true;
   before_ = state;
 }
@@ -248,7 +248,7 @@ void LinuxCnc::begin_block(Interpreter&) {
 namespace {
 
 /// Feed 0 is found when the block is carried out, after its F and its kind of feed (7.2).
-Status feed_known(const Interpreter& m, const LinuxCnc& control) {
+Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
   if (motion != 1_g) return {};
   const std::int32_t kind = control.codes.g[5];
@@ -267,7 +267,7 @@ Status feed_known(const Interpreter& m, const LinuxCnc& control) {
 }
 
 /// What must not come while the path is compensated (7.5).
-Status compensation_allows(const Interpreter& m, const LinuxCnc& control) {
+Status compensation_allows(const BlockContext& m, const LinuxCnc& control) {
   if (m.modal.radius_side == 0) return {};
   const BlockCodes& codes = control.codes;
   const Span at = m.block->where;
@@ -306,13 +306,13 @@ Result<bool> LinuxCnc::takes_block(Interpreter& m) {
   return false;
 }
 
-std::int16_t LinuxCnc::motion_row(const Interpreter& m) const {
+std::int16_t LinuxCnc::motion_row(const BlockContext& m) const {
   if (codes.g1() >= 0 || codes.axes_for_group0) return -1;
   if (codes.motion >= 0) return static_cast<std::int16_t>(m.def.row_of('G', codes.motion));
   return codes.has_axis ? any_motion : std::int16_t{-1};
 }
 
-std::int32_t LinuxCnc::code_in_force(const Interpreter& m, std::size_t group) const {
+std::int32_t LinuxCnc::code_in_force(const BlockContext& m, std::size_t group) const {
   const std::size_t index = groups.index_of_g(group);
   return index == 0 || m.modal.rows[index] < 0 ? -1 : m.def.codes[static_cast<std::size_t>(m.modal.rows[index])].tenth;
 }
@@ -343,22 +343,22 @@ Status LinuxCnc::after_block(Interpreter& m) {
   return {};
 }
 
-void LinuxCnc::take_back(Interpreter& m) {
+void LinuxCnc::take_back(BlockContext& m) {
   state = before_;
   forget_polar_words(m);
 }
 
-bool LinuxCnc::lines_follow(const Interpreter& m) const {
+bool LinuxCnc::lines_follow(const BlockContext& m) const {
   return !turning && !has_rotary_rules(machine) && m.modal.feed_mode == FeedMode::per_minute;
 }
 
-void LinuxCnc::note_line(Interpreter& m) {
+void LinuxCnc::note_line(BlockContext& m) {
   state.motion = m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].tenth;
   state.cycle_began = state.arc_not_allowed = false;
 }
 
 /// Its arcs are looked at one by one.
-ArcRule LinuxCnc::arc_rule(const Interpreter& m) const {
+ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;
   return rule;

@@ -2,7 +2,7 @@
 // (spec/linuxcnc 1.1, 4.4, 9, 10.1).
 
 #include "config/read_file.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/tools.h"
 
@@ -17,7 +17,7 @@ std::string path_in(const std::string& folder, const std::string& name) { return
 }  // namespace
 
 /// The ini file that the set-up names (10.1).
-void LinuxCnc::read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits) {
+void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits) {
   if (setup.ini.empty()) return;
   const auto text = read_file(path_in(limits.files, setup.ini), most_bytes, limits.door);
   if (text) machine = machine_of(Ini(*text));
@@ -25,7 +25,7 @@ void LinuxCnc::read_machine_file(Interpreter& m, const Setup& setup, const RunLi
 }
 
 /// The file that the ini file names; it need not be there (4.4).
-void LinuxCnc::read_parameter_file(Interpreter& m, const RunLimits& limits) {
+void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   if (machine.parameter_file.empty()) return;
   writes_parameters_ = limits.writes_files;
   const auto text = read_file(path_in(limits.files, machine.parameter_file), most_bytes, limits.door);
@@ -40,14 +40,14 @@ void LinuxCnc::read_parameter_file(Interpreter& m, const RunLimits& limits) {
 }
 
 /// What the set-up says counts before the file.
-void LinuxCnc::take_parameters(Interpreter& m) {
+void LinuxCnc::take_parameters(BlockContext& m) {
   for (const auto& [n, value] : stored_) {
     if (n <= most_arguments) levels_.front().arguments[n] = value;
     else if (m.variables.raw(n) == 0) m.variables.set_raw(n, value);
   }
 }
 
-void LinuxCnc::save_parameters(Interpreter& m, bool program_ends) {
+void LinuxCnc::save_parameters(Emitter& m, bool program_ends) {
   if (!writes_parameters_) return;
   const std::string text = parameters_text(stored_, [&](std::uint32_t n) {
     if (n <= most_arguments) return levels_.front().arguments[n];
@@ -70,7 +70,7 @@ void LinuxCnc::read_tool_file(const RunLimits& limits) {
 }
 
 /// The table that the ini file names, where G10 has changed it.
-void LinuxCnc::save_tools(Interpreter& m) {
+void LinuxCnc::save_tools(Emitter& m) {
   if (!writes_tools_ || !tools_changed) return;
   const Status saved = outputs.replace(ProgramFiles::Which::tools, machine.tool_table, tools_before_, tools_text(tools, machine.unit));
   if (!saved) m.warn(warning(saved.error().id, {}, std::string_view(machine.tool_table)));

@@ -10,7 +10,7 @@
 
 #include "control/flow/program_file.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/o_lines.h"
 #include "control/linuxcnc/sub_files.h"
@@ -89,7 +89,7 @@ std::int32_t OLines::next_of(std::initializer_list<OWord> words) {
 tl::unexpected<Alarm> OLines::end_of_file_seeking(bool sought, bool of_all) const {
   std::string what = "File ended with no percent sign or program end";
   if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : local_name());
-  else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), text(), line());
+  else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.program().file(), text(), line());
   else if (control_.state.percent) what = "File ended with no percent sign";
   return control_.fault(AlarmId::rs274_flow, s_.where, std::move(what));
 }
@@ -112,12 +112,12 @@ Mark& OLines::place() {
 Result<Mark*> OLines::take_mark(OWord word, bool of_branch) {
   Mark& known = place();
   if (known.used) {
-    if (known.at == m_.block->position && known.reader == m_.flow.reader()) return &known;
+    if (known.at == m_.block->position && known.reader == m_.program().reader()) return &known;
     if (of_branch)
       return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, line_text()));
     return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), line_text(), known.at.line));
   }
-  known = {true, word, m_.block->position, m_.flow.reader()};
+  known = {true, word, m_.block->position, m_.program().reader()};
   return &known;
 }
 
@@ -133,13 +133,13 @@ Status OLines::begin_sub() {
     return {};
   }
   PassedSub& known = flow_.passed(label_);
-  const bool here = known.known && known.reader == m_.flow.reader() && known.at == m_.block->position;
-  if (here && m_.flow.passes() == 1)
-    return wrong(fmt::format("File:{} line:{} sub: o|{}| found in illegal location", m_.flow.file(), line(), text()));
+  const bool here = known.known && known.reader == m_.program().reader() && known.at == m_.block->position;
+  if (here && m_.program().passes() == 1)
+    return wrong(fmt::format("File:{} line:{} sub: o|{}| found in illegal location", m_.program().file(), line(), text()));
   if (known.known && !here)
-    return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.flow.file(), line(), text(),
-                             m_.flow.file(known.reader).path()));
-  known = {true, m_.flow.reader(), m_.block->position};
+    return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.program().file(), line(), text(),
+                             m_.program().file(known.reader).path()));
+  known = {true, m_.program().reader(), m_.block->position};
   std::int32_t end = next_of({OWord::endsub});
   if (end < 0) return end_of_file_seeking(false, true);
   for (std::int32_t i = here_ + 1; i < end; ++i)
@@ -149,7 +149,7 @@ Status OLines::begin_sub() {
 }
 
 Status OLines::end_sub() {
-  if (flow_.calls.empty() || m_.flow.depth() == 0)
+  if (flow_.calls.empty() || m_.program().depth() == 0)
     return wrong(fmt::format("{}: not in a subroutine definition: '{}'", line(), m_.block->text_of(m_.block->where)));
   if (flow_.by_m98.back()) return wrong("Fanuc 'O....' subroutine definition must end with 'M99'");
   double value = 0;
@@ -173,10 +173,10 @@ Result<OLines::Place> OLines::find_sub() {
   for (std::size_t i = static_cast<std::size_t>(here_ + 1); i < file_->lines.size(); ++i) {
     const OLine& each = file_->lines[i];
     if (label_of(each) != label_) continue;
-    if (each.word == OWord::sub) return found_at(m_.flow.reader(), each);
+    if (each.word == OWord::sub) return found_at(m_.program().reader(), each);
     if (each.word == OWord::label) {
       flow_.refused = "Fanuc 'O....' subroutine must be called with 'M98'";
-      return Place{m_.flow.reader(), each.at, true};
+      return Place{m_.program().reader(), each.at, true};
     }
   }
   return end_of_file_seeking(true);

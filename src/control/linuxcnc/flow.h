@@ -8,6 +8,7 @@
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
 }
 
@@ -20,7 +21,7 @@ Status run_o_line(Interpreter& m);
 inline constexpr std::size_t most_calls_of_program = 9;  // 6.2
 
 /// A subprogram has been called. `level`: its arguments; nothing: those of the caller (M98).
-void enter_sub(Interpreter& m, Label label, std::optional<Level> level, bool by_m98);
+void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by_m98);
 /// A subprogram without arguments is called, as by `O… call`.
 Status call_sub(Interpreter& m, const std::string& label, Span where);
 /// Its end: once more, or back.

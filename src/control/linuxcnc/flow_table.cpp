@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "control/flow/program_file.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 
 namespace kadr::linuxcnc {
 
@@ -71,12 +71,12 @@ OFile FlowTable::read_o_lines(const ProgramFile& file) {
   return all;
 }
 
-OFile& FlowTable::of(Interpreter& m) { return of(m, m.flow.reader()); }
+OFile& FlowTable::of(BlockContext& m) { return of(m, m.program().reader()); }
 
-OFile& FlowTable::of(Interpreter& m, std::uint16_t reader) {
+OFile& FlowTable::of(BlockContext& m, std::uint16_t reader) {
   if (files_.size() <= reader) files_.resize(reader + 1U);
-  if (!files_[reader] || (m.flow.in_entered() && reader == m.flow.reader()))  // the operator's line: another each time
-    files_[reader] = std::make_unique<OFile>(read_o_lines(m.flow.file(reader)));
+  if (!files_[reader] || (m.program().in_entered() && reader == m.program().reader()))  // the operator's line: another each time
+    files_[reader] = std::make_unique<OFile>(read_o_lines(m.program().file(reader)));
   return *files_[reader];
 }
 

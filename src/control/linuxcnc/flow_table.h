@@ -16,7 +16,7 @@
 #include "lang/text/line_reader.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 class ProgramFile;
 }  // namespace kadr
 
@@ -71,8 +71,8 @@ class FlowTable {
   static constexpr std::size_t most_lines = 200'000;  // of a file
 
   /// The O lines of the file being read; read when they are first asked for.
-  OFile& of(Interpreter& m);
-  OFile& of(Interpreter& m, std::uint16_t reader);
+  OFile& of(BlockContext& m);
+  OFile& of(BlockContext& m, std::uint16_t reader);
 
   // ---- labels
   Label label_of(std::string_view text);

@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -24,7 +24,7 @@ std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 
 
 /// Axis words in mm or degrees; X as a radius.
 template <class Use>
-void each_word(const Interpreter& m, Use use) {
+void each_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const char letter = m.letters.axis_letter[a];
     if (letter == 0 || !m.has(letter)) continue;
@@ -34,7 +34,7 @@ void each_word(const Interpreter& m, Use use) {
   }
 }
 
-void set(Interpreter& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
+void set(BlockContext& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
 
 /// `at` turned by `degrees` about Z.
 Axes turned_by(const Axes& at, double degrees) {
@@ -53,13 +53,13 @@ Axes sum(const Axes& a, const Axes& b, double sign = 1) {
 }
 
 /// In compensation these may not be (7.5).
-Status not_compensating(const Interpreter& m, Span where, const char* text) {
+Status not_compensating(const BlockContext& m, Span where, const char* text) {
   if (m.modal.radius_side == 0) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
 }
 
 /// G10 L2, L20: offsets of a work system.
-Status write_system(Interpreter& m, const kadr::Call& call, bool by_position) {
+Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   LinuxCnc& control = linuxcnc_of(m);
   const double p = m.has('P') ? std::round(m.value('P')) : 0;
   const std::uint32_t number = p == 0 ? control.state.system_number : static_cast<std::uint32_t>(p);
@@ -86,7 +86,7 @@ Status write_system(Interpreter& m, const kadr::Call& call, bool by_position) {
 }
 
 /// G10 L1, L10, L11: a tool of the table.
-Status write_tool(Interpreter& m, int kind) {
+Status write_tool(BlockContext& m, int kind) {
   LinuxCnc& control = linuxcnc_of(m);
   const int number = static_cast<int>(std::round(m.value('P')));
   if (control.tool(number) == nullptr)
@@ -111,13 +111,13 @@ Status write_tool(Interpreter& m, int kind) {
   return {};
 }
 
-void take_length(Interpreter& m, const Axes& length) {
+void take_length(Emitter& m, const Axes& length) {
   linuxcnc_of(m).state.length = length;
   m.change_frames();
 }
 
 /// Tool of G43, G43.2: H, else that in the spindle.
-Result<Axes> length_of_tool(Interpreter& m, Span where) {
+Result<Axes> length_of_tool(BlockContext& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
   if (number == 0) return Axes{};
@@ -133,7 +133,7 @@ constexpr const char* no_length_change = "Cannot change tool offset with cutter 
 }  // namespace
 
 /// RETAIN_G43: the tool that has come brings its length while G43 is in force; none takes it away.
-void LinuxCnc::retain_length(Interpreter& m) {
+void LinuxCnc::retain_length(Emitter& m) {
   const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 43_g;
   });
@@ -149,7 +149,7 @@ const Tool* LinuxCnc::tool(double number) const {
   return found != tools.end() ? &found->second : table_is_known || number < 0 ? nullptr : &unknown;
 }
 
-Tool& LinuxCnc::tool_to_write(Interpreter& m, int number) {
+Tool& LinuxCnc::tool_to_write(BlockContext& m, int number) {
   Tool& tool = tools[number];
   m.journal.on_undo([this, &tool, before = tool, changed = tools_changed] {
     tool = before;
@@ -159,18 +159,18 @@ Tool& LinuxCnc::tool_to_write(Interpreter& m, int number) {
   return tool;
 }
 
-Axes LinuxCnc::stored_axes(const Interpreter& m, std::uint32_t first) const {
+Axes LinuxCnc::stored_axes(const BlockContext& m, std::uint32_t first) const {
   Axes values{};
   for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) values[a] = m.variables.raw(first + a) * table_unit(a);
   return values;
 }
 
-void LinuxCnc::store_axis(Interpreter& m, std::uint32_t first, std::size_t axis, double value) const {
+void LinuxCnc::store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const {
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
 }
 
 /// Work systems with their rotations, and reference points: mm and degrees, where the parameters are in the machine's unit.
-void LinuxCnc::take_tables(Interpreter& m, const Setup& setup) {
+void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
   const auto store = [&](std::uint32_t first, const AxisValues& values) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (const auto at = values.find(m.axis_names[a]); at != values.end()) store_axis(m, first, a, at->second);
@@ -187,7 +187,7 @@ void LinuxCnc::take_tables(Interpreter& m, const Setup& setup) {
 }
 
 /// The other way. Wear is part of the lengths here.
-bool LinuxCnc::add_tables(const Interpreter& m, Setup& tables) const {
+bool LinuxCnc::add_tables(const BlockContext& m, Setup& tables) const {
   for (const auto& [number, tool] : tools) {
     ToolOffset& offset = tables.offsets[number];
     offset.length_x = tool.offset[0], offset.length_y = tool.offset[1], offset.length = tool.offset[2];
@@ -204,23 +204,23 @@ bool LinuxCnc::add_tables(const Interpreter& m, Setup& tables) const {
   return true;
 }
 
-Axes LinuxCnc::system_offset(const Interpreter& m, std::uint32_t number) const { return stored_axes(m, system_at(number)); }
+Axes LinuxCnc::system_offset(const BlockContext& m, std::uint32_t number) const { return stored_axes(m, system_at(number)); }
 
-void LinuxCnc::take_system(Interpreter& m, std::uint32_t number) {
+void LinuxCnc::take_system(Emitter& m, std::uint32_t number) {
   state.system_number = number;
   state.system = system_offset(m, number);
   state.rotation = m.variables.raw(system_at(number) + place_of_rotation);
   m.change_frames();
 }
 
-void LinuxCnc::store_shift(Interpreter& m) {
+void LinuxCnc::store_shift(BlockContext& m) {
   set(m, shift_on_number, state.shift_on ? 1 : 0);
   for (std::size_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) store_axis(m, first_shift, a, state.shift[a]);
   (void)m.variables.take_frames_changed();
 }
 
 /// machine = R·(work + shift) + system + length (7.8).
-void LinuxCnc::refresh_frames(Interpreter& m) {
+void LinuxCnc::refresh_frames(Emitter& m) {
   m.frames.length = state.length;
   if (state.rotation == 0) {
     m.frames.origin = sum(state.system, state.shift);
@@ -243,7 +243,7 @@ namespace kadr::functions {
 using linuxcnc::linuxcnc_of;
 
 /// G10 (7.8).
-Status table_data(Interpreter& m, const Call& call) {
+Status table_data(Emitter& m, const Call& call) {
   const int kind = static_cast<int>(std::round(m.value('L')));
   if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
   if (kind == 0) return {};  // the table is what the set-up says
@@ -251,7 +251,7 @@ Status table_data(Interpreter& m, const Call& call) {
 }
 
 /// G92 (arg 0), G52 (1).
-Status coordinate_shift(Interpreter& m, const Call& call) {
+Status coordinate_shift(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
   const bool is_amount = call.row->arg == 1;
@@ -264,7 +264,7 @@ Status coordinate_shift(Interpreter& m, const Call& call) {
 }
 
 /// G92.1 to G92.3; arg: the number behind the point.
-Status coordinate_shift_off(Interpreter& m, const Call& call) {
+Status coordinate_shift_off(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
   if (call.row->arg == 3) {
@@ -283,10 +283,10 @@ Status coordinate_shift_off(Interpreter& m, const Call& call) {
 }
 
 /// G54 to G59.3; arg: 1 to 9.
-Status table_system(Interpreter& m, const Call& call) {
+Status table_system(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change coordinate systems with cutter radius compensation on"));
   const auto number = static_cast<std::uint32_t>(call.row->arg);
-  if (number == linuxcnc_of(m).state.system_number && !m.flow.ended()) return {};
+  if (number == linuxcnc_of(m).state.system_number && !m.program().ended()) return {};
   m.modal.fixture = number;
   linuxcnc::set(m, linuxcnc::system_number, number);
   (void)m.variables.take_frames_changed();
@@ -295,7 +295,7 @@ Status table_system(Interpreter& m, const Call& call) {
 }
 
 /// G28, G30 (arg 1, 2): through the point of the words to the stored position.
-Status reference_move(Interpreter& m, const Call& call) {
+Status reference_move(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot use g28 or g30 with cutter radius comp"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
   AxisMask named = 0;
@@ -318,7 +318,7 @@ Status reference_move(Interpreter& m, const Call& call) {
 }
 
 /// G28.1, G30.1 (arg 1, 2).
-Status reference_store(Interpreter& m, const Call& call) {
+Status reference_store(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
   for (std::size_t a = 0; a < m.axis_count; ++a) linuxcnc_of(m).store_axis(m, first, a, m.position.machine[a]);
@@ -327,7 +327,7 @@ Status reference_store(Interpreter& m, const Call& call) {
 }
 
 /// G43 (arg 0), G43.2 (1): by the table.
-Status tool_length(Interpreter& m, const Call& call) {
+Status tool_length(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   if (call.row->arg == 1) {
@@ -349,7 +349,7 @@ Status tool_length(Interpreter& m, const Call& call) {
 }
 
 /// G43.1: the words are the lengths, absolute.
-Status tool_length_by_words(Interpreter& m, const Call& call) {
+Status tool_length_by_words(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   Axes length = linuxcnc_of(m).state.length;
   if (linuxcnc_of(m).codes.motion < 0) linuxcnc::each_word(m, [&](std::size_t a, double v) { length[a] = v; });
@@ -358,7 +358,7 @@ Status tool_length_by_words(Interpreter& m, const Call& call) {
 }
 
 /// G49.
-Status tool_length_off(Interpreter& m, const Call& call) {
+Status tool_length_off(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   m.modal.length_number = 0;
   linuxcnc::take_length(m, {});

@@ -20,7 +20,7 @@ class Drilling final : public RunningValue<Drilling> {
  public:
   explicit Drilling(const Hole& hole) : h_(hole), depth_(hole.level) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
@@ -30,7 +30,7 @@ class Drilling final : public RunningValue<Drilling> {
   }
 
  private:
-  Status go_on(Interpreter& m) {
+  Status go_on(Emitter& m) {
     if (!in_hole_) return approach(m);
     const bool pecks = h_.code == 83_g || h_.code == 73_g;
     if (pecks && depth_ - h_.peck > h_.bottom + same_height) return peck(m);
@@ -40,7 +40,7 @@ class Drilling final : public RunningValue<Drilling> {
     return {};
   }
 
-  Status approach(Interpreter& m) {
+  Status approach(Emitter& m) {
     in_hole_ = true;
     depth_ = h_.level;
     if (done_ == 0 && h_.up_first) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
@@ -65,14 +65,14 @@ class Drilling final : public RunningValue<Drilling> {
     return {};
   }
 
-  Status peck(Interpreter& m) {
+  Status peck(Emitter& m) {
     depth_ -= h_.peck;
     KADR_TRY(drill(m, MotionKind::feed, depth_));
     if (h_.code == 83_g) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
     return drill(m, MotionKind::rapid, depth_ + above_bottom);
   }
 
-  Status finish(Interpreter& m) {
+  Status finish(Emitter& m) {
     switch (h_.code) {
       case 74_g: return tap(m);
       case 84_g: return tap(m);
@@ -109,7 +109,7 @@ class Drilling final : public RunningValue<Drilling> {
   }
 
   /// Fault of the control: in G18, G19 both strokes go to turned axes; so does Kadr, and a warning has told.
-  Status tap(Interpreter& m) {
+  Status tap(Emitter& m) {
     const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
     turn_spindle(m, SpindleDir::stop);
@@ -123,7 +123,7 @@ class Drilling final : public RunningValue<Drilling> {
   }
 
   /// The strokes have gone to turned axes; the control takes the tool for where they should have left it.
-  void stand(Interpreter& m) const {
+  void stand(Emitter& m) const {
     Axes to = m.position.programmed;
     to[h_.first] = h_.at_first;
     to[h_.second] = h_.at_second;
@@ -131,7 +131,7 @@ class Drilling final : public RunningValue<Drilling> {
     m.move_to(to, to, axes());
   }
 
-  Status stroke(Interpreter& m, double level) {
+  Status stroke(Emitter& m, double level) {
     if (h_.plane == Plane::xy) return drill(m, MotionKind::feed, level);
     Axes to = m.position.programmed;
     const double x = h_.plane == Plane::zx ? h_.at_second : 0, z = h_.plane == Plane::zx ? h_.at_first : h_.at_second;
@@ -140,7 +140,7 @@ class Drilling final : public RunningValue<Drilling> {
     return m.straight(MotionKind::feed, to, axes());
   }
 
-  Status back_bore(Interpreter& m) {
+  Status back_bore(Emitter& m) {
     KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.level));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, SpindleDir::orient);
@@ -156,25 +156,25 @@ class Drilling final : public RunningValue<Drilling> {
   }
 
   /// The oriented tool goes down beside the middle of the hole, and on to it.
-  Status enter(Interpreter& m) {
+  Status enter(Emitter& m) {
     KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
     return place(m, h_.at_first, h_.at_second, h_.bottom);
   }
 
-  Status leave(Interpreter& m) {
+  Status leave(Emitter& m) {
     KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.bottom));
     KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
     return place(m, h_.at_first, h_.at_second, h_.clear);
   }
 
-  Status drill(Interpreter& m, MotionKind kind, double level) {
+  Status drill(Emitter& m, MotionKind kind, double level) {
     Axes to = m.position.programmed;
     if (std::fabs(to[h_.drill] - level) <= same_height) return {};
     to[h_.drill] = level;
     return m.straight(kind, to, AxisMask{1} << h_.drill);
   }
 
-  Status place(Interpreter& m, double first, double second, double level) {
+  Status place(Emitter& m, double first, double second, double level) {
     Axes to = m.position.programmed;
     to[h_.first] = first;
     to[h_.second] = second;
@@ -184,10 +184,10 @@ class Drilling final : public RunningValue<Drilling> {
 
   AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
 
-  void dwell(Interpreter& m) const {
+  void dwell(Emitter& m) const {
     m.emit(Dwell{h_.dwell});  // of no time too, as the control does
   }
-  void turn_spindle(Interpreter& m, SpindleDir dir) const {
+  void turn_spindle(Emitter& m, SpindleDir dir) const {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;
     Spindle spindle{dir, turns ? h_.rpm : 0, static_cast<std::uint8_t>(h_.spindle_number + 1)};
     if (dir == SpindleDir::orient) spindle.angle = 0;
@@ -202,6 +202,6 @@ class Drilling final : public RunningValue<Drilling> {
 
 }  // namespace
 
-void begin_drilling(Interpreter& m, const Hole& hole) { m.running = std::make_unique<Drilling>(hole); }
+void begin_drilling(Emitter& m, const Hole& hole) { m.running = std::make_unique<Drilling>(hole); }
 
 }  // namespace kadr::linuxcnc

@@ -8,7 +8,7 @@
 #include "base/alarm_ids.h"
 #include "base/code_literals.h"
 #include "base/span.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr::linuxcnc {
 
@@ -34,6 +34,6 @@ struct Hole {
 };
 
 /// Begins it: the cycle goes on a few actions at a time.
-void begin_drilling(Interpreter& m, const Hole& hole);
+void begin_drilling(Emitter& m, const Hole& hole);
 
 }  // namespace kadr::linuxcnc

@@ -23,6 +23,8 @@
 #include "control/state/state.h"
 
 namespace kadr {
+class BlockContext;
+class Emitter;
 class Interpreter;
 struct Call;
 }  // namespace kadr
@@ -96,55 +98,55 @@ struct State {
 
 class LinuxCnc final : public Dialect {
  public:
-  LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits);
+  LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits);
 
   // ---- dialect.cpp, files_read.cpp
   bool start(Interpreter& m, const Setup& setup) override;
-  void note_motion(Interpreter& m, Motion& motion) override;
-  void take_setup(Interpreter& m, const Setup& setup) override;
-  bool add_tables(const Interpreter& m, Setup& tables) const override;
+  void note_motion(Emitter& m, Motion& motion) override;
+  void take_setup(Emitter& m, const Setup& setup) override;
+  bool add_tables(const BlockContext& m, Setup& tables) const override;
   std::string start_words() const override { return machine.startup; }
   std::pair<double, double> limits_by_file(std::size_t axis) const override;
-  void started(Interpreter& m) override;
-  Status target(const Interpreter& m, Axes& to, AxisMask& named) const override;
+  void started(Emitter& m) override;
+  Status target(const BlockContext& m, Axes& to, AxisMask& named) const override;
   bool end_program(Interpreter& m) override;
-  void failed(Interpreter& m) override;
-  void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
+  void failed(Emitter& m) override;
+  void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
   std::shared_ptr<const DialectState> snapshot() const override;
-  Status restore(Interpreter& m, const DialectState& from) override;
+  Status restore(BlockContext& m, const DialectState& from) override;
   bool skips_unread() const override { return true; }
   bool units_may_change() const override { return true; }
   Result<bool> statement(Interpreter& m) override;
   Result<bool> takes_block(Interpreter& m) override;
-  std::int16_t motion_row(const Interpreter& m) const override;
+  std::int16_t motion_row(const BlockContext& m) const override;
   BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
-  void begin_block(Interpreter& m) override;
+  void begin_block(Emitter& m) override;
   void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
   Status after_block(Interpreter& m) override;
-  void take_back(Interpreter& m) override;
-  bool lines_follow(const Interpreter& m) const override;
-  AxisMask rolling_axes(const Interpreter&) const override { return ~axes; }  // no words of this machine: an alarm
-  void note_line(Interpreter& m) override;
-  ArcRule arc_rule(const Interpreter& m) const override;
-  Status arc(Interpreter& m, const Call& call, Turn turn) override;
-  bool shapes_lines(const Interpreter& m) const override;
-  Status straight(Interpreter& m, const Call& call, MotionKind kind) override;
-  Result<bool> turns_spindle(Interpreter& m, SpindleDir dir, Span where) override;
-  SurfaceSpeed surface_speed(const Interpreter& m) const override;
+  void take_back(BlockContext& m) override;
+  bool lines_follow(const BlockContext& m) const override;
+  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // no words of this machine: an alarm
+  void note_line(BlockContext& m) override;
+  ArcRule arc_rule(const BlockContext& m) const override;
+  Status arc(Emitter& m, const Call& call, Turn turn) override;
+  bool shapes_lines(const BlockContext& m) const override;
+  Status straight(Emitter& m, const Call& call, MotionKind kind) override;
+  Result<bool> turns_spindle(Emitter& m, SpindleDir dir, Span where) override;
+  SurfaceSpeed surface_speed(const BlockContext& m) const override;
   const WrittenFiles& files_written() const override { return outputs.written(); }
-  void refresh_frames(Interpreter& m) override;
+  void refresh_frames(Emitter& m) override;
   double machine_unit() const override { return machine.unit; }
-  Axes shift_of_origin(const Interpreter&) const override { return state.rotation == 0 ? state.shift : Axes{}; }
+  Axes shift_of_origin(const BlockContext&) const override { return state.rotation == 0 ? state.shift : Axes{}; }
   Status machine_code(Interpreter& m, const Call& call) override;
-  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
-  Result<bool> end_of_file(Interpreter& m) override;
+  Status take_answer(Emitter& m, const ProbeAnswer& answer) override;
+  Result<bool> end_of_file(BlockContext& m) override;
   void note_fault(Interpreter& m, bool may_have_steered) override;
   Result<bool> sign_of_file(Interpreter& m) override;
-  Status comments(Interpreter& m) override;
-  void reword(const Interpreter& m, AlarmReport& report) const override;
-  Result<double> read_variable(Interpreter& m, double number, Span where) const override;
-  Status write_variable(Interpreter& m, double number, double value, Span where) override;
-  Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) const override;
+  Status comments(Emitter& m) override;
+  void reword(const BlockContext& m, AlarmReport& report) const override;
+  Result<double> read_variable(Emitter& m, double number, Span where) const override;
+  Status write_variable(BlockContext& m, double number, double value, Span where) override;
+  Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
 
   // ---- faults
   /// An alarm with the control's own words; they are kept for the report.
@@ -153,18 +155,18 @@ class LinuxCnc final : public Dialect {
   // ---- tables
   const Tool* tool(double number) const;
   /// To be written; an alarm brings the old one back.
-  Tool& tool_to_write(Interpreter& m, int number);
-  void retain_length(Interpreter& m);
-  Axes system_offset(const Interpreter& m, std::uint32_t number) const;
+  Tool& tool_to_write(BlockContext& m, int number);
+  void retain_length(Emitter& m);
+  Axes system_offset(const BlockContext& m, std::uint32_t number) const;
   /// Parameters that hold a position are in the machine's unit (1.1): a value an axis, from the number `first`; here mm, degrees.
-  Axes stored_axes(const Interpreter& m, std::uint32_t first) const;
-  void store_axis(Interpreter& m, std::uint32_t first, std::size_t axis, double value) const;
+  Axes stored_axes(const BlockContext& m, std::uint32_t first) const;
+  void store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const;
   double table_unit(std::size_t axis) const { return is_rotary_place(axis) ? 1 : machine.unit; }
-  void take_system(Interpreter& m, std::uint32_t number);
-  void store_shift(Interpreter& m);
+  void take_system(Emitter& m, std::uint32_t number);
+  void store_shift(BlockContext& m);
 
   /// Tenths of the G code in force of the group with that number; -1: none.
-  std::int32_t code_in_force(const Interpreter& m, std::size_t group) const;
+  std::int32_t code_in_force(const BlockContext& m, std::size_t group) const;
 
   // ---- parameters
   Level& level() { return levels_.back(); }
@@ -190,21 +192,21 @@ class LinuxCnc final : public Dialect {
   int probe_kind = 2;  // of G38.n
 
  private:
-  void forget_shift(Interpreter& m);
-  Status take_polar_words(Interpreter& m);
-  void forget_polar_words(Interpreter& m);
-  Status write_probed(const Interpreter& m);
-  void read_parameter_file(Interpreter& m, const RunLimits& limits);
-  void take_parameters(Interpreter& m);
-  void take_tables(Interpreter& m, const Setup& setup);
-  void save_parameters(Interpreter& m, bool program_ends);
-  void save_tools(Interpreter& m);
+  void forget_shift(Emitter& m);
+  Status take_polar_words(BlockContext& m);
+  void forget_polar_words(BlockContext& m);
+  Status write_probed(const BlockContext& m);
+  void read_parameter_file(BlockContext& m, const RunLimits& limits);
+  void take_parameters(BlockContext& m);
+  void take_tables(BlockContext& m, const Setup& setup);
+  void save_parameters(Emitter& m, bool program_ends);
+  void save_tools(Emitter& m);
   void read_tool_file(const RunLimits& limits);
-  void read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits);
+  void read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
   /// own: the control's (4.3); common: #<_name>; local: of a call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
-  NameKind kind_of(const Interpreter& m, double number) const;
+  NameKind kind_of(const BlockContext& m, double number) const;
   std::string parameters_before_, tools_before_;  // what stands in the files
   StoredParameters stored_;
   bool writes_parameters_ = false, writes_tools_ = false;
@@ -220,9 +222,9 @@ class LinuxCnc final : public Dialect {
   const std::map<double, double>& globals() const { return globals_; }
 };
 
-LinuxCnc& linuxcnc_of(const Interpreter& m);
+LinuxCnc& linuxcnc_of(const BlockContext& m);
 
 /// The plane in force is one of U, V, W: G17.1, G18.1, G19.1.
-bool is_plane_of_uvw(const Interpreter& m);
+bool is_plane_of_uvw(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -16,12 +16,12 @@
 namespace kadr::linuxcnc {
 namespace {
 
-Status compensation_forbids(const Interpreter& m, Span where, const char* text) {
+Status compensation_forbids(const BlockContext& m, Span where, const char* text) {
   if (m.modal.radius_side == 0) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
 }
 
-tl::unexpected<Alarm> wrong_word(const Interpreter& m, Span where, std::string text) {
+tl::unexpected<Alarm> wrong_word(const BlockContext& m, Span where, std::string text) {
   return linuxcnc_of(m).fault(AlarmId::rs274_io, where, std::move(text));
 }
 
@@ -30,7 +30,7 @@ tl::unexpected<Alarm> wrong_word(const Interpreter& m, Span where, std::string t
 namespace {
 
 /// M7, M8, M9 only where one differs (write_m_codes, gen_m_codes): of two that are on one alone does not go off. `mist`, `flood`: now.
-void restore_coolant(Interpreter& m, bool mist, bool flood) {
+void restore_coolant(Emitter& m, bool mist, bool flood) {
   Modal& modal = m.modal;
   if (!modal.mist && !modal.flood) {
     if (mist || flood) m.emit(CoolantSwitch{Coolant::off});
@@ -104,7 +104,7 @@ using linuxcnc::linuxcnc_of;
 
 namespace {
 
-void emit_output(Interpreter& m, int code, double number, std::optional<double> value) {
+void emit_output(Emitter& m, int code, double number, std::optional<double> value) {
   MachineFunction function{static_cast<std::uint32_t>(code)};
   function.number = std::round(number);
   function.value = value;
@@ -114,7 +114,7 @@ void emit_output(Interpreter& m, int code, double number, std::optional<double> 
 }  // namespace
 
 /// T: is in the table, and will be changed to.
-Status tool_of_table(Interpreter& m, const Call& call) {
+Status tool_of_table(Emitter& m, const Call& call) {
   const double number = std::round(m.value('T'));
   if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
     return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
@@ -125,7 +125,7 @@ Status tool_of_table(Interpreter& m, const Call& call) {
 }
 
 /// M6: the spindle stops, the last T comes; none: it is emptied.
-Status load_tool(Interpreter& m, const Call& call) {
+Status load_tool(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
   const bool turns = m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw;
   if (!linuxcnc_of(m).machine.spindle_turns_in_change) {
@@ -140,7 +140,7 @@ Status load_tool(Interpreter& m, const Call& call) {
 }
 
 /// M61 Q: that tool is in the spindle.
-Status tool_in_spindle(Interpreter& m, const Call& call) {
+Status tool_in_spindle(Emitter& m, const Call& call) {
   const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
   if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
   if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
@@ -152,7 +152,7 @@ Status tool_in_spindle(Interpreter& m, const Call& call) {
 }
 
 /// M62 to M65 P (arg: the number of the code).
-Status digital_output(Interpreter& m, const Call& call) {
+Status digital_output(Emitter& m, const Call& call) {
   const int code = call.row->arg;
   const char* const forbidden = code == 62   ? "Cannot set motion output with cutter radius compensation on"
                                 : code == 63 ? "Cannot set motion digital output with cutter radius compensation on"
@@ -164,7 +164,7 @@ Status digital_output(Interpreter& m, const Call& call) {
 }
 
 /// M67, M68 E Q.
-Status analog_output(Interpreter& m, const Call& call) {
+Status analog_output(Emitter& m, const Call& call) {
   const int code = call.row->arg;
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where,
                                           code == 67 ? "Cannot set motion analog output with cutter radius compensation on"
@@ -176,7 +176,7 @@ Status analog_output(Interpreter& m, const Call& call) {
 }
 
 /// M66: an input is waited for. Nothing is known of inputs here: #5399 is 0, -1 where a wait runs out (INFERRED).
-Status wait_for_input(Interpreter& m, const Call& call) {
+Status wait_for_input(Emitter& m, const Call& call) {
   const double kind = m.has('L') ? std::round(m.value('L')) : 0;
   const bool digital = m.has('P'), analog = m.has('E');
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot wait for digital input with cutter radius compensation on"));
@@ -193,7 +193,7 @@ Status wait_for_input(Interpreter& m, const Call& call) {
 }
 
 /// M19 R P Q.
-Status orient_to(Interpreter& m, const Call& call) {
+Status orient_to(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const int before = control.state.active_spindle;
   control.state.active_spindle = 0;
@@ -212,7 +212,7 @@ Status orient_to(Interpreter& m, const Call& call) {
 }
 
 /// M50 to M53 P. M51 `$` means one of the other spindles; that the first one has no number there is the source's slip.
-Status override_switch(Interpreter& m, const Call& call) {
+Status override_switch(Emitter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
   KADR_TRY(linuxcnc::compensation_forbids(
       m, call.where,
@@ -251,7 +251,7 @@ Status modes_kept(Interpreter& m, const Call& call) {
 }
 
 /// G7 (arg 1), G8 (0).
-Status diameter_mode(Interpreter& m, const Call& call) {
+Status diameter_mode(Emitter& m, const Call& call) {
   m.modal.diameter = call.row->arg == 1 ? AxisMask{1} : AxisMask{0};
   return {};
 }

@@ -11,7 +11,7 @@
 #include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
 #include "control/functions/probe_unstated.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/spindles.h"
 
@@ -24,7 +24,7 @@ constexpr double spiral_relative = 0.001;
 
 class Arc {
  public:
-  Arc(Interpreter& m, const kadr::Call& call, Turn turn) : m_(m), call_(call), turn_(turn), control_(linuxcnc_of(m)), axes_(m.modal.axes) {}
+  Arc(Emitter& m, const kadr::Call& call, Turn turn) : m_(m), call_(call), turn_(turn), control_(linuxcnc_of(m)), axes_(m.modal.axes) {}
 
   Status run() {
     const char centers[] = {m_.letters.center_letter[axes_.first], m_.letters.center_letter[axes_.second]};
@@ -131,7 +131,7 @@ class Arc {
     return {};
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const kadr::Call& call_;
   Turn turn_;
   LinuxCnc& control_;
@@ -140,7 +140,7 @@ class Arc {
 
 }  // namespace
 
-Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
+Status thread_to(Emitter& m, const Axes& to, AxisMask named, double lead) {
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = motion.no_hold = true;
@@ -153,15 +153,15 @@ Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
   return {};
 }
 
-Status arc_to(Interpreter& m, Span where, Turn turn, const Axes& to, Vec2 center, AxisMask named) {
+Status arc_to(Emitter& m, Span where, Turn turn, const Axes& to, Vec2 center, AxisMask named) {
   const kadr::Call call{nullptr, nullptr, where};
   return Arc(m, call, turn).through(to, center, named);
 }
 
-Status LinuxCnc::arc(Interpreter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+Status LinuxCnc::arc(Emitter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
 /// XYZABCUVW in the unit of the program, those that the machine has not are 0 (2.4).
-Status LinuxCnc::write_probed(const Interpreter& m) {
+Status LinuxCnc::write_probed(const BlockContext& m) {
   std::string line;
   for (std::size_t a = 0; a < axes_of_tables; ++a) {
     const bool is_angle = a >= 3 && a < 6;
@@ -171,7 +171,7 @@ Status LinuxCnc::write_probed(const Interpreter& m) {
   return outputs.write(ProgramFiles::Which::probe, line);
 }
 
-Status LinuxCnc::take_answer(Interpreter& m, const ProbeAnswer& answer) {
+Status LinuxCnc::take_answer(Emitter& m, const ProbeAnswer& answer) {
   m.needs_probe = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];
   m.position.machine = m.frames.machine_of(m.position.work);
@@ -195,7 +195,7 @@ namespace kadr::functions {
 using linuxcnc::linuxcnc_of;
 
 /// G38.2 to G38.5; arg: the number behind the point.
-Status probe_move(Interpreter& m, const Call& call) {
+Status probe_move(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (m.modal.radius_side != 0) return control.fault(AlarmId::rs274_compensation, call.where, "Cannot probe with cutter radius comp on");
   if (!(m.modal.feed_known && m.modal.feed > 0)) return control.fault(AlarmId::rs274_probe, call.where, "Cannot probe with zero feed rate");
@@ -214,7 +214,7 @@ Status probe_move(Interpreter& m, const Call& call) {
 }
 
 /// G33 K: to the point; G33.1: and back (arg 1).
-Status thread_by_spindle(Interpreter& m, const Call& call) {
+Status thread_by_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool back = call.row->arg == 1;
   if (m.modal.radius_side != 0 && m.radius_in_force() != 0) {  // `path` makes a line of it, or an alarm (7.5)

@@ -18,16 +18,16 @@ namespace {
 
 constexpr int last_parameter = 5601;
 
-double per_unit(const Interpreter& m) { return m.modal.inch ? mm_per_inch : 1; }
+double per_unit(const BlockContext& m) { return m.modal.inch ? mm_per_inch : 1; }
 
 /// Work position, #5420 …, in the unit of the program.
-double position(const Interpreter& m, const Axes& of, std::size_t axis) {
+double position(const BlockContext& m, const Axes& of, std::size_t axis) {
   if (axis >= m.axis_count) return 0;
   return is_rotary_place(axis) ? of[axis] : of[axis] / per_unit(m);
 }
 
 /// #5400 … #5413: the tool in the spindle.
-double of_tool(const Interpreter& m, const LinuxCnc& control, int n) {
+double of_tool(const BlockContext& m, const LinuxCnc& control, int n) {
   if (n == 0) return m.modal.tool;
   const Tool* const tool = control.tool(m.modal.tool);
   if (tool == nullptr || m.modal.tool == 0) return 0;
@@ -36,13 +36,13 @@ double of_tool(const Interpreter& m, const LinuxCnc& control, int n) {
   return others[n - 10];
 }
 
-std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name);
+std::optional<double> predefined(const BlockContext& m, const LinuxCnc& control, std::string_view name);
 
 constexpr const char* out_of_range = "Parameter number out of range";
 
 }  // namespace
 
-Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where) const {
+Result<double> LinuxCnc::read_variable(Emitter& m, double number, Span where) const {
   if (VariableNames::is_named(number)) {
     const NameKind kind = kind_of(m, number);
     const std::map<double, double>& of = kind == NameKind::common ? globals_ : level().named;
@@ -68,7 +68,7 @@ Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where
   return m.variables.raw(static_cast<std::uint32_t>(n));
 }
 
-Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Span where) {
+Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Span where) {
   if (VariableNames::is_named(number)) {
     const NameKind kind = kind_of(m, number);
     if (kind == NameKind::own)
@@ -97,7 +97,7 @@ Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Spa
 }
 
 /// Found out once a name: its text is looked at.
-LinuxCnc::NameKind LinuxCnc::kind_of(const Interpreter& m, double number) const {
+LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const {
   const auto index = static_cast<std::size_t>(number - first_named_variable);
   if (index >= name_kinds_.size()) name_kinds_.resize(index + 1, NameKind::unknown);
   NameKind& kind = name_kinds_[index];
@@ -107,7 +107,7 @@ LinuxCnc::NameKind LinuxCnc::kind_of(const Interpreter& m, double number) const 
 }
 
 /// EXISTS: a name that is defined, a number in range.
-Result<double> LinuxCnc::number_of_element(const Interpreter& m, double symbol, double index, Span where) const {
+Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol, double index, Span where) const {
   if (symbol == symbol_own_number && VariableNames::is_named(index)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   if (symbol == symbol_own_number) return index;
   if (symbol == symbol_number_exists) return index >= 1 && index <= last_parameter ? 1.0 : 0.0;
@@ -119,7 +119,7 @@ namespace {
 
 /// 4.3.
 // NOLINTNEXTLINE(readability-function-size): a table
-std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   const Modal& modal = m.modal;
   if (name == "_motion_mode") return control.state.motion;
   if (name == "_plane") return control.code_in_force(m, 2);
@@ -153,7 +153,7 @@ std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, 
 }
 
 /// Where the control means to be: in compensation beside the programmed point (current_x of the source).
-Axes current_point(const Interpreter& m, Axes at) {
+Axes current_point(const BlockContext& m, Axes at) {
   if (m.modal.contour == ContourPhase::following) {
     at[m.modal.contour_axes.first] += m.modal.contour_vector.x;
     at[m.modal.contour_axes.second] += m.modal.contour_vector.y;
@@ -161,7 +161,7 @@ Axes current_point(const Interpreter& m, Axes at) {
   return at;
 }
 
-std::optional<double> place_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   constexpr std::string_view letters = "xyzabcuvw";
   if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
     return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
@@ -190,7 +190,7 @@ std::optional<double> of_ini(const Ini& ini, std::string_view name) {
   return ini.number(capitals.substr(begin, close - begin), capitals.substr(close + 1));
 }
 
-std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+std::optional<double> predefined(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   if (!name.starts_with('_')) return std::nullopt;
   if (control.machine.parameters_of_ini && name.starts_with("_ini[")) return of_ini(control.machine.ini, name);
   if (name == "_vmajor") return 2.9;
@@ -207,7 +207,7 @@ std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, 
 
 }  // namespace
 
-void LinuxCnc::add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) {
+void LinuxCnc::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
   for (int n = 1; n <= static_cast<int>(most_arguments); ++n)
     if (const double v = level().arguments[static_cast<std::size_t>(n)]; v != 0) ending.variables.emplace_back("#" + std::to_string(n), v);
   for (const auto* const all : {&globals_, &level().named})

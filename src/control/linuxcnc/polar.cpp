@@ -5,13 +5,13 @@
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
 
 /// @r ^t as X and Y (7.1): the words themselves are changed, so that all that moves reads them.
-Status LinuxCnc::take_polar_words(Interpreter& m) {
+Status LinuxCnc::take_polar_words(BlockContext& m) {
   char radius_sign = 0, angle_sign = 0;
   for (const AddressName& name : m.def.grammar.names) {
     if (name.text == "@") radius_sign = name.address;
@@ -65,7 +65,7 @@ Status LinuxCnc::take_polar_words(Interpreter& m) {
 }
 
 /// The block's words as they are written.
-void LinuxCnc::forget_polar_words(Interpreter& m) {
+void LinuxCnc::forget_polar_words(BlockContext& m) {
   if (written_words.empty()) return;
   std::copy(written_words.begin(), written_words.end(), m.block->words.begin());
   m.block->word_count = static_cast<std::uint32_t>(written_words.size());

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -27,7 +27,7 @@ double unwrapped(double value, double here) {
 }
 
 /// G53 leaves the tool's offset in a rotary axis on, but in one that is wrapped (find_ends, up to 2.9.10: a fault of the control).
-bool keeps_offset(const Interpreter& m, std::size_t axis) {
+bool keeps_offset(const BlockContext& m, std::size_t axis) {
   const LinuxCnc& control = linuxcnc_of(m);
   for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
     if (m.letters.axis_letter[axis] == rotary_letters[i])
@@ -37,7 +37,7 @@ bool keeps_offset(const Interpreter& m, std::size_t axis) {
 
 }  // namespace
 
-bool LinuxCnc::shapes_lines(const Interpreter& m) const {
+bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   if (!m.block_machine_coordinates) return false;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (keeps_offset(m, a)) return true;
@@ -45,7 +45,7 @@ bool LinuxCnc::shapes_lines(const Interpreter& m) const {
 }
 
 /// G53 with such an axis.
-Status LinuxCnc::straight(Interpreter& m, const kadr::Call& call, MotionKind kind) {
+Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;
   AxisMask named = 0;
@@ -63,7 +63,7 @@ Status LinuxCnc::straight(Interpreter& m, const kadr::Call& call, MotionKind kin
   return m.to_machine(kind, to, named, 0);
 }
 
-Status LinuxCnc::target(const Interpreter& m, Axes& to, AxisMask& named) const {
+Status LinuxCnc::target(const BlockContext& m, Axes& to, AxisMask& named) const {
   KADR_TRY(m.axis_words(to, named));
   if (!m.modal.absolute) return {};
   for (std::size_t i = 0; i < machine.wrapped.size(); ++i) {
@@ -79,7 +79,7 @@ Status LinuxCnc::target(const Interpreter& m, Axes& to, AxisMask& named) const {
   return {};
 }
 
-Status indexers_allow(const Interpreter& m) {
+Status indexers_allow(const BlockContext& m) {
   const LinuxCnc& control = linuxcnc_of(m);
   if (control.codes.motion < 0) return {};
   const auto wrong = [&](const char* text, char letter) {

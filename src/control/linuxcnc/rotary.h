@@ -4,12 +4,12 @@
 #include "base/result.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::linuxcnc {
 
 /// An indexer goes by G0, and alone.
-Status indexers_allow(const Interpreter& m);
+Status indexers_allow(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

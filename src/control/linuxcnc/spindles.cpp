@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -18,7 +18,7 @@ namespace {
 constexpr int all_spindles = -1;
 
 /// The word, without its decimals; nothing: there is none.
-std::optional<int> spindle_word(const Interpreter& m) {
+std::optional<int> spindle_word(const BlockContext& m) {
   const char address = linuxcnc_of(m).spindle_address;
   if (address == 0 || !m.has(address)) return std::nullopt;
   constexpr double beyond = 1000;
@@ -34,7 +34,7 @@ void each_spindle(const LinuxCnc& control, int number, Use use) {
     if (number == all_spindles || i == number) use(i);
 }
 
-void command_spindle(Interpreter& m, int number, SpindleDir dir) {
+void command_spindle(Emitter& m, int number, SpindleDir dir) {
   if (number == 0) m.modal.spindle = dir;
   else linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir = dir;
   m.emit(Spindle{dir, dir == SpindleDir::stop ? 0 : rpm_of(m, number), machine_number(number)});
@@ -44,20 +44,20 @@ void command_spindle(Interpreter& m, int number, SpindleDir dir) {
 
 std::uint8_t machine_number(int number) { return static_cast<std::uint8_t>(number + 1); }
 
-double rpm_of(const Interpreter& m, int number) {
+double rpm_of(const BlockContext& m, int number) {
   return number == 0 ? m.modal.rpm : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].rpm;
 }
 
-SpindleDir direction_of(const Interpreter& m, int number) {
+SpindleDir direction_of(const BlockContext& m, int number) {
   return number == 0 ? m.modal.spindle : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir;
 }
 
-double speed_of_block(const Interpreter& m, int number) {
+double speed_of_block(const BlockContext& m, int number) {
   const int told = spindle_word(m).value_or(0);
   return m.has('S') && (told == number || told == all_spindles) ? m.value('S') : rpm_of(m, number);
 }
 
-Status take_spindle(Interpreter& m, const char* text, Span where) {
+Status take_spindle(BlockContext& m, const char* text, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const auto chosen = spindle_word(m);
   if (!chosen) return {};
@@ -66,12 +66,12 @@ Status take_spindle(Interpreter& m, const char* text, Span where) {
   return {};
 }
 
-bool active_spindle_turns(const Interpreter& m) {
+bool active_spindle_turns(const BlockContext& m) {
   const SpindleDir dir = direction_of(m, linuxcnc_of(m).state.active_spindle);
   return dir == SpindleDir::cw || dir == SpindleDir::ccw;
 }
 
-Status spindle_of_modes(Interpreter& m) {
+Status spindle_of_modes(BlockContext& m) {
   LinuxCnc& control = linuxcnc_of(m);
   const bool of_speed = control.codes.g[14] >= 0, of_feed = control.codes.g[5] >= 0;
   if (!of_speed && !of_feed) return {};
@@ -83,7 +83,7 @@ Status spindle_of_modes(Interpreter& m) {
   return taken;
 }
 
-void stop_other_spindles(Interpreter& m) {
+void stop_other_spindles(Emitter& m) {
   LinuxCnc& control = linuxcnc_of(m);
   for (int i = 1; i < control.machine.spindles; ++i)
     if (control.state.others[static_cast<std::size_t>(i)].dir != SpindleDir::stop) command_spindle(m, i, SpindleDir::stop);
@@ -92,7 +92,7 @@ void stop_other_spindles(Interpreter& m) {
 }
 
 /// M3, M4, M5 with `$`.
-Result<bool> LinuxCnc::turns_spindle(Interpreter& m, SpindleDir dir, Span where) {
+Result<bool> LinuxCnc::turns_spindle(Emitter& m, SpindleDir dir, Span where) {
   auto chosen = spindle_word(m);
   if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;  // 2.9.3: M5 alone is M5 $-1
   if (!chosen) return false;
@@ -107,7 +107,7 @@ Result<bool> LinuxCnc::turns_spindle(Interpreter& m, SpindleDir dir, Span where)
   return true;
 }
 
-SurfaceSpeed LinuxCnc::surface_speed(const Interpreter& m) const {
+SurfaceSpeed LinuxCnc::surface_speed(const BlockContext& m) const {
   SurfaceSpeed speed = m.speed_by_x();
   constexpr double metres_per_foot = 0.3048;
   if (m.modal.inch) speed.metres *= metres_per_foot;
@@ -122,7 +122,7 @@ namespace kadr::functions {
 using linuxcnc::linuxcnc_of;
 
 /// S, of the spindle that `$` names.
-Status speed_of_spindle(Interpreter& m, const Call& call) {
+Status speed_of_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto chosen = linuxcnc::spindle_word(m);
   if (!chosen) return speed_word(m, call);
@@ -140,7 +140,7 @@ Status speed_of_spindle(Interpreter& m, const Call& call) {
 }
 
 /// G96 D S; G97 (arg 1).
-Status surface_speed_limited(Interpreter& m, const Call& call) {
+Status surface_speed_limited(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool on = call.row->arg == 0;
   const int chosen = control.state.active_spindle;

@@ -10,7 +10,7 @@
 #include "action/plane_spline.h"
 #include "base/code_literals.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -19,14 +19,14 @@ namespace {
 constexpr std::uint8_t x_axis = 0, y_axis = 1;
 constexpr AxisMask in_xy = AxisMask{1} << x_axis | AxisMask{1} << y_axis;
 
-tl::unexpected<Alarm> spline_fault(const Interpreter& m, Span where, std::string text) {
+tl::unexpected<Alarm> spline_fault(const BlockContext& m, Span where, std::string text) {
   return linuxcnc_of(m).fault(AlarmId::rs274_motion, where, std::move(text));
 }
 
 Vec2 in_plane_xy(const Axes& axes) { return {axes[x_axis], axes[y_axis]}; }
 
 /// The end point of the block, and its way there along the curve. Only X and Y move.
-void go_along(Interpreter& m, const std::vector<ControlPoint>& points, std::size_t order) {
+void go_along(Emitter& m, const std::vector<ControlPoint>& points, std::size_t order) {
   Axes end = m.position.programmed;
   end[x_axis] = points.back().at.x;
   end[y_axis] = points.back().at.y;
@@ -40,7 +40,7 @@ void go_along(Interpreter& m, const std::vector<ControlPoint>& points, std::size
   motion.detail = std::move(detail);
 }
 
-Status spline_feed(const Interpreter& m, Span where) {
+Status spline_feed(const BlockContext& m, Span where) {
   if (m.modal.feed_mode == FeedMode::inverse_time)
     return m.has('F') ? Status() : Status(spline_fault(m, where, "F word missing with inverse time arc move"));
   if (m.modal.feed_mode == FeedMode::per_minute && !(m.modal.feed_known && m.modal.feed > 0))
@@ -49,7 +49,7 @@ Status spline_feed(const Interpreter& m, Span where) {
 }
 
 /// Of G5 and G5.1: where the curve ends.
-Result<Vec2> end_in_xy(Interpreter& m, Span where) {
+Result<Vec2> end_in_xy(BlockContext& m, Span where) {
   KADR_TRY(spline_feed(m, where));
   if (m.modal.plane != Plane::xy || is_plane_of_uvw(m)) return spline_fault(m, where, "Splines must be in the XY plane");
   for (const char letter : {'Z', 'A', 'B', 'C'})
@@ -60,10 +60,10 @@ Result<Vec2> end_in_xy(Interpreter& m, Span where) {
   return in_plane_xy(end);
 }
 
-Vec2 words_of(const Interpreter& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
+Vec2 words_of(const BlockContext& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
 
 /// LinuxCNC counts a P that is missing, or not above 0, beside X and Y of the first block as it is: -1, and the curve runs to infinity.
-double weight_of(Interpreter& m, Span where) {
+double weight_of(Emitter& m, Span where) {
   const double weight = m.has('P') ? m.value('P') : -1;
   if (weight > 0) return weight;
   m.warn(warning(AlarmId::spline_weight_missing, where));
@@ -71,7 +71,7 @@ double weight_of(Interpreter& m, Span where) {
 }
 
 /// A block of G5.2 as LinuxCNC checks it.
-Status control_point_words(const Interpreter& m, const std::vector<ControlPoint>& points, Span where) {
+Status control_point_words(const BlockContext& m, const std::vector<ControlPoint>& points, Span where) {
   const bool x = m.has('X'), y = m.has('Y');
   const double weight = m.has('P') ? m.value('P') : -1;
   if (x != y) return spline_fault(m, where, "You must specify both X and Y coordinates for Control Points");
@@ -83,7 +83,7 @@ Status control_point_words(const Interpreter& m, const std::vector<ControlPoint>
 }
 
 /// What LinuxCNC reads and does nothing with.
-void tell_ignored_words(Interpreter& m) {
+void tell_ignored_words(Emitter& m) {
   for (const char letter : {'Z', 'A', 'B', 'C', 'U', 'V', 'W'})
     if (m.has(letter)) m.warn(warning(AlarmId::spline_word_ignored, m.where(letter), letter));
 }
@@ -96,7 +96,7 @@ namespace kadr::functions {
 using linuxcnc::linuxcnc_of;
 
 /// G5: third degree, the tangent at the start by I J, or as the one before ended; at the end by P Q.
-Status cubic_spline(Interpreter& m, const Call& call) {
+Status cubic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
   if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
@@ -112,7 +112,7 @@ Status cubic_spline(Interpreter& m, const Call& call) {
 }
 
 /// G5.1: a parabola.
-Status quadratic_spline(Interpreter& m, const Call& call) {
+Status quadratic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
   if (!m.has('I') || !m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J with G5.1");
@@ -122,7 +122,7 @@ Status quadratic_spline(Interpreter& m, const Call& call) {
 }
 
 /// G5.2: a control point, the tool stands.
-Status nurbs_point(Interpreter& m, const Call& call) {
+Status nurbs_point(Emitter& m, const Call& call) {
   linuxcnc::State& state = linuxcnc_of(m).state;
   std::vector<ControlPoint>& points = state.nurbs;
   if (state.motion != call.row->tenth) points.clear();
@@ -147,7 +147,7 @@ Status nurbs_point(Interpreter& m, const Call& call) {
 }
 
 /// G5.3: along the curve of the points.
-Status nurbs_end(Interpreter& m, const Call& call) {
+Status nurbs_end(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   linuxcnc::State& state = control.state;
   constexpr std::int32_t control_point = 5.2_g;

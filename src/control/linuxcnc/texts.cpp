@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/ascii.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "lang/text/encoding.h"
 
@@ -205,7 +205,7 @@ tl::unexpected<Alarm> LinuxCnc::fault(AlarmId id, Span where, std::string text) 
   return fail(alarm(id, where, std::string_view(fault_text_)));
 }
 
-void LinuxCnc::reword(const Interpreter& m, AlarmReport& report) const {
+void LinuxCnc::reword(const BlockContext& m, AlarmReport& report) const {
   if (has_own_text(report.alarm.id)) {
     if (report.alarm.arg_count == 1 && fault_text_.starts_with(report.alarm.args[0].text())) report.own_text = fault_text_;
     return;

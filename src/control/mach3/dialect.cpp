@@ -28,13 +28,13 @@ class Mach3 final : public Dialect {
                  .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
                  .untouched = limits.untouched}) {}
 
-  bool lines_follow(const Interpreter&) const override { return true; }
+  bool lines_follow(const BlockContext&) const override { return true; }
 
-  void before_function(Interpreter& m, Function function) override {
+  void before_function(Emitter& m, Function function) override {
     if (function == Function::probe) begin_ = m.position.work;
   }
 
-  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override {
+  Status take_answer(Emitter& m, const ProbeAnswer& answer) override {
     KADR_TRY(m.note_answer(answer));
     KADR_TRY(write_point(m));
     double way = 0;
@@ -56,7 +56,7 @@ class Mach3 final : public Dialect {
 
   /// "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid; the motion is told when the program
   /// goes on with more than assignments.
-  void begin_block(Interpreter& m) override {
+  void begin_block(Emitter& m) override {
     if (!back_ || sets_variables_only(*m.block)) return;
     const Back back = *std::exchange(back_, std::nullopt);
     const Origin now = std::exchange(m.origin, back.origin);
@@ -83,7 +83,7 @@ class Mach3 final : public Dialect {
   const WrittenFiles& files_written() const override { return written_; }
 
   std::shared_ptr<const DialectState> snapshot() const override { return std::make_shared<Memory>(begin_, back_, points_.memory()); }
-  Status restore(Interpreter&, const DialectState& from) override {
+  Status restore(BlockContext&, const DialectState& from) override {
     const auto& memory = static_cast<const Memory&>(from);
     begin_ = memory.begin;
     back_ = memory.back;
@@ -114,7 +114,7 @@ class Mach3 final : public Dialect {
   }
 
   /// X, Y, Z as #2000 to #2002 have them. INFERRED: a line each, separated by commas, four decimals.
-  Status write_point(const Interpreter& m) {
+  Status write_point(const BlockContext& m) {
     if (!points_.is_open()) return {};
     std::string line;
     constexpr std::uint32_t first = 2000, coordinates = 3;

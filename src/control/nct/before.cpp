@@ -5,7 +5,7 @@
 
 namespace kadr::nct {
 
-void Nct::begin_block(Interpreter& m) {
+void Nct::begin_block(Emitter& m) {
   m.journal.keep<MotionMemory>(state);
   before_.all = false;
 }
@@ -15,14 +15,14 @@ void Nct::keep_all() {
   before_ = {true, state, variables.depth(), repeated_arguments.size()};
 }
 
-void Nct::take_back(Interpreter&) {
+void Nct::take_back(BlockContext&) {
   if (!before_.all) return;
   state = before_.state;
   while (variables.depth() > before_.levels) variables.close_level();
   if (repeated_arguments.size() > before_.repeated_arguments) repeated_arguments.resize(before_.repeated_arguments);
 }
 
-void Nct::taken_back(Interpreter& m) {
+void Nct::taken_back(Emitter& m) {
   refresh_settings(m);
   if (m.keeps_state()) follow_from_here(m);
 }

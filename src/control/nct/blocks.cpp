@@ -19,7 +19,7 @@ namespace kadr::nct {
 namespace {
 
 /// Words that an earlier run of the same block took away are there again.
-void give_back(Interpreter& m) {
+void give_back(BlockContext& m) {
   if (!m.block->altered) return;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
@@ -28,7 +28,7 @@ void give_back(Interpreter& m) {
 }
 
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
-Status take_bare_words(Interpreter& m) {
+Status take_bare_words(BlockContext& m) {
   Nct& nct = nct_of(m);
   nct.plane_axes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -45,7 +45,7 @@ Status take_bare_words(Interpreter& m) {
 }
 
 /// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
-Status one_g(const Interpreter& m) {
+Status one_g(const BlockContext& m) {
   bool found = false;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -58,7 +58,7 @@ Status one_g(const Interpreter& m) {
 
 /// Numbers without a point count in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is whole
 /// (spec/fanuc 1.3).
-void count_increments(Interpreter& m) {
+void count_increments(BlockContext& m) {
   const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
   const bool turns = m.has_code({Function::feed_per_revolution}) ||
                      (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
@@ -84,7 +84,7 @@ void count_increments(Interpreter& m) {
 }
 
 /// Of two words of an address, of two codes of a group, the one written last counts (spec/fanuc 1.2, 2.1).
-void drop_repeated(Interpreter& m) {
+void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
     const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
     return row < 0 ? 0 : int{m.def.codes[static_cast<std::size_t>(row)].group};
@@ -106,7 +106,7 @@ void drop_repeated(Interpreter& m) {
 }
 
 /// One word an address, however it is spelled; at most so many M codes as the control allows, one of each exclusive group (nct 13.1).
-Status check_words(const Interpreter& m) {
+Status check_words(const BlockContext& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -125,7 +125,7 @@ Status check_words(const Interpreter& m) {
 }
 
 /// S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
-Status check_points(const Interpreter& m) {
+Status check_points(const BlockContext& m) {
   const std::uint64_t concerned = nct_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -137,7 +137,7 @@ Status check_points(const Interpreter& m) {
 }
 
 /// P has one meaning in a block (8, 10.2.2, 14.4.2).
-Status one_meaning_of_p(const Interpreter& m) {
+Status one_meaning_of_p(const BlockContext& m) {
   if (!m.has('P')) return {};
   const CodeRow* first = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -158,7 +158,7 @@ Status one_meaning_of_p(const Interpreter& m) {
 }
 
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
-Status take_spindle_words(Interpreter& m) {
+Status take_spindle_words(BlockContext& m) {
   nct_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
   const Word* first = nullptr;
@@ -184,7 +184,7 @@ Status take_spindle_words(Interpreter& m) {
   return {};
 }
 
-bool has_words(const Interpreter& m) { return m.block->word_count != 0; }
+bool has_words(const BlockContext& m) { return m.block->word_count != 0; }
 
 /// G66.1: the block's words are arguments (23.3.3).
 Result<bool> call_with_block(Interpreter& m) {
@@ -198,7 +198,7 @@ Result<bool> call_with_block(Interpreter& m) {
 }
 
 /// What #4101 … give (23.1.14).
-void note_words(Interpreter& m) {
+void note_words(BlockContext& m) {
   ModalWords& words = nct_of(m).state.words;
   if (m.block->has_number) words.n = m.block->number;
   const auto take = [&](char letter, double& to) {
@@ -215,20 +215,20 @@ void note_words(Interpreter& m) {
 }
 
 /// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
-bool hidden(const Interpreter& m) {
-  const std::uint32_t number = number_of_file(m.flow.file());
+bool hidden(const BlockContext& m) {
+  const std::uint32_t number = number_of_file(m.program().file());
   const Settings& s = nct_of(m).settings;
   return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
 }
 
-bool may_stop(const Interpreter& m) {
+bool may_stop(const BlockContext& m) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
   const Nct& nct = nct_of(m);
   return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
 }
 
 /// Single block: a stop after NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
-void stop_single_block(Interpreter& m, bool was_hidden) {
+void stop_single_block(Emitter& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
   const bool macro = returned || !nct_of(m).pending.empty() ||
@@ -239,9 +239,9 @@ void stop_single_block(Interpreter& m, bool was_hidden) {
 
 }  // namespace
 
-bool stops_each_block(const Interpreter& m) { return may_stop(m) && !hidden(m); }
+bool stops_each_block(const BlockContext& m) { return may_stop(m) && !hidden(m); }
 
-Status check_values(Interpreter& m) {
+Status check_values(BlockContext& m) {
   for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
     if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
   return m.check_ranges();

@@ -5,6 +5,7 @@
 #include "base/result.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
 }
 
@@ -15,13 +16,13 @@ namespace kadr::nct {
 Result<bool> run_statement(Interpreter& m);
 /// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1), all are in their ranges. What a
 /// macro gets as an argument is left alone: it may be any number (23.3).
-Status check_values(Interpreter& m);
+Status check_values(BlockContext& m);
 /// Looks at the evaluated words before they are planned.
 ///   returns  true: the block is done (a data line, or a macro was called with it)
 Result<bool> before_plan(Interpreter& m);
 /// Single-block operation stops here: the switch is on, no lock, no G63, not inside a program that counts as one block
 /// (23.1.10, 23.3.9, 6.3.4).
-bool stops_each_block(const Interpreter& m);
+bool stops_each_block(const BlockContext& m);
 /// Calls that follow the block's motion: words that stand for subprograms, modal macros; the single-block stop.
 Status after_block(Interpreter& m);
 

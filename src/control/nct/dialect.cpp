@@ -22,13 +22,13 @@
 
 namespace kadr {
 
-std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
+std::unique_ptr<Dialect> make_nct_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
   return std::make_unique<nct::Nct>(m, setup, limits, std::move(commons));
 }
 
 namespace nct {
 
-void Nct::started(Interpreter& m) {
+void Nct::started(Emitter& m) {
   couple_gantries(m);
   for (const auto& [name, value] : signals)  // what the machine's logic asks of axes from the start (20.2 to 20.4)
     if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
@@ -60,10 +60,10 @@ bool Nct::lose_power(Interpreter& m) {
   return true;
 }
 
-void Nct::add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) { nct::add_variables(m, ending, watch); }
+void Nct::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) { nct::add_variables(m, ending, watch); }
 
 /// Tables of tools, pockets, forms (12.3); parameters (24.1).
-void Nct::take_common(Interpreter& m, const Dialect& from) {
+void Nct::take_common(BlockContext& m, const Dialect& from) {
   const Nct& other = static_cast<const Nct&>(from);
   tools.take_tables(other.tools);
   parameters.take(other.parameters);
@@ -91,7 +91,7 @@ bool Nct::reads_clock(const Block& block) const {
   return false;
 }
 
-void Nct::note_skip_mark(Interpreter& m) { nct::note_skip_mark(m); }
+void Nct::note_skip_mark(Emitter& m) { nct::note_skip_mark(m); }
 
 Result<bool> Nct::interrupt(Interpreter& m, BlockMoment moment) { return call_interrupt(m, moment); }
 
@@ -103,7 +103,7 @@ Result<bool> Nct::takes_block(Interpreter& m) {
   return done;
 }
 
-std::int16_t Nct::motion_row(const Interpreter& m) const { return nct::motion_row(m); }
+std::int16_t Nct::motion_row(const BlockContext& m) const { return nct::motion_row(m); }
 
 BlockChanges Nct::changes_of(const Interpreter& m, const Plan& plan) const {
   if (m.modal.polar_data || drilling_on(m) || !m.transform.identity || m.keeps_flow_place()) return BlockChanges::anything;
@@ -111,7 +111,7 @@ BlockChanges Nct::changes_of(const Interpreter& m, const Plan& plan) const {
   return plan.moves_and_feeds || plan.calls_only ? BlockChanges::little : BlockChanges::anything;
 }
 
-void Nct::before_function(Interpreter& m, Function function) {
+void Nct::before_function(Emitter& m, Function function) {
   if (state.compensates && traits_of(function).is(function_fact::breaks_contour)) m.emit(ContourBreak{});
 }
 
@@ -124,19 +124,19 @@ bool Nct::leave_call(Interpreter& m) {
   return true;
 }
 
-Status Nct::target(const Interpreter& m, Axes& to, AxisMask& named) const { return nct::target(m, to, named); }
+Status Nct::target(const BlockContext& m, Axes& to, AxisMask& named) const { return nct::target(m, to, named); }
 
-bool Nct::shapes_lines(const Interpreter& m) const { return has_geometry_words(m) || leads_lines(m); }
+bool Nct::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || leads_lines(m); }
 
-Status Nct::straight(Interpreter& m, const Call& call, MotionKind kind) {
+Status Nct::straight(Emitter& m, const Call& call, MotionKind kind) {
   return has_geometry_words(m) ? shaped_line(m, call, kind) : led_line(m, call, kind);
 }
 
-bool Nct::only_shifts(const Interpreter& m) const { return only_shifts_length(m); }
+bool Nct::only_shifts(const BlockContext& m) const { return only_shifts_length(m); }
 
-Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
+Status Nct::arc(Emitter& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
 
-bool Nct::lines_follow(const Interpreter& m) const {
+bool Nct::lines_follow(const BlockContext& m) const {
   const bool counts_inches = m.modal.inch && !m.def.grammar.least_increments.empty();
   const bool plain_words =
       !counts_inches && !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
@@ -146,7 +146,7 @@ bool Nct::lines_follow(const Interpreter& m) const {
 }
 
 /// They have a way of their own (5.6).
-AxisMask Nct::rolling_axes(const Interpreter& m) const {
+AxisMask Nct::rolling_axes(const BlockContext& m) const {
   AxisMask rolling = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (settings.axes[a].rolls && (m.def.rotary >> a & 1u) != 0) rolling |= AxisMask{1} << a;
@@ -154,13 +154,13 @@ AxisMask Nct::rolling_axes(const Interpreter& m) const {
 }
 
 /// I, J, K belong to X, Y, Z whatever axes the plane has (4.3); with others there Kadr looks closer.
-ArcRule Nct::arc_rule(const Interpreter& m) const {
+ArcRule Nct::arc_rule(const BlockContext& m) const {
   return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
           m.def.behaviour.arc_angle_even};
 }
 
-void Nct::note_line(Interpreter& m) {
-  if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.flow.depth() == 0)
+void Nct::note_line(BlockContext& m) {
+  if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
     state.words.o = m.block->label;                          // spec/fanuc 5.8
   if (m.block->has_number) state.words.n = m.block->number;  // 23.1.14
   if (m.block->calls_macro) return;                          // its words are arguments
@@ -170,32 +170,32 @@ void Nct::note_line(Interpreter& m) {
   state.thread_lead = 0;
 }
 
-Status Nct::surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
+Status Nct::surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
   return nct::surface_line(m, kind, programmed, named);
 }
 
-Status Nct::may_move(const Interpreter& m, AxisMask named) const { return not_following(m, named); }
+Status Nct::may_move(const BlockContext& m, AxisMask named) const { return not_following(m, named); }
 
-void Nct::note_motion(Interpreter& m, Motion& motion) { nct::note_motion(m, motion); }
+void Nct::note_motion(Emitter& m, Motion& motion) { nct::note_motion(m, motion); }
 
-double Nct::inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const { return nct::inch_feed(m, motion, from); }
+double Nct::inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const { return nct::inch_feed(m, motion, from); }
 
-void Nct::refresh_frames(Interpreter& m) { nct::refresh_frames(m); }
-Axes Nct::shift_of_origin(const Interpreter& m) const { return nct::shift_of_origin(m); }
+void Nct::refresh_frames(Emitter& m) { nct::refresh_frames(m); }
+Axes Nct::shift_of_origin(const BlockContext& m) const { return nct::shift_of_origin(m); }
 
-void Nct::roll(const Interpreter& m, Axes& positions) const { roll_positions(m, positions); }
+void Nct::roll(const BlockContext& m, Axes& positions) const { roll_positions(m, positions); }
 
-Status Nct::take_answer(Interpreter& m, const ProbeAnswer& at) { return nct::take_answer(m, at); }
+Status Nct::take_answer(Emitter& m, const ProbeAnswer& at) { return nct::take_answer(m, at); }
 
 Status Nct::machine_code(Interpreter& m, const Call& call) { return nct::machine_code(m, call); }
 
-Result<double> Nct::read_variable(Interpreter& m, double number, Span where) const { return nct::read_variable(m, number, where); }
+Result<double> Nct::read_variable(Emitter& m, double number, Span where) const { return nct::read_variable(m, number, where); }
 
-Result<double> Nct::number_of_element(const Interpreter& m, double symbol, double index, Span where) const {
+Result<double> Nct::number_of_element(const BlockContext& m, double symbol, double index, Span where) const {
   return nct::number_of_element(m, symbol, index, where);
 }
 
-Result<double> Nct::control_value(Interpreter& m, double number, double bit, double index, Span where) const {
+Result<double> Nct::control_value(BlockContext& m, double number, double bit, double index, Span where) const {
   return read_parameter(m, number, bit, index, where);
 }
 

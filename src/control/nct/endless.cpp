@@ -49,7 +49,7 @@ bool same(const ModalWords& a, const ModalWords& b) {
 
 void take(const Interpreter& m, Moment& to) {
   const Nct& nct = nct_of(m);
-  to.blocks = m.flow.blocks();
+  to.blocks = m.program().blocks();
   to.frames = m.flow.frames();
   to.levels = nct.variables.levels();
   for (int n = first_common; n <= last_common; ++n) to.commons[static_cast<std::size_t>(n)] = nct.variables.common(n);
@@ -69,7 +69,7 @@ void take(const Interpreter& m, Moment& to) {
   to.parts_done = nct.state.parts_done;
 }
 
-bool same_variables(const Interpreter& m, const Moment& then) {
+bool same_variables(const BlockContext& m, const Moment& then) {
   const MacroVariables& now = nct_of(m).variables;
   if (now.levels().size() != then.levels.size()) return false;
   for (std::size_t i = then.levels.size(); i-- > 0;)
@@ -96,7 +96,7 @@ bool same_calls(const Interpreter& m, const Moment& then) {
 }
 
 /// What system variables show, as far as a program changes it.
-bool same_surroundings(const Interpreter& m, const Moment& then) {
+bool same_surroundings(const BlockContext& m, const Moment& then) {
   const Nct& nct = nct_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
   return nct.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
@@ -127,10 +127,10 @@ void Endless::forget() {
   for (Watch& w : watches_) w.target = ~std::uint64_t{0};
 }
 
-void Endless::note_fault(const Interpreter& m, bool may_steer) {
+void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
   for (Watch& w : watches_) w.next_look = 0;  // each jump is looked at from now on
-  if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.flow.blocks(), m.flow.reader()});
+  if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
 /// A faulty block that may steer stands between target and jump, or was met since the jump was made last.
@@ -140,11 +140,11 @@ bool Endless::holds_fault(const Watch& w) const {
 }
 
 /// What a fault leaves behind may loop for long although no pass is like another: a check shall not.
-bool Endless::took_too_long(const Interpreter& m, const Watch& w) {
+bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   const auto nth = static_cast<std::size_t>(&w - watches_.data());
-  if (looked_ == nth) looped_ += m.flow.blocks() - looked_at_;
+  if (looked_ == nth) looped_ += m.program().blocks() - looked_at_;
   looked_ = nth;
-  looked_at_ = m.flow.blocks();
+  looked_at_ = m.program().blocks();
   return ++looks_ > jumps_behind_fault || looped_ > blocks_behind_fault;
 }
 
@@ -159,7 +159,7 @@ bool Endless::is_inside_another(const Watch& w) const {
 
 Endless::Verdict Endless::look_closely(const Interpreter& m, Watch& w) {
   w.from = m.block->position.offset;
-  w.depth = m.flow.depth();
+  w.depth = m.program().depth();
   if (any_fault_ && (holds_fault(w) || took_too_long(m, w))) return Verdict::leave;
   if (others_act(m)) return Verdict::go;
   if (w.seen != 0 && w.passes - w.seen <= compared_passes && same(m, *w.snapshot) && !is_inside_another(w))

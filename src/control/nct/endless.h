@@ -17,6 +17,7 @@
 #include "lang/block/block_reader.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
 }
 
@@ -47,7 +48,7 @@ class Endless {
   /// Something that system variables show, and nothing else, has changed.
   void note_change() { ++changes_; }
   /// The current block was faulty, and the run goes on. `may_steer`: it would have written a variable, called or jumped.
-  void note_fault(const Interpreter& m, bool may_steer);
+  void note_fault(const BlockContext& m, bool may_steer);
   /// Another pass of the whole program: what was seen counts no more.
   void forget();
 
@@ -73,7 +74,7 @@ class Endless {
   void start(Watch& w, Position target, std::uint16_t reader);
   Verdict look_closely(const Interpreter& m, Watch& w);
   bool is_inside_another(const Watch& w) const;
-  bool took_too_long(const Interpreter& m, const Watch& w);
+  bool took_too_long(const BlockContext& m, const Watch& w);
   bool holds_fault(const Watch& w) const;
 
   std::array<Watch, 64> watches_;

@@ -29,7 +29,7 @@ void Nct::synchronise(int slave, int master) {
   }
 }
 
-void Nct::couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) {
+void Nct::couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) {
   if (link == AxisLink::follows) nct::couple_axis(m, name, on);
   else ask_of_axis(m, name, link, on);
 }

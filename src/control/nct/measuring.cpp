@@ -30,27 +30,27 @@ constexpr Needed no_radius{"7", "G40"};  // of G31 only
 constexpr std::array<Needed, 5> always_needed{{{"17", "G15"}, {"11", "G50"}, {"22", "G50.1"}, {"16", "G69"}, {"5", "G94"}}};
 
 /// Code in force of a group; empty: none.
-std::string_view code_of(const Interpreter& m, std::string_view group) {
+std::string_view code_of(const BlockContext& m, std::string_view group) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].name == group && m.modal.rows[g] >= 0) return m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].code;
   return {};
 }
 
-Status needs(const Interpreter& m, const Call& call, const Needed& needed) {
+Status needs(const BlockContext& m, const Call& call, const Needed& needed) {
   const std::string_view code = code_of(m, needed.group);
   if (code.empty() || code == needed.code) return {};
   return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: Gnn is the code in force
 }
 
 /// G15, G50, G50.1, G69, G94, and not in polar interpolation (21.1, 21.3, 4.5).
-Status state_allows(const Interpreter& m, const Call& call) {
+Status state_allows(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::polar) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   for (const Needed& needed : always_needed) KADR_TRY(needs(m, call, needed));
   return {};
 }
 
 /// P1 … P8, P98; without it 1.
-Result<int> input_of(const Interpreter& m) {
+Result<int> input_of(const BlockContext& m) {
   if (!m.has('P')) return 1;
   const auto p = m.whole('P', 1, torque_input);
   if (!p) return fail(p.error());
@@ -59,7 +59,7 @@ Result<int> input_of(const Interpreter& m) {
 }
 
 /// N3019 watches the lag of the axis meanwhile (21.2). INFERRED: 0 is no limit; the lag is the one that the set-up states.
-Status servo_follows(const Interpreter& m, const Call& call, AxisMask named) {
+Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   const nct::ParameterStore& store = nct_of(m).parameters;
   const auto limit = store.named("3019");
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -71,7 +71,7 @@ Status servo_follows(const Interpreter& m, const Call& call, AxisMask named) {
 }
 
 /// G31 P98 (21.2): Q1 … Q254 and one axis, whose drive tells its torque.
-Status torque_possible(const Interpreter& m, const Call& call, AxisMask named) {
+Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const double q = m.value('Q');
   if (!(q >= 1 && q <= most_torque_word)) return fail(alarm(AlarmId::probe_torque, m.where('Q'), q));
@@ -85,7 +85,7 @@ Status torque_possible(const Interpreter& m, const Call& call, AxisMask named) {
 
 /// The measuring feed: of the parameter where a bit says so (SKF, TLF), else 0, the one in force.
 ///   alarms  feed_missing
-Result<double> measuring_feed(Interpreter& m, bool by_parameter, double of_parameter, Span where) {
+Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter, Span where) {
   if (!by_parameter) {
     KADR_TRY(m.feed_known(where));
     return 0;
@@ -96,7 +96,7 @@ Result<double> measuring_feed(Interpreter& m, bool by_parameter, double of_param
 
 /// The probe motion itself; its answer is waited for.
 ///   feed  mm/min; 0: the one in force
-Status probe_motion(Interpreter& m, const Axes& to, AxisMask named, double feed, int input) {
+Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int input) {
   KADR_TRY(m.straight(MotionKind::probe, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   if (feed > 0) motion.feed = feed;
@@ -109,7 +109,7 @@ Status probe_motion(Interpreter& m, const Axes& to, AxisMask named, double feed,
 }
 
 /// N3004 and N3005 (21.3): both positive, the rapid distance the greater. INFERRED: else their number is out of its limits.
-Status distances_fit(const Interpreter& m, const Call& call) {
+Status distances_fit(const BlockContext& m, const Call& call) {
   const nct::Settings& s = nct_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
   if (!(s.length_alarm > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'N', alarm_distance));
@@ -118,7 +118,7 @@ Status distances_fit(const Interpreter& m, const Call& call) {
 }
 
 /// The one axis word of G37: a linear axis, never an increment. INFERRED: another one, or a rotary one, is faulty data.
-Result<std::size_t> length_axis(const Interpreter& m) {
+Result<std::size_t> length_axis(const BlockContext& m) {
   const Word* only = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -134,7 +134,7 @@ Result<std::size_t> length_axis(const Interpreter& m) {
 }
 
 /// The end point by the axis word, absolute also in G91 (21.3).
-Status absolute_target(Interpreter& m, Axes& to, AxisMask& named) {
+Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
   const bool absolute = std::exchange(m.modal.absolute, true);
   const Status read = m.target(to, named);
   m.modal.absolute = absolute;
@@ -146,7 +146,7 @@ Status absolute_target(Interpreter& m, Axes& to, AxisMask& named) {
 namespace functions {
 
 /// G31 (21.1), with P98 by the torque (21.2).
-Status measure(Interpreter& m, const Call& call) {
+Status measure(Emitter& m, const Call& call) {
   KADR_TRY(state_allows(m, call));
   KADR_TRY(needs(m, call, no_radius));
   const auto input = input_of(m);
@@ -164,7 +164,7 @@ Status measure(Interpreter& m, const Call& call) {
 }
 
 /// G37 (21.3): at rapid to N3004 before the expected place, at feed to the signal or N3005 beyond it.
-Status measure_length(Interpreter& m, const Call& call) {
+Status measure_length(Emitter& m, const Call& call) {
   const nct::Settings& s = nct_of(m).settings;
   KADR_TRY(state_allows(m, call));
   if (m.modal.length_sign == 0 || m.modal.length_number == 0) return fail(alarm(AlarmId::word_missing, call.where, 'H', call.row->code));
@@ -192,7 +192,7 @@ namespace nct {
 namespace {
 
 /// q − Q goes into the register that H called (TMW, TCA). INFERRED: it acts from the next H on.
-Status correct_length(Interpreter& m, const Measurement& of, double there) {
+Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
@@ -206,7 +206,7 @@ Status correct_length(Interpreter& m, const Measurement& of, double there) {
 
 }  // namespace
 
-Status take_answer(Interpreter& m, const ProbeAnswer& answer) {
+Status take_answer(Emitter& m, const ProbeAnswer& answer) {
   Nct& nct = nct_of(m);
   nct.endless.note_change();
   m.needs_probe = false;

@@ -8,7 +8,7 @@
 #include "base/result.h"
 
 namespace kadr {
-class Interpreter;
+class Emitter;
 }
 
 namespace kadr::nct {
@@ -26,6 +26,6 @@ struct Measurement {
 /// the offset is corrected (21.3).
 ///   alarms  probe_window: the signal of G37 came too far off, or not at all; the offset stays
 ///   law     no signal is no alarm of G31: the place is the end point
-Status take_answer(Interpreter& m, const ProbeAnswer& answer);
+Status take_answer(Emitter& m, const ProbeAnswer& answer);
 
 }  // namespace kadr::nct

@@ -9,35 +9,35 @@
 namespace kadr::functions {
 
 /// G16 (5.4): radius and angle anew.
-Status polar_data_on(Interpreter& m, const Call&) {
+Status polar_data_on(Emitter& m, const Call&) {
   if (!m.modal.polar_data) m.modal.polar_radius_given = m.modal.polar_angle_given = false;
   m.modal.polar_data = true;
   return {};
 }
 
 /// A code whose words mean something to the machine, or to the planner, only.
-Status no_action(Interpreter&, const Call&) { return {}; }
+Status no_action(Emitter&, const Call&) { return {}; }
 
 /// G08 P1, P0 (spec/fanuc 11): kept by the machine, no motion.
-Status look_ahead(Interpreter& m, const Call& call) {
+Status look_ahead(Emitter& m, const Call& call) {
   if (m.has('P') && (m.value('P') == 0 || m.value('P') == 1)) return {};
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
 }
 
 /// M29 S (spec/fanuc 10.4): G84, G74 turn the spindle with the axis until G80.
-Status rigid_tapping(Interpreter& m, const Call&) {
+Status rigid_tapping(Emitter& m, const Call&) {
   nct_of(m).state.rigid_tap = true;
   return {};
 }
 
-Status polar_data_off(Interpreter& m, const Call&) {
+Status polar_data_off(Emitter& m, const Call&) {
   m.modal.polar_data = false;
   return {};
 }
 
 /// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves. INFERRED: a motion of
 /// other axes than those named, or of a rotary one, is not smoothed.
-Status smoothing(Interpreter& m, const Call& call) {
+Status smoothing(Emitter& m, const Call& call) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const auto q = m.whole('Q', 0, 3);
   if (!q) return fail(q.error());
@@ -52,7 +52,7 @@ Status smoothing(Interpreter& m, const Call& call) {
 }
 
 /// G4 P (8): seconds, or in G95 revolutions of the main spindle.
-Status dwell_or_turns(Interpreter& m, const Call& call) {
+Status dwell_or_turns(Emitter& m, const Call& call) {
   if (m.def.behaviour.dwell_in_milliseconds) {  // spec/fanuc 4.1
     const bool by_point = m.def.behaviour.dwell_by_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
@@ -75,17 +75,17 @@ Status dwell_or_turns(Interpreter& m, const Call& call) {
 }
 
 /// G62, G63, G64: arg is the code; the feed they imply belongs to motion.
-Status feed_control(Interpreter& m, const Call&) {
+Status feed_control(Emitter& m, const Call&) {
   m.modal.exact = false;
   m.modal.blend_tolerance = 0;
   return {};
 }
 
 /// Codes that end what Kadr does not begin yet (G50.2, G69.1): the state they name is in force.
-Status transform_off(Interpreter&, const Call&) { return {}; }
+Status transform_off(Emitter&, const Call&) { return {}; }
 
 /// G33 (4.4): a thread along one or two axes; F the lead, or E threads an inch; Q the start angle.
-Status thread(Interpreter& m, const Call& call) {
+Status thread(Emitter& m, const Call& call) {
   if (call.row->modal) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
     m.modal.motion = MotionMode::linear;
@@ -114,22 +114,22 @@ Status thread(Interpreter& m, const Call& call) {
 }
 
 /// G10 L…: by L (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
-Status set_tables(Interpreter& m, const Call& call) { return nct::set_tables(m, call); }
-Status set_tables_end(Interpreter&, const Call&) { return {}; }
+Status set_tables(Emitter& m, const Call& call) { return nct::set_tables(m, call); }
+Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 }  // namespace kadr::functions
 
 namespace kadr::nct {
 
 /// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
-double take_lead(Interpreter& m) {
+double take_lead(BlockContext& m) {
   if (m.has('E')) nct_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) nct_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
   if (nct_of(m).state.thread_lead > 0) return nct_of(m).state.thread_lead;
   return m.modal.feed_known ? m.modal.feed : 0;
 }
 
-Result<double> dwell_by_digits(Interpreter& m) {
+Result<double> dwell_by_digits(BlockContext& m) {
   const Word& p = *m.word('P');
   const bool by_point = m.def.behaviour.dwell_by_point;
   if (by_point && (p.has_point || p.expression)) return p.value;
@@ -138,7 +138,7 @@ Result<double> dwell_by_digits(Interpreter& m) {
   return p.value / ms_per_s;
 }
 
-Result<double> dwell_seconds(Interpreter& m, double p, Span where) {
+Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
   if (m.modal.feed_mode != FeedMode::per_revolution || nct_of(m).settings.dwell_seconds) return p;
   const double rpm = nct_of(m).spindle_part > 0 ? nct_of(m).spindle_rpm(m) : 0;

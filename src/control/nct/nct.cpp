@@ -105,7 +105,7 @@ void reset_codes(Interpreter& m, bool keep) {
   m.block = block;
 }
 
-void reset_shifts(Interpreter& m) {
+void reset_shifts(BlockContext& m) {
   reset_five_axis(m);
   m.modal.new_system = {};
   if (!nct_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33
@@ -119,7 +119,7 @@ void reset_shifts(Interpreter& m) {
 }  // namespace
 
 /// "_ALM" without its underscore; -1: unknown.
-double number_of_symbol(const Interpreter& m, const std::string& name) {
+double number_of_symbol(const BlockContext& m, const std::string& name) {
   const std::string plain = name.substr(0, name.find('['));
   const double index = name.find('[') == std::string::npos ? 1 : std::strtod(name.c_str() + name.find('[') + 1, nullptr);
   for (const VariableName& row : m.def.grammar.symbols)
@@ -138,7 +138,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
   return {whole("2902", usual.rows), columns > 0 ? columns : usual.user_data, whole("1400", usual.offsets)};
 }
 
-Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
+Nct::Nct(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
       output({.root = limits.files,
@@ -170,7 +170,7 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
 Nct::~Nct() = default;
 
 /// The reference points of the parameters (9, 9.2) go before those that the set-up states by themselves.
-void Nct::take_reference_points(Interpreter& m) {
+void Nct::take_reference_points(BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     for (std::size_t point = 1; point < m.tables.reference.size(); ++point) {
       const double position = settings.axes[a].reference[point - 1];
@@ -178,7 +178,7 @@ void Nct::take_reference_points(Interpreter& m) {
     }
 }
 
-void Nct::refresh_settings(Interpreter& m) {
+void Nct::refresh_settings(BlockContext& m) {
   if (parameters_seen == parameters.version() + 1) return;
   parameters_seen = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
@@ -241,7 +241,7 @@ bool Nct::start(Interpreter& m, const Setup& setup) {
 namespace {
 
 /// G43 and H of a set-up are in force without an axis that was named: INFERRED: along the tool (25.1), else Z.
-void take_length_in_force(Interpreter& m) {
+void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
   if (nct_of(m).state.five_axis.lead != ToolLead::none || number >= m.tables.offsets.size()) return;
@@ -253,7 +253,7 @@ void take_length_in_force(Interpreter& m) {
 }  // namespace
 
 /// Settings 45 to 48 (spec/haas 6.1): about the work zero, from the start.
-void Nct::mirror_by_settings(Interpreter& m) const {
+void Nct::mirror_by_settings(BlockContext& m) const {
   if (settings.mirrored == 0) return;
   const Axes at = m.transform.to_work(m.position.programmed);
   for (std::size_t a = 0; a < m.axis_count && a < 4; ++a)
@@ -262,7 +262,7 @@ void Nct::mirror_by_settings(Interpreter& m) const {
   m.position.programmed = m.transform.to_programmed(at);
 }
 
-void Nct::take_setup(Interpreter& m, const Setup& setup) {
+void Nct::take_setup(Emitter& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
     const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
@@ -310,7 +310,7 @@ void stop_machine(Interpreter& m) {
 }
 
 /// Where a tool's life is counted in time, the machine's time is looked at after each block.
-void watch_tool_time(Interpreter& m) {
+void watch_tool_time(Emitter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
@@ -343,6 +343,6 @@ void Nct::reset_program(Interpreter& m) {
 
 namespace kadr {
 
-nct::Nct& nct_of(const Interpreter& m) { return static_cast<nct::Nct&>(*m.dialect); }
+nct::Nct& nct_of(const BlockContext& m) { return static_cast<nct::Nct&>(*m.dialect); }
 
 }  // namespace kadr

@@ -90,8 +90,8 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
 }
 
 /// By the name of the file: those with the caller's extension before others; of a Haas those of five digits first, then of four.
-Result<std::optional<fs::path>> by_file_name(const Interpreter& m, const Files& files, std::uint32_t number, Span where) {
-  const std::string extension = in_capitals(fs::path(m.flow.file()).extension().string());
+Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
+  const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
   const std::string shown = "O" + std::to_string(number);
   for (const bool same_extension : {true, false}) {
     const auto of = [&](std::size_t digits) {
@@ -109,15 +109,15 @@ Result<std::optional<fs::path>> by_file_name(const Interpreter& m, const Files& 
 }
 
 /// Where programs lie: beside the main program, beside the caller, in the folder of --files.
-std::vector<fs::path> folders_of(const Interpreter& m) {
+std::vector<fs::path> folders_of(const BlockContext& m) {
   std::vector<fs::path> folders;
   const auto add = [&](fs::path folder) {
     if (folder.empty()) folder = ".";
     if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
   };
-  add(fs::path(m.flow.main_file()).parent_path());
-  add(fs::path(m.flow.file()).parent_path());
-  if (!m.flow.limits().files.empty()) add(m.flow.limits().files);
+  add(fs::path(m.program().main_file()).parent_path());
+  add(fs::path(m.program().file()).parent_path());
+  if (!m.program().limits().files.empty()) add(m.program().limits().files);
   return folders;
 }
 
@@ -131,12 +131,12 @@ Result<std::optional<ProgramPlace>> Programs::in_own_file(Interpreter& m, std::u
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
   if (places.empty()) return std::optional<ProgramPlace>();
-  if (m.flow.reader() == 0) (void)m.flow.label_of(number);  // it counts as called
-  return std::optional(ProgramPlace{m.flow.reader(), places.front()});
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // it counts as called
+  return std::optional(ProgramPlace{m.program().reader(), places.front()});
 }
 
 Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Span where) {
-  const std::pair key{std::uint32_t{m.flow.reader()}, number};
+  const std::pair key{std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const auto own = in_own_file(m, number, where);
   if (!own) return fail(own.error());
@@ -147,7 +147,7 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
       const Files files = files_in(folder);
       const Files headed =
           by_word ? files_that(files,
-                               [&](const fs::path& file) { return first_word(file, m.def.grammar, m.flow.limits().door).number == number; })
+                               [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).number == number; })
                   : Files();
       const auto found = by_word ? only_one(headed, "O" + std::to_string(number), where) : by_file_name(m, files, number, where);
       if (!found) return fail(found.error());
@@ -164,7 +164,7 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
 Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::string_view name, Span where) {
   for (const fs::path& folder : folders_of(m)) {
     const Files files = files_that(
-        files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar, m.flow.limits().door).name == name; });
+        files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).name == name; });
     const auto found = only_one(files, name, where);
     if (!found) return fail(found.error());
     if (!*found) continue;

@@ -52,9 +52,9 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 }
 
 /// Within the program memory: the main program's folder, or the one that was given to the run.
-bool is_inside(const Interpreter& m, const fs::path& file) {
-  const std::string& given = m.flow.limits().files;
-  return is_below(file, fs::path(m.flow.main_file()).parent_path()) || (!given.empty() && is_below(file, given));
+bool is_inside(const BlockContext& m, const fs::path& file) {
+  const std::string& given = m.program().limits().files;
+  return is_below(file, fs::path(m.program().main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
 
 /// Four digits, then eight.
@@ -122,11 +122,11 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* doo
 /// A file of that number in another form, or (`by_word`) one that begins with it: in the caller's folder, then in that of --files.
 ///   returns  "": there is none
 ///   alarms  label_twice
-Result<std::string> other_file(Interpreter& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
+Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
   const std::string extension = caller.extension().string();
   if (!by_word && names_are_strict(extension)) return std::string();
   const fs::path own = caller.parent_path();
-  for (const fs::path& folder : {own.empty() ? fs::path(".") : own, fs::path(m.flow.limits().files)}) {
+  for (const fs::path& folder : {own.empty() ? fs::path(".") : own, fs::path(m.program().limits().files)}) {
     if (folder.empty()) continue;
     std::vector<std::string> files;
     std::error_code error;
@@ -136,7 +136,7 @@ Result<std::string> other_file(Interpreter& m, std::uint32_t number, const fs::p
       const fs::path& path = entry.path();
       const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is the number
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
-      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.flow.limits().door)) || !is_inside(m, path)) continue;
+      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path)) continue;
       files.push_back(path.string());
     }
     if (files.size() > 1) return fail(alarm(AlarmId::label_twice, where, double(number)));
@@ -162,9 +162,9 @@ std::uint32_t number_of_file(const std::string& path) {
 Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
   if (m.def.behaviour.own_programs_first) return by_steps(m, number, where);
   const bool of_main = beside == Beside::main_program;
-  const std::pair key{of_main ? 0 : std::uint32_t{m.flow.reader()}, number};
+  const std::pair key{of_main ? 0 : std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
-  const fs::path caller(of_main ? m.flow.main_file() : m.flow.file());
+  const fs::path caller(of_main ? m.program().main_file() : m.program().file());
   const std::string extension = caller.extension().string();
   ProgramPlace place;
   const auto open = [&](const fs::path& file) -> Status {
@@ -192,7 +192,7 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
       const std::string name = program_name(number) + extension;
       if (other->empty()) return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
       KADR_TRY(open(*other));
-      if (const auto heading = heading_of(*other, m.flow.limits().door); heading && by_word) place.start = heading->start;
+      if (const auto heading = heading_of(*other, m.program().limits().door); heading && by_word) place.start = heading->start;
     }
   }
   numbers_.emplace(key, place);
@@ -210,7 +210,7 @@ Result<ProgramPlace> Programs::opened(Interpreter& m, const std::string& path, S
 Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where, Beside beside) {
   if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
-  const fs::path caller(beside == Beside::main_program ? m.flow.main_file() : m.flow.file());
+  const fs::path caller(beside == Beside::main_program ? m.program().main_file() : m.program().file());
   const fs::path folder = caller.parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();
@@ -232,9 +232,9 @@ Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Sp
 Result<ProgramPlace> Programs::system(Interpreter& m, std::uint32_t number, Span where) {
   if (const auto known = systems_.find(number); known != systems_.end()) return known->second;
   const std::string folder = fmt::format("SystemMacros/Channel{}", m.def.channel);
-  fs::path base = fs::path(m.flow.main_file()).parent_path();
+  fs::path base = fs::path(m.program().main_file()).parent_path();
   for (int i = 0; i < most_parents; ++i, base = base.empty() ? fs::path("..") : base / "..") {
-    if (const FileDoor* const door = m.flow.limits().door; door != nullptr && !door->reaches((base / folder).string())) break;
+    if (const FileDoor* const door = m.program().limits().door; door != nullptr && !door->reaches((base / folder).string())) break;
     const auto file = in_folder(base / folder, fmt::format("O{:04}.nct", number));
     const auto reader = file ? m.flow.open_program(file->string()) : std::nullopt;
     if (!reader) continue;

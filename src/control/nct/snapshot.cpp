@@ -1,6 +1,6 @@
 // The dialect's part of a snapshot: its memory as a value, and what stands beside it.
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -20,7 +20,7 @@ struct NctState : DialectState {
 
 std::shared_ptr<const DialectState> Nct::snapshot() const { return std::make_shared<NctState>(*this, parameters, variables, output); }
 
-Status Nct::restore(Interpreter&, const DialectState& from) {
+Status Nct::restore(BlockContext&, const DialectState& from) {
   const auto& then = static_cast<const NctState&>(from);
   KADR_TRY(output.remember(then.output));
   static_cast<Memory&>(*this) = then.memory;

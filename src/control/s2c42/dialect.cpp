@@ -13,7 +13,7 @@ namespace kadr::s2c42 {
 namespace {
 
 /// The first code of the block that calls one of these functions, or nullptr.
-const Word* code_of(const Interpreter& m, std::initializer_list<Function> functions) {
+const Word* code_of(const BlockContext& m, std::initializer_list<Function> functions) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t row = w.code >= 0 ? m.def.row_of(w.address, w.code) : -1;
@@ -32,7 +32,7 @@ struct Seen {
   std::uint64_t shadows = 0;  // bit per number of a cycle whose own subprogram has been told of
 };
 
-void check_reference(Interpreter& m, Seen& seen) {
+void check_reference(Emitter& m, Seen& seen) {
   const Word* const reference = code_of(m, {Function::approach_reference});
   if (reference == nullptr) return;
   if (seen.reference) m.warn(warning(AlarmId::reference_again, reference->where));
@@ -41,14 +41,14 @@ void check_reference(Interpreter& m, Seen& seen) {
 }
 
 /// INFERRED: G9 stands in the block with the new plane, as in table 9, or in the last one before it that moves.
-void check_plane(Interpreter& m, const Seen& seen, Plane before) {
+void check_plane(Emitter& m, const Seen& seen, Plane before) {
   const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
   if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;
   m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
 }
 
 /// M2 beside it ends the section (6.3.5).
-void check_return(Interpreter& m) {
+void check_return(Emitter& m) {
   const Word* const end = code_of(m, {Function::subprogram_end});
   if (end == nullptr) return;
   const bool ends_section = code_of(m, {Function::program_end}) != nullptr;
@@ -56,7 +56,7 @@ void check_return(Interpreter& m) {
   if (m.block->word_count > own || !m.block->assignments.empty()) m.warn(warning(AlarmId::return_not_alone, end->where));
 }
 
-void check_length(Interpreter& m) {
+void check_length(Emitter& m) {
   const Word* const length = code_of(m, {Function::length_plus, Function::length_minus});
   const Word* const radius = code_of(m, {Function::radius_comp_left, Function::radius_comp_right, Function::compensation_off});
   if (length == nullptr || radius == nullptr) return;
@@ -65,7 +65,7 @@ void check_length(Interpreter& m) {
   m.warn(warning(AlarmId::length_beside_radius, second->where, m.block->text_of(second->where), m.block->text_of(first->where)));
 }
 
-void note_moved(const Interpreter& m, Seen& seen) {
+void note_moved(const BlockContext& m, Seen& seen) {
   const bool calls = m.has('L');  // the cycles end at rest (table 9)
   const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
   const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
@@ -79,7 +79,7 @@ void note_moved(const Interpreter& m, Seen& seen) {
 class S2c42 final : public Dialect {
  public:
   Result<bool> takes_block(Interpreter& m) override {
-    in_body_ = m.flow.in_body();
+    in_body_ = m.program().in_body();
     plane_ = m.modal.plane;
     return Dialect::takes_block(m);
   }
@@ -97,7 +97,7 @@ class S2c42 final : public Dialect {
     return {};
   }
 
-  void note_shadowed(Interpreter& m, std::uint32_t number, Span where) override {
+  void note_shadowed(Emitter& m, std::uint32_t number, Span where) override {
     const std::uint64_t bit = number < 128 && number >= 64 ? std::uint64_t{1} << (number - 64) : 0;
     if (bit == 0 || (seen_.shadows & bit) != 0) return;
     seen_.shadows |= bit;
@@ -105,7 +105,7 @@ class S2c42 final : public Dialect {
   }
 
   std::shared_ptr<const DialectState> snapshot() const override { return std::make_shared<Memory>(seen_); }
-  Status restore(Interpreter&, const DialectState& from) override {
+  Status restore(BlockContext&, const DialectState& from) override {
     seen_ = static_cast<const Memory&>(from).seen;
     return {};
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 
 namespace kadr {
 
@@ -34,7 +34,7 @@ void ProgramUse::pass(const Origin& origin) {
   lines_[origin.line] = true;
 }
 
-void note_work_zero(Interpreter& m, std::uint32_t row) {
+void note_work_zero(BlockContext& m, std::uint32_t row) {
   if (row == 0) return;  // no work zero
   // The control's own reset at the end of the program brings a system back too: that is no use.
   if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::table_system,
@@ -49,7 +49,7 @@ void note_work_zero(Interpreter& m, std::uint32_t row) {
   m.use.note(UseKind::work_zero, row, m.origin, zero);
 }
 
-void note_read(Interpreter& m, double number) {
+void note_read(BlockContext& m, double number) {
   const double nearest = std::round(number);
   if (!(nearest >= 1) || nearest > 1e6) return;
   const auto n = static_cast<std::uint32_t>(nearest);
@@ -61,7 +61,7 @@ void note_read(Interpreter& m, double number) {
   if (n <= m.variables.highest() && !m.variables.is_set(n) && !m.variables.is_system(n)) m.use.note(UseKind::variable, n, m.origin, true);
 }
 
-void note_read_parameter(Interpreter& m, int index) {
+void note_read_parameter(BlockContext& m, int index) {
   if (!m.variables.parameter_set(index)) m.use.note(UseKind::parameter, static_cast<std::uint32_t>(index), m.origin, true);
 }
 

@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-class Interpreter;
+class BlockContext;
 
 enum class UseKind : std::uint8_t {
   length,         // an offset's length in force: H, or D of the 2С42
@@ -57,9 +57,9 @@ class ProgramUse {
 };
 
 /// A code has put the work zero in force.
-void note_work_zero(Interpreter& m, std::uint32_t row);
+void note_work_zero(BlockContext& m, std::uint32_t row);
 /// #number, R`index` is about to be read.
-void note_read(Interpreter& m, double number);
-void note_read_parameter(Interpreter& m, int index);
+void note_read(BlockContext& m, double number);
+void note_read_parameter(BlockContext& m, int index);
 
 }  // namespace kadr

@@ -10,7 +10,7 @@
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/motions.h"
@@ -21,19 +21,19 @@ namespace {
 constexpr double equal_within = 1e-4;
 constexpr std::size_t z_axis = 2, most_pieces = 100'000;
 
-double scale_of(const Interpreter& m) { return m.modal.inch ? mm_per_inch : 1; }
+double scale_of(const BlockContext& m) { return m.modal.inch ? mm_per_inch : 1; }
 
-tl::unexpected<Alarm> wrong_turning(const Interpreter& m, Span where, std::string text) {
+tl::unexpected<Alarm> wrong_turning(const BlockContext& m, Span where, std::string text) {
   return linuxcnc_of(m).fault(AlarmId::rs274_cycle, where, std::move(text));
 }
 
 /// A word in the unit of the program; X is a radius.
-double radius_or_length(const Interpreter& m, char letter) {
+double radius_or_length(const BlockContext& m, char letter) {
   const bool diameter = letter == 'X' && (m.modal.diameter & 1U) != 0;
   return m.value(letter) * (diameter ? 0.5 : 1);
 }
 
-void set_motion(Interpreter& m, std::int32_t tenths) {
+void set_motion(BlockContext& m, std::int32_t tenths) {
   const auto row = static_cast<std::int16_t>(m.def.row_of('G', tenths));
   linuxcnc_of(m).state.motion = tenths;
   linuxcnc_of(m).state.cycle_began = false;
@@ -43,7 +43,7 @@ void set_motion(Interpreter& m, std::int32_t tenths) {
 }
 
 /// The way to the start of G70, of the cycle and of each pass: beside no contour, whatever is on (2.9.4).
-void leave_uncompensated(Interpreter& m) {
+void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
   auto* const way = std::get_if<Motion>(&m.batch->back().what);
   if (way == nullptr) return;
@@ -58,7 +58,7 @@ class Turning final : public RunningValue<Turning> {
   Turning(std::shared_ptr<const std::vector<TurningMove>> moves, Turned done, Span where)
       : moves_(std::move(moves)), done_(std::move(done)), where_(where) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     for (std::size_t i = 0; i < batch_size / 8 && at_ < moves_->size(); ++i) KADR_TRY(move(m, (*moves_)[at_++]));
     if (at_ < moves_->size()) return true;
     if (done_) return false;
@@ -67,7 +67,7 @@ class Turning final : public RunningValue<Turning> {
   }
 
  private:
-  Status move(Interpreter& m, const TurningMove& step) const {
+  Status move(Emitter& m, const TurningMove& step) const {
     const double unit = scale_of(m);
     Axes to = m.position.programmed;
     const bool stays = std::fabs(to[0] - step.to.imag() * unit) < equal_within * unit &&
@@ -91,7 +91,7 @@ class Turning final : public RunningValue<Turning> {
     return arc_to(m, where_, ccw ? Turn::ccw : Turn::cw, to, {step.center.real() * unit, step.center.imag() * unit}, x_and_z);
   }
 
-  Status line(Interpreter& m, const Axes& to, AxisMask named) const {
+  Status line(Emitter& m, const Axes& to, AxisMask named) const {
     const auto no = [&](AlarmId id, const char* text) { return linuxcnc_of(m).fault(id, where_, text); };
     if (m.modal.feed_mode == FeedMode::inverse_time) return no(AlarmId::rs274_motion, "F word missing with inverse time g1 move");
     if (!(m.modal.feed_known && m.modal.feed > 0)) return no(AlarmId::rs274_motion, "Cannot do g1 with zero feed rate");
@@ -109,7 +109,7 @@ class Turning final : public RunningValue<Turning> {
 /// Words of one block of the profile.
 class ProfileBlock {
  public:
-  ProfileBlock(Interpreter& m, TurningCycle& cycle) : m_(m), cycle_(cycle) {}
+  ProfileBlock(BlockContext& m, TurningCycle& cycle) : m_(m), cycle_(cycle) {}
 
   Status take() {
     const auto end = end_point();
@@ -181,11 +181,11 @@ class ProfileBlock {
     return cycle_.motion == 3_g ? middle + aside : middle - aside;
   }
 
-  Interpreter& m_;
+  BlockContext& m_;
   TurningCycle& cycle_;
 };
 
-TurningWords turning_words(const Interpreter& m, Point start) {
+TurningWords turning_words(const BlockContext& m, Point start) {
   TurningWords words;
   words.start = start;
   if (m.has('D')) words.distance = m.value('D');
@@ -198,9 +198,9 @@ TurningWords turning_words(const Interpreter& m, Point start) {
 
 }  // namespace
 
-Status take_profile_block(Interpreter& m) { return ProfileBlock(m, *linuxcnc_of(m).turning).take(); }
+Status take_profile_block(BlockContext& m) { return ProfileBlock(m, *linuxcnc_of(m).turning).take(); }
 
-Status run_turning(Interpreter& m) {
+Status run_turning(Emitter& m) {
   LinuxCnc& control = linuxcnc_of(m);
   TurningCycle cycle = std::move(*control.turning);
   control.turning.reset();

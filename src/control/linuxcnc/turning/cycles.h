@@ -9,7 +9,8 @@
 #include "control/linuxcnc/turning/passes.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
+class Emitter;
 }
 
 namespace kadr::linuxcnc {
@@ -27,8 +28,8 @@ struct TurningCycle {
 };
 
 /// A block of the profile: its words are taken.
-Status take_profile_block(Interpreter& m);
+Status take_profile_block(BlockContext& m);
 /// The profile is complete: its motions are to come.
-Status run_turning(Interpreter& m);
+Status run_turning(Emitter& m);
 
 }  // namespace kadr::linuxcnc

@@ -8,7 +8,7 @@
 
 #include "base/vec.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/motions.h"
 #include "control/linuxcnc/spindles.h"
@@ -43,7 +43,7 @@ class Threading final : public RunningValue<Threading> {
  public:
   explicit Threading(const Thread& thread) : t_(thread) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     const double full = t_.crest + t_.height;
     double depth = t_.crest + t_.first * (pass_ == 1 ? 1 : std::pow(pass_, 1 / t_.degression));
     if (pass_ > most_thread_passes) return fail(alarm(AlarmId::cycle_repeats, t_.where, most_thread_passes));
@@ -59,7 +59,7 @@ class Threading final : public RunningValue<Threading> {
   }
 
  private:
-  Status cut(Interpreter& m, double depth, double full) const {
+  Status cut(Emitter& m, double depth, double full) const {
     const double offset = (depth - t_.crest) * t_.slope;
     const double x = t_.x + t_.side * depth, out = t_.x + t_.side * (depth - full), above = t_.x + t_.side * (depth - t_.height);
     const double begin = t_.z - offset, end = t_.target - offset;
@@ -79,14 +79,14 @@ class Threading final : public RunningValue<Threading> {
     return rapid(m, out, end);
   }
 
-  static Axes point(const Interpreter& m, double x, double z) {
+  static Axes point(const BlockContext& m, double x, double z) {
     Axes to = m.position.programmed;
     to[0] = x;
     to[thread_axis] = z;
     return to;
   }
-  Status rapid(Interpreter& m, double x, double z) const { return m.straight(MotionKind::rapid, point(m, x, z), 7); }
-  Status thread(Interpreter& m, double x, double z, double pitch) const { return thread_to(m, point(m, x, z), 7, pitch); }
+  Status rapid(Emitter& m, double x, double z) const { return m.straight(MotionKind::rapid, point(m, x, z), 7); }
+  Status thread(Emitter& m, double x, double z, double pitch) const { return thread_to(m, point(m, x, z), 7, pitch); }
 
   Thread t_;
   double pass_ = 1;
@@ -95,7 +95,7 @@ class Threading final : public RunningValue<Threading> {
 
 constexpr double half_turn = 180;
 
-Thread thread_of(const Interpreter& m, const Axes& end) {
+Thread thread_of(const BlockContext& m, const Axes& end) {
   const double half = (m.modal.diameter & 1U) != 0 ? 0.5 : 1;
   const double i = m.length_value('I') * half, j = m.length_value('J') * half, k = m.length_value('K') * half;
   Thread t;
@@ -128,7 +128,7 @@ Thread thread_of(const Interpreter& m, const Axes& end) {
 namespace kadr::functions {
 
 /// G76 P pitch, I crest, J first depth, K height, R degression, Q compound angle, H spring passes, E L tapers.
-Status threading_cycle(Interpreter& m, const Call& call) {
+Status threading_cycle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const auto wrong = [&](AlarmId id, const char* text) { return control.fault(id, call.where, text); };
   AxisMask named = 0;

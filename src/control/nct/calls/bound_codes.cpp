@@ -63,7 +63,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
 }
 
 /// Takes the word out of the block; the subprogram follows after the block.
-void pend(Interpreter& m, Word& w, int program) {
+void pend(BlockContext& m, Word& w, int program) {
   nct_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;

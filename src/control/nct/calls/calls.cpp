@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t most_repeats = 99'999'999;
 
 /// L of a call; missing: 1.
-Result<std::uint32_t> repeats_of(const Interpreter& m) {
+Result<std::uint32_t> repeats_of(const BlockContext& m) {
   const Word* const l = m.word('L');
   if (l == nullptr) return 1u;
   const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
@@ -55,7 +55,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
   return request;
 }
 
-std::uint32_t index_of(const Interpreter& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
+std::uint32_t index_of(const BlockContext& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
 /// What belonged to a call that is over.
 void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
@@ -70,7 +70,7 @@ void leave_call(Interpreter& m) {
   const CallFrame* const top = m.flow.innermost();
   if (top == nullptr) return;
   const CallFrame frame = *top;
-  const std::size_t depth = m.flow.depth();
+  const std::size_t depth = m.program().depth();
   m.flow.abandon(std::nullopt);
   close_call(nct_of(m), frame, depth);
   if (frame.kind == CallFrame::Kind::interrupt) nct_of(m).end_interrupt(m, true);
@@ -90,7 +90,7 @@ Status call(Interpreter& m, const CallRequest& request, const Locals& arguments,
   nct.state.words.o = request.name;
   if (!request.macro) return {};
   nct.variables.open_level(arguments);
-  if (request.times > 1) nct.repeated_arguments.emplace_back(m.flow.depth(), arguments);
+  if (request.times > 1) nct.repeated_arguments.emplace_back(m.program().depth(), arguments);
   return {};
 }
 
@@ -135,7 +135,7 @@ Status return_from(Interpreter& m, const Call& code) {
     return fail(alarm(AlarmId::block_not_found, p != nullptr ? p->where : code.where, double(return_to)));
   top->return_to = return_to;
   const bool opened_level = top->kind == CallFrame::Kind::macro;
-  const std::size_t depth = m.flow.depth();
+  const std::size_t depth = m.program().depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
   if (!*left) {  // once more
@@ -187,7 +187,7 @@ Status macro_modal(Interpreter& m, const Call& call) {
 }
 
 /// G67: the last modal call is over.
-Status macro_modal_off(Interpreter& m, const Call& call) {
+Status macro_modal_off(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   if (!nct.state.modal_calls.empty()) nct.state.modal_calls.pop_back();
   nct.state.active_modal_calls =
@@ -215,7 +215,7 @@ Status call_local(Interpreter& m, const Call& call) {
   const auto start = nct::block_numbered(m, p->value, p->where);
   if (!start) return fail(start.error());
   CallRequest request;
-  request.place = {m.flow.reader(), *start};
+  request.place = {m.program().reader(), *start};
   request.name = static_cast<std::uint32_t>(nct_of(m).state.words.o);
   request.times = *times;
   return nct::call(m, request, {}, call.where);

@@ -25,7 +25,7 @@ Status call(Interpreter& m, const CallRequest& request, const Locals& arguments,
 Status call_modal(Interpreter& m, const Locals& arguments);
 /// The block's words as arguments (23.3, "Argument assignment"). `skip`: index of the word that calls.
 ///   alarms  illegal_address (2017)
-Status arguments_of(const Interpreter& m, std::uint32_t skip, Locals& to);
+Status arguments_of(const BlockContext& m, std::uint32_t skip, Locals& to);
 /// End of a subprogram or macro, M99 (14.4.3, 14.4.4, 23.4).
 Status return_from(Interpreter& m, const Call& code);
 /// On after the innermost call although its M99 is missing or faulty: one fault is one alarm.

@@ -28,7 +28,7 @@ bool is_free(const Nct& nct, int code, int own) { return !nct.settings.interrupt
 /// A running interrupt macro is aborted (13.1). INFERRED: as by M99, the calls it made included.
 Status abort_interrupt(Interpreter& m, const Call& call) {
   Nct& nct = nct_of(m);
-  while (nct.interrupted.active && m.flow.depth() != 0) {
+  while (nct.interrupted.active && m.program().depth() != 0) {
     m.flow.innermost()->left = 1;
     KADR_TRY(return_from(m, call));
   }
@@ -66,7 +66,7 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
 }
 
 /// Plain M99 brings the modal state back; what it says is in force again (23.4). M99 P does not.
-void Nct::end_interrupt(Interpreter& m, bool restore) {
+void Nct::end_interrupt(Emitter& m, bool restore) {
   interrupted.active = false;
   signal_rose = false;  // one during the macro does not count
   if (!restore) return;

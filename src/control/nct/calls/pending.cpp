@@ -4,10 +4,10 @@
 
 namespace kadr::functions {
 
-Status machine_axis(Interpreter&, const Call&) { return {}; }
-Status increment_axis(Interpreter&, const Call&) { return {}; }
-Status argument_only(Interpreter&, const Call&) { return {}; }
-Status not_available(Interpreter&, const Call& call) {
+Status machine_axis(Emitter&, const Call&) { return {}; }
+Status increment_axis(Emitter&, const Call&) { return {}; }
+Status argument_only(Emitter&, const Call&) { return {}; }
+Status not_available(Emitter&, const Call& call) {
   return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string()));
 }
 

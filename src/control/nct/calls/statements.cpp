@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "control/interpreter.h"
 #include "control/nct/blocks.h"
 #include "control/nct/nct.h"
 #include "control/nct/output/output.h"
@@ -14,24 +15,24 @@
 namespace kadr::nct {
 namespace {
 
-Result<double> value_of(Interpreter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
+Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
 
 /// The number of the variable to be written: mostly a constant.
-Result<double> target_of(Interpreter& m, const Statement& s) {
+Result<double> target_of(Emitter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
   return value_of(m, s.target);
 }
 
 /// An alarm of the words behind the assignment takes it back too.
-void keep_target(Interpreter& m, double target) {
+void keep_target(BlockContext& m, double target) {
   Nct& nct = nct_of(m);
   const auto n = static_cast<int>(target);
   if (n >= first_common && n <= last_common) nct.variables.keep_common(m.journal, n);
   else if (n >= 1 && n <= static_cast<int>(most_locals)) m.journal.keep(nct.variables.locals()[static_cast<std::size_t>(n)]);
 }
 
-Status assign(Interpreter& m, const Statement& s) {
+Status assign(Emitter& m, const Statement& s) {
   const auto target = target_of(m, s);
   if (!target) return fail(target.error());
   const auto value = value_of(m, s.value);
@@ -47,10 +48,10 @@ Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, wher
 /// A jump back that would be made for ever is none.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
-    switch (nct_of(m).endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
+    switch (nct_of(m).endless.look(m, target, m.program().reader(), m.program().blocks())) {
       case Endless::Verdict::go: break;
       case Endless::Verdict::leave: return {};
-      case Endless::Verdict::endless: return fail(alarm(AlarmId::endless_program, where, double(m.flow.repeated())));
+      case Endless::Verdict::endless: return fail(alarm(AlarmId::endless_program, where, double(m.program().repeated())));
     }
   }
   m.flow.jump(target);
@@ -77,7 +78,7 @@ Status loop_end(Interpreter& m, const Statement& s) {
 }
 
 /// All conditions of IF and WHILE.
-Result<bool> holds(Interpreter& m, const Statement& s) {
+Result<bool> holds(Emitter& m, const Statement& s) {
   for (std::uint8_t i = 0; i < s.condition_count; ++i) {
     const auto value = value_of(m, s.conditions[i]);
     if (!value) return fail(value.error());
@@ -112,7 +113,7 @@ Result<Position> block_numbered(Interpreter& m, double number, Span where) {
   const double nearest = std::round(number);
   const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
   if (!(nearest >= 0 && nearest <= 99'999'999)) return missing();
-  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.flow.position());
+  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.program().position());
   if (!found) return missing();
   return *found;
 }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -18,7 +18,7 @@ bool is_waiting_code(const Settings& s, int code) {
 }
 
 /// Only the block's number and P may stand beside it.
-bool stands_alone(const Interpreter& m) {
+bool stands_alone(const BlockContext& m) {
   std::size_t others = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (const char letter = m.block->words[i].address; letter != 0 && letter != 'P') ++others;
@@ -26,7 +26,7 @@ bool stands_alone(const Interpreter& m) {
 }
 
 /// "12" → bits 1 and 2. INFERRED: a digit that stands twice counts once.
-Result<std::uint32_t> channels_in(const Interpreter& m, std::uint32_t digits) {
+Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   const std::string text = std::to_string(digits);
   std::uint32_t channels = 0;
   for (const char c : text) {
@@ -52,7 +52,7 @@ bool waiting_suspended(const Nct& nct) {
   return found != nct.signals.end() && found->second != 0;
 }
 
-Result<bool> waiting_code(Interpreter& m, const Call& call) {
+Result<bool> waiting_code(BlockContext& m, const Call& call) {
   const int code = call.word->code / 10;
   if (!is_waiting_code(nct_of(m).settings, code)) return false;
   const std::string name = "M" + std::to_string(code);

@@ -5,7 +5,7 @@
 #include "control/state/waiting.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 struct Call;
 struct Setup;
 }  // namespace kadr
@@ -27,6 +27,6 @@ bool waiting_suspended(const Nct& nct);
 ///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine has not;
 ///            channels_wait: this run has no other channels (Control::Waiting::alarm)
 ///   manual   NCT 14.5
-Result<bool> waiting_code(Interpreter& m, const Call& call);
+Result<bool> waiting_code(BlockContext& m, const Call& call);
 
 }  // namespace kadr::nct

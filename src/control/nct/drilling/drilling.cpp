@@ -23,30 +23,30 @@ constexpr double most_pecks = 1e6;
 constexpr double most_holes = 99'999'999;
 
 /// The cycle's row in force, or -1.
-std::int16_t cycle_row(const Interpreter& m) {
+std::int16_t cycle_row(const BlockContext& m) {
   const std::int16_t row = m.modal.rows[nct_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
 /// A code of group 1 moves by itself; beside a cycle it is done and the cycle is not (18.0, INFERRED).
-bool moves_by_code(const Interpreter& m) {
+bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
 
 /// X, Y, Z by number: the direction in which the plane drills.
-int drilling_direction(const Interpreter& m) {
+int drilling_direction(const BlockContext& m) {
   if (m.def.behaviour.drills_third && !nct_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
-bool has_direction(const Interpreter& m, std::size_t axis, int direction) {
+bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
   const int role = nct_of(m).settings.axes[axis].role;
   return role == direction || role == direction + 4;
 }
 
 /// The words along the drilling direction: at most one.
 ///   alarms  not_together: main and parallel axis both (18.0 leaves it open), address_twice
-Result<const Word*> bottom_word(const Interpreter& m) {
+Result<const Word*> bottom_word(const BlockContext& m) {
   const int direction = drilling_direction(m);
   const Word* found = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -62,7 +62,7 @@ Result<const Word*> bottom_word(const Interpreter& m) {
 }
 
 /// The axis of the bottom's address; none: the one that drills already, or INFERRED the main axis. -1: the channel has none.
-int drilling_axis(const Interpreter& m, const Word* bottom) {
+int drilling_axis(const BlockContext& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
   if (const std::size_t axis = nct_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
@@ -75,7 +75,7 @@ int drilling_axis(const Interpreter& m, const Word* bottom) {
 /// One block with a cycle: its words are kept, its levels found, operation 1 done, the rest begun.
 class Drilling {
  public:
-  Drilling(Interpreter& m, const Call& call)
+  Drilling(Emitter& m, const Call& call)
       : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {
     const bool rigid = nct_of(m).state.rigid_tap || nct_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
     if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
@@ -290,14 +290,14 @@ class Drilling {
     return {};
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const Call& call_;
   std::int32_t code_;
   DrillingMemory& kept_;
 };
 
 /// G73, G74, G76 are free where the lathe's codes are used; G83.1, G84.1, G86.1 only there (N1503 CSM).
-Status known(const Interpreter& m, const Call& call) {
+Status known(const BlockContext& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
   const bool lathe = nct_of(m).settings.lathe_codes;
@@ -308,14 +308,14 @@ Status known(const Interpreter& m, const Call& call) {
 
 }  // namespace
 
-bool drilling_on(const Interpreter& m) { return cycle_row(m) >= 0; }
+bool drilling_on(const BlockContext& m) { return cycle_row(m) >= 0; }
 
-std::int16_t motion_row(const Interpreter& m) {
+std::int16_t motion_row(const BlockContext& m) {
   const std::int16_t row = cycle_row(m);
   return row < 0 || m.has_code({Function::drilling_off}) ? m.modal.motion_row : row;
 }
 
-int drills_along(const Interpreter& m) {
+int drills_along(const BlockContext& m) {
   const bool coded = m.has_code({Function::drilling});
   if (!coded && (!drilling_on(m) || m.block_axes_taken || m.has_code({Function::drilling_off}))) return -1;
   if (!m.has_axis_words() || moves_by_code(m)) return -1;
@@ -332,12 +332,12 @@ void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
-Status check_drilling(const Interpreter& m) {
+Status check_drilling(const Emitter& m) {
   const auto* const run = dynamic_cast<const DrillingRun*>(m.running.get());
   return run == nullptr ? Status() : run->check(m);
 }
 
-Status check_increment_of_r(const Interpreter& m) {
+Status check_increment_of_r(const BlockContext& m) {
   const Word* const r = m.word('R');
   if (r == nullptr || !r->incremental || drilling_on(m) ||
       m.has_code({Function::drilling, Function::set_tables, Function::plane_rotation_on}))
@@ -350,7 +350,7 @@ Status check_increment_of_r(const Interpreter& m) {
 namespace kadr::functions {
 
 /// G73 … G89 (18), phase `positioning`: operation 1 now; the rest follows the block's functions, action by action.
-Status drilling(Interpreter& m, const Call& call) {
+Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(nct::known(m, call));
   if (nct::moves_by_code(m)) return {};
   return nct::Drilling(m, call).run();
@@ -366,7 +366,7 @@ Status drilling_off(Interpreter& m, const Call&) {
 }
 
 /// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, from where the tool stands.
-Status hole_pattern(Interpreter& m, const Call& call) {
+Status hole_pattern(Emitter& m, const Call& call) {
   const std::int16_t row = nct::motion_row(m);
   if (!nct::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));
   auto points = nct::pattern_points(m, call);

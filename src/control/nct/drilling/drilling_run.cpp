@@ -24,20 +24,20 @@ using enum DrillStep;
 const DrillCycle& cycle_of(const DrillingRun::Job& job) { return *drill_cycle(job.back_boring ? back_boring : job.code); }
 
 /// M3, M4, M5, M19 of the cycle itself.
-Status spindle_function(Interpreter& m, std::int32_t code) {
+Status spindle_function(Emitter& m, std::int32_t code) {
   const std::int32_t row = m.def.row_of('M', code * 10);
   if (row < 0) return {};
   return functions::spindle_code(m, {&m.def.codes[static_cast<std::size_t>(row)], nullptr, m.block->where});
 }
 
-bool is_there(const Interpreter& m, const Axes& to, AxisMask named) {
+bool is_there(const BlockContext& m, const Axes& to, AxisMask named) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1u) != 0 && std::fabs(to[a] - m.position.programmed[a]) > tol::level) return false;
   return true;
 }
 
 /// Over the hole at rapid, exactly where the setting asks for it (spec/haas 8.1: setting 57).
-Status to_hole(Interpreter& m, const Axes& to, AxisMask named) {
+Status to_hole(Emitter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   if (!nct_of(m).settings.holes_exact || m.batch->size() == before) return {};
@@ -47,7 +47,7 @@ Status to_hole(Interpreter& m, const Axes& to, AxisMask named) {
 
 }  // namespace
 
-Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask& named) {
+Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named) {
   Word* hidden = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
@@ -60,7 +60,7 @@ Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask
   return status;
 }
 
-Status over_hole(Interpreter& m, std::size_t drill) {
+Status over_hole(Emitter& m, std::size_t drill) {
   Axes to;
   AxisMask named = 0;
   KADR_TRY(hole_position(m, drill, to, named));
@@ -68,11 +68,11 @@ Status over_hole(Interpreter& m, std::size_t drill) {
   return to_hole(m, to, named);
 }
 
-double tapping_rpm(const Interpreter& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
+double tapping_rpm(const BlockContext& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
 
 DrillingRun::DrillingRun(Job job) : job_(std::move(job)), cycle_(cycle_of(job_)), peck_(job_.peck) {}
 
-Status DrillingRun::check(const Interpreter& m) const {
+Status DrillingRun::check(const Emitter& m) const {
   const bool turns = is_tap() ? tapping_rpm(m) > 0 : nct_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
@@ -82,7 +82,7 @@ Status DrillingRun::check(const Interpreter& m) const {
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
 }
 
-Result<bool> DrillingRun::next(Interpreter& m) {
+Result<bool> DrillingRun::next(Emitter& m) {
   if (pass_ == job_.passes) return false;
   if (at_ == 0) {
     KADR_TRY(emit_of_cycle(*m.batch, [&] { return begin_pass(m); }));
@@ -105,7 +105,7 @@ Result<bool> DrillingRun::next(Interpreter& m) {
 }
 
 /// A hole of a pattern.
-Status DrillingRun::over_point(Interpreter& m, Vec2 point) {
+Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = m.position.programmed;
   to[plane.first] = point.x;
@@ -115,7 +115,7 @@ Status DrillingRun::over_point(Interpreter& m, Vec2 point) {
 }
 
 /// Operation 1; of the first pass it stands before the functions of the block.
-Status DrillingRun::begin_pass(Interpreter& m) {
+Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
   hole_ = m.position.programmed;
@@ -128,7 +128,7 @@ Status DrillingRun::begin_pass(Interpreter& m) {
   return {};
 }
 
-Status DrillingRun::step(Interpreter& m, DrillStep step) {
+Status DrillingRun::step(Emitter& m, DrillStep step) {
   switch (step) {
     case approach: return rapid(m, job_.level);
     case stop: single_block(m); return {};
@@ -150,7 +150,7 @@ Status DrillingRun::step(Interpreter& m, DrillStep step) {
   }
 }
 
-Status DrillingRun::spindle_step(Interpreter& m, DrillStep step) {
+Status DrillingRun::spindle_step(Emitter& m, DrillStep step) {
   switch (step) {
     case cw: return spindle_function(m, 3);
     case ccw: return spindle_function(m, 4);
@@ -163,7 +163,7 @@ Status DrillingRun::spindle_step(Interpreter& m, DrillStep step) {
 }
 
 /// 18.1.1, 18.1.7: down by Q, at rapid back by E or to R and near the bottom again. The last peck takes the rest.
-Status DrillingRun::pecks(Interpreter& m, bool to_level) {
+Status DrillingRun::pecks(Emitter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
     case 2: part_ = 3; return rapid(m, back_to(m));
@@ -181,7 +181,7 @@ Status DrillingRun::pecks(Interpreter& m, bool to_level) {
 }
 
 /// 18.1.9, 18.1.10: INFERRED: every motion is synchronous; N1507 for the way back to R, N1506 for that back by E.
-Status DrillingRun::tap_in(Interpreter& m) {
+Status DrillingRun::tap_in(Emitter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
     case 1: part_ = 2; return tap(m, job_.level, job_.between_percent);
@@ -194,7 +194,7 @@ Status DrillingRun::tap_in(Interpreter& m) {
 }
 
 /// 18.1.9 operation 4: M19, or only the loop is closed.
-Status DrillingRun::close_loop(Interpreter& m) {
+Status DrillingRun::close_loop(Emitter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
   const int number = nct_of(m).state.current_spindle;
   const int code = nct_of(m).settings.spindles[static_cast<std::size_t>(number)].closing_code;
@@ -205,14 +205,11 @@ Status DrillingRun::close_loop(Interpreter& m) {
     s.dir = SpindleDir::stop;
     return {};
   }
-  Word word;
-  word.address = 'M';
-  word.code = code * 10;
-  return machine_code(m, {nullptr, &word, m.block->where});
+  return spindle_machine_code(m, code, m.block->where);
 }
 
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
-Status DrillingRun::dwell(Interpreter& m) {
+Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
   if (m.def.behaviour.dwell_in_milliseconds) {
     m.emit(Dwell{job_.dwell});
@@ -230,7 +227,7 @@ Status DrillingRun::dwell(Interpreter& m) {
 }
 
 /// By a way of the machine from the hole: no mirroring, rotation or scaling acts on it (18.0).
-Status DrillingRun::shift(Interpreter& m, Vec2 by) {
+Status DrillingRun::shift(Emitter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
   to[job_.axis] = m.position.programmed[job_.axis];
@@ -244,14 +241,14 @@ Status DrillingRun::shift(Interpreter& m, Vec2 by) {
   return is_there(m, to, named) ? Status() : m.straight(MotionKind::rapid, to, named);
 }
 
-Status DrillingRun::rapid(Interpreter& m, double level) {
+Status DrillingRun::rapid(Emitter& m, double level) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
   to[job_.axis] = level;
   return m.straight(MotionKind::rapid, to, 1u << job_.axis);
 }
 
-Status DrillingRun::feed(Interpreter& m, double level, double percent) {
+Status DrillingRun::feed(Emitter& m, double level, double percent) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
   to[job_.axis] = level;
@@ -263,7 +260,7 @@ Status DrillingRun::feed(Interpreter& m, double level, double percent) {
 }
 
 /// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is emitted in mm/min: the spindle turns with the axis.
-Status DrillingRun::tap(Interpreter& m, double level, double percent) {
+Status DrillingRun::tap(Emitter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};
   const double rpm = tapping_rpm(m);
@@ -277,20 +274,20 @@ Status DrillingRun::tap(Interpreter& m, double level, double percent) {
   return {};
 }
 
-void DrillingRun::single_block(Interpreter& m) const {
+void DrillingRun::single_block(Emitter& m) const {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
 /// Machine millimetres to one programmed millimetre of the drilling axis.
-double DrillingRun::scale(const Interpreter& m) const { return std::fabs(m.transform.scale[job_.axis]); }
+double DrillingRun::scale(const BlockContext& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
-double DrillingRun::next_depth(const Interpreter& m) const {
+double DrillingRun::next_depth(const BlockContext& m) const {
   const double next = depth_ + down() * peck_ / scale(m);
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 
 /// E above the depth reached, not beyond R.
-double DrillingRun::back_to(const Interpreter& m) const {
+double DrillingRun::back_to(const BlockContext& m) const {
   const double back = depth_ - down() * job_.clearance / scale(m);
   return down() * (back - job_.level) < 0 ? job_.level : back;
 }

@@ -7,17 +7,17 @@
 #include "base/code_literals.h"
 #include "base/result.h"
 #include "config/drill_steps.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr::nct {
 
 /// Hole position of the block from where the tool stands: its axis words without that of the drilling axis. `to`: programmed.
 ///   alarms  those of the coordinates (5)
-Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask& named);
+Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named);
 /// Operation 1: at rapid over the hole; nothing if the tool is there.
-Status over_hole(Interpreter& m, std::size_t drill);
+Status over_hole(Emitter& m, std::size_t drill);
 /// Speed that rigid tapping couples the axis with: S of the spindle referred to last, rev/min.
-double tapping_rpm(const Interpreter& m);
+double tapping_rpm(const BlockContext& m);
 
 /// Operations 2 … 10 of the first pass and all of the others that L asks for. Nothing fails in it that check_drilling has let pass.
 class DrillingRun final : public RunningValue<DrillingRun> {
@@ -45,30 +45,30 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   explicit DrillingRun(Job job);
 
   /// Speeds that it needs, after the block's S and M codes. alarms spindle_not_turning
-  Status check(const Interpreter& m) const;
-  Result<bool> next(Interpreter& m) override;
+  Status check(const Emitter& m) const;
+  Result<bool> next(Emitter& m) override;
   bool functions_first() const override { return true; }
 
  private:
-  Status begin_pass(Interpreter& m);
-  Status over_point(Interpreter& m, Vec2 point);
-  Status step(Interpreter& m, DrillStep step);
-  Status spindle_step(Interpreter& m, DrillStep step);
-  Status pecks(Interpreter& m, bool to_level);
-  Status tap_in(Interpreter& m);
-  Status close_loop(Interpreter& m);
-  Status dwell(Interpreter& m);
-  Status shift(Interpreter& m, Vec2 by);
-  Status rapid(Interpreter& m, double level);
-  Status feed(Interpreter& m, double level, double percent);
-  Status tap(Interpreter& m, double level, double percent);
-  void single_block(Interpreter& m) const;
+  Status begin_pass(Emitter& m);
+  Status over_point(Emitter& m, Vec2 point);
+  Status step(Emitter& m, DrillStep step);
+  Status spindle_step(Emitter& m, DrillStep step);
+  Status pecks(Emitter& m, bool to_level);
+  Status tap_in(Emitter& m);
+  Status close_loop(Emitter& m);
+  Status dwell(Emitter& m);
+  Status shift(Emitter& m, Vec2 by);
+  Status rapid(Emitter& m, double level);
+  Status feed(Emitter& m, double level, double percent);
+  Status tap(Emitter& m, double level, double percent);
+  void single_block(Emitter& m) const;
   bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // the spindle is led with the axis
   bool taps() const { return is_tap() || job_.code == 84_g || job_.code == 74_g; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
-  double scale(const Interpreter& m) const;
-  double next_depth(const Interpreter& m) const;
-  double back_to(const Interpreter& m) const;
+  double scale(const BlockContext& m) const;
+  double next_depth(const BlockContext& m) const;
+  double back_to(const BlockContext& m) const;
 
   Job job_;
   const DrillCycle& cycle_;

@@ -3,12 +3,12 @@
 #include "control/nct/drilling/pattern.h"
 
 #include "base/code_literals.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
 
-Result<std::vector<Vec2>> pattern_points(const Interpreter& m, const Call& call) {
+Result<std::vector<Vec2>> pattern_points(const BlockContext& m, const Call& call) {
   constexpr std::uint32_t most_points = 10'000;
   const std::int32_t code = call.row->tenth;
   for (const char letter : {'I', 'L', code == 71_g ? 'K' : 'I'})

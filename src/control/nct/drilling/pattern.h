@@ -7,7 +7,7 @@
 #include "base/vec.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 struct Call;
 }  // namespace kadr
 
@@ -15,6 +15,6 @@ namespace kadr::nct {
 
 /// The holes, programmed coordinates of the plane, mm; the pattern's centre, or first hole of G72, is where the tool stands.
 ///   alarms  word_missing: I, L, of G71 K; word_not_integer, value_out_of_range: L
-Result<std::vector<Vec2>> pattern_points(const Interpreter& m, const Call& call);
+Result<std::vector<Vec2>> pattern_points(const BlockContext& m, const Call& call);
 
 }  // namespace kadr::nct

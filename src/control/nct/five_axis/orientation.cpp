@@ -17,7 +17,7 @@ namespace {
 constexpr int orient_alone = 531;  // G53.1
 
 /// The pair for Z' of the plane (25.11; 25g 3), positions of the machine.
-Result<RotaryPair> pair_for_plane(const Interpreter& m, const Call& call) {
+Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const PartSpace& space = *space_of(m);
   const PartSpaceData& d = space.data();
   Vec3 wanted = d.frame.column(2);
@@ -28,18 +28,18 @@ Result<RotaryPair> pair_for_plane(const Interpreter& m, const Call& call) {
 }
 
 /// Where the tool is in the part: really, with the length in force (25g 1.5, INFERRED), in the programming frame.
-Vec3 tip_in_frame(const Interpreter& m) {
+Vec3 tip_in_frame(const BlockContext& m) {
   const PartSpace& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
 }
 
-void set_main(const Interpreter& m, Axes& work, Vec3 to) {
+void set_main(const BlockContext& m, Axes& work, Vec3 to) {
   const double values[] = {to.x, to.y, to.z};
   for (int role = 1; role <= 3; ++role)
     if (const int axis = main_axis(m, role); axis >= 0) work[static_cast<std::size_t>(axis)] = values[role - 1];
 }
 
-void set_rotary(const Interpreter& m, Axes& work, RotaryPair machine) {
+void set_rotary(const BlockContext& m, Axes& work, RotaryPair machine) {
   const FiveAxis& five = nct_of(m).settings.five_axis;
   const auto set = [&](int axis, double to) {
     work[static_cast<std::size_t>(axis)] = to - m.frames.origin[static_cast<std::size_t>(axis)];
@@ -48,7 +48,7 @@ void set_rotary(const Interpreter& m, Axes& work, RotaryPair machine) {
   set(five.second.axis, machine.second);
 }
 
-AxisMask all_five(const Interpreter& m) {
+AxisMask all_five(const BlockContext& m) {
   AxisMask axes = space_of(m)->rotary_axes();
   for (int role = 1; role <= 3; ++role)
     if (const int axis = main_axis(m, role); axis >= 0) axes |= AxisMask{1} << static_cast<unsigned>(axis);
@@ -56,14 +56,14 @@ AxisMask all_five(const Interpreter& m) {
 }
 
 /// By the motion code in force: G0 at rapid, others at feed (25.15; of G53.1 INFERRED).
-Result<MotionKind> kind_in_force(Interpreter& m, const Call& call) {
+Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
   if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
   KADR_TRY(m.feed_known(call.where));
   return MotionKind::feed;
 }
 
 /// A straight motion of the axes to work coordinates in the frames in force.
-Motion& add_five(Interpreter& m, MotionKind kind, const Axes& work) {
+Motion& add_five(Emitter& m, MotionKind kind, const Axes& work) {
   const AxisMask named = all_five(m);
   const auto rolls = nct_of(m).settings.axes;
   nct_of(m).rolled = 0;
@@ -79,7 +79,7 @@ Motion& add_five(Interpreter& m, MotionKind kind, const Axes& work) {
   return motion;
 }
 
-Status turn_to_plane(Interpreter& m, const Call& call) {
+Status turn_to_plane(Emitter& m, const Call& call) {
   const auto kind = kind_in_force(m, call);
   if (!kind) return fail(kind.error());
   const auto pair = pair_for_plane(m, call);
@@ -100,7 +100,7 @@ struct Leading {
   double pivot = 0;
 };
 
-Result<Leading> leading_words(const Interpreter& m, const Call& call, Vec3 tip) {
+Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip) {
   Leading words;
   if (m.has('R')) words.pivot = m.length_value('R');
   if (!m.has_axis_words()) return words;
@@ -130,7 +130,7 @@ Result<Leading> leading_words(const Interpreter& m, const Call& call, Vec3 tip) 
 }
 
 /// The length of H, in the plain way it was called or along the tool's direction (25.15).
-Status take_orientation_length(Interpreter& m, const Call& call) {
+Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   if (m.has('H')) {
     const auto number = offset_number(m, 'H');
@@ -158,7 +158,7 @@ Status take_orientation_length(Interpreter& m, const Call& call) {
 }
 
 /// G53.6: the tip is led during the turn, then the plane's frame is that of the positions reached.
-Status orient_led(Interpreter& m, const Call& call) {
+Status orient_led(Emitter& m, const Call& call) {
   nct_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
   if (!kind) return fail(kind.error());
@@ -205,7 +205,7 @@ namespace kadr::functions {
 using namespace nct;
 
 /// G53.1, G53.6 (25.11, 25.15): arg in tenths.
-Status tool_orientation(Interpreter& m, const Call& call) {
+Status tool_orientation(Emitter& m, const Call& call) {
   const FiveAxisState& five = nct_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
   if (nct_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
@@ -214,7 +214,7 @@ Status tool_orientation(Interpreter& m, const Call& call) {
 }
 
 /// G54.2 P (25.4). With FOS=0 the axes go to the zero's new place, their coordinates stay; at rapid where neither G0 nor G1 is in force.
-Status dynamic_zero(Interpreter& m, const Call& call) {
+Status dynamic_zero(Emitter& m, const Call& call) {
   if (!nct_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   if (leads_tip(nct_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));

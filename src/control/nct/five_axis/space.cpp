@@ -11,12 +11,12 @@ namespace kadr::nct {
 namespace {
 
 /// M_Z(gamma)·M_Y(beta)·M_X(alpha) of the work system (10.2.3).
-Mat3 basic_rotation(const Interpreter& m) {
+Mat3 basic_rotation(const BlockContext& m) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
   return Mat3::about({0, 0, 1}, angles.x) * Mat3::about({0, 1, 0}, angles.y) * Mat3::about({1, 0, 0}, angles.z);
 }
 
-Vec3 main_of(const Interpreter& m, const Axes& axes) {
+Vec3 main_of(const BlockContext& m, const Axes& axes) {
   const auto of = [&](int role) {
     const int a = main_axis(m, role);
     return a < 0 ? 0.0 : axes[static_cast<std::size_t>(a)];
@@ -24,14 +24,14 @@ Vec3 main_of(const Interpreter& m, const Axes& axes) {
   return {of(1), of(2), of(3)};
 }
 
-Axes shifts(const Interpreter& m) {
+Axes shifts(const BlockContext& m) {
   Axes sum{};
   for (std::size_t a = 0; a < m.axis_count; ++a) sum[a] = m.modal.new_system[a] + m.modal.local[a];
   return sum;
 }
 
 /// The zero and where the rotary axes stood when it was measured (25a 7, 25d).
-void set_zero(const Interpreter& m, PartSpaceData& d) {
+void set_zero(const Emitter& m, PartSpaceData& d) {
   const FiveAxis& machine = d.machine;
   const Axes& zero = m.tables.zeros[m.modal.work_zero];
   const auto of = [&](const RotaryJoint& joint, bool on_table, const Axes& from) {
@@ -49,7 +49,7 @@ void set_zero(const Interpreter& m, PartSpaceData& d) {
   }
 }
 
-PartSpaceData data_of(const Interpreter& m) {
+PartSpaceData data_of(const Emitter& m) {
   const Nct& nct = nct_of(m);
   const FiveAxisState& five = nct.state.five_axis;
   const bool dynamic = m.modal.work_zero >= all_systems;
@@ -92,9 +92,9 @@ PartSpaceData data_of(const Interpreter& m) {
 
 }  // namespace
 
-const PartSpace* space_of(const Interpreter& m) { return static_cast<const PartSpace*>(m.frames.space.get()); }
+const PartSpace* space_of(const BlockContext& m) { return static_cast<const PartSpace*>(m.frames.space.get()); }
 
-std::shared_ptr<const WorkSpace> part_space(const Interpreter& m, const std::shared_ptr<const WorkSpace>& before) {
+std::shared_ptr<const WorkSpace> part_space(const Emitter& m, const std::shared_ptr<const WorkSpace>& before) {
   const Nct& nct = nct_of(m);
   if (nct.settings.five_axis.group == MachineGroup::none && nct.state.five_axis.frame == SpaceFrame::none) return nullptr;
   const PartSpaceData data = data_of(m);
@@ -103,7 +103,7 @@ std::shared_ptr<const WorkSpace> part_space(const Interpreter& m, const std::sha
 }
 
 /// 25a 7: in 5D functions the zero offset of a head's axis does not count, that of a table's does.
-void refresh_space(Interpreter& m) {
+void refresh_space(Emitter& m) {
   Placement& f = m.frames;
   f.space = part_space(m, f.space);
   if (!f.space || f.space->is_plain()) return;
@@ -124,7 +124,7 @@ void refresh_space(Interpreter& m) {
     if (axis >= 0) f.shift[static_cast<std::size_t>(axis)] = 0;
 }
 
-void take_up(Interpreter& m, const Axes& programmed_before) {
+void take_up(BlockContext& m, const Axes& programmed_before) {
   const PartSpace* const space = space_of(m);
   if (space == nullptr) return;
   nct_of(m).taken_up = 0;
@@ -136,7 +136,7 @@ void take_up(Interpreter& m, const Axes& programmed_before) {
     }
 }
 
-void note_positioned(Interpreter& m, AxisMask named) {
+void note_positioned(Emitter& m, AxisMask named) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   const PartSpace* const space = space_of(m);
   if (space == nullptr || !nct_of(m).settings.leans_tool) return;

@@ -15,12 +15,12 @@ constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
 constexpr double least_sine = 1e-4;      // 25.8 "almost on one line": UNKNOWN, as suggested in spec/nct/25f
 constexpr double least_distance = 1e-3;  // mm
 
-FiveAxisState& frame_state(const Interpreter& m) { return nct_of(m).state.five_axis; }
+FiveAxisState& frame_state(const BlockContext& m) { return nct_of(m).state.five_axis; }
 
-Vec3 vector_words(const Interpreter& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
+Vec3 vector_words(const BlockContext& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
 
 /// X, Y, Z of the main axes; 0 where one is left out. Always absolute, of the system before the block, no diameters.
-Result<Vec3> point_words(const Interpreter& m) {
+Result<Vec3> point_words(const BlockContext& m) {
   Vec3 point;
   double* const parts[] = {&point.x, &point.y, &point.z};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -35,7 +35,7 @@ Result<Vec3> point_words(const Interpreter& m) {
 }
 
 /// The frame comes into force: what stands stays where it is.
-void set_frame(Interpreter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
+void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   FiveAxisState& five = frame_state(m);
   if (five.frame == SpaceFrame::none)
     for (std::size_t a = 0; a < m.axis_count; ++a) five.outer_shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -47,7 +47,7 @@ void set_frame(Interpreter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
 }
 
 /// Orders of turns about the fixed axes (25.7): the last one stands leftmost.
-Result<Mat3> by_order(const Interpreter& m, Vec3 angles) {
+Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   const double q = m.value('Q');
   const Mat3 turns[] = {Mat3::about(axis_x, angles.x), Mat3::about(axis_y, angles.y), Mat3::about(axis_z, angles.z)};
   const auto order = static_cast<int>(q);
@@ -59,7 +59,7 @@ Result<Mat3> by_order(const Interpreter& m, Vec3 angles) {
 }
 
 /// Projection angles (25.10).
-Result<Mat3> by_projections(const Interpreter& m, Vec3 angles) {
+Result<Mat3> by_projections(const BlockContext& m, Vec3 angles) {
   const Vec3 first = Mat3::about(axis_y, angles.x) * axis_x, second = Mat3::about(axis_x, angles.y) * axis_y;
   const Vec3 normal = cross(first, second);
   if (length(normal) < least_sine) return fail(alarm(AlarmId::plane_degenerate, m.block->where));
@@ -67,7 +67,7 @@ Result<Mat3> by_projections(const Interpreter& m, Vec3 angles) {
   return Mat3::of_columns(x, cross(z, x), z);
 }
 
-Status by_points(Interpreter& m, const PlaneBlocks& plane) {
+Status by_points(Emitter& m, const PlaneBlocks& plane) {
   const Vec3 along = plane.points[2] - plane.points[1], across = plane.points[3] - plane.points[1];
   const double sides = length(along) * length(across);
   const Vec3 normal = cross(along, across);
@@ -80,7 +80,7 @@ Status by_points(Interpreter& m, const PlaneBlocks& plane) {
   return {};
 }
 
-Status by_vectors(Interpreter& m, const PlaneBlocks& plane) {
+Status by_vectors(Emitter& m, const PlaneBlocks& plane) {
   const Vec3 first = plane.vectors[1], second = plane.vectors[2], across = cross(second, first);
   if (length(first) < least_distance || length(second) < least_distance || length(across) < least_sine * length(first) * length(second))
     return fail(alarm(AlarmId::plane_degenerate, m.block->where));
@@ -99,7 +99,7 @@ int missing_of(const PlaneBlocks& plane) {
 
 /// Three points (25.8), or two vectors (25.9): a block with one of them. INFERRED: the frame is in force from the block on that gives the
 /// last one; Q0 behind it shifts and turns it.
-Status take_plane_block(Interpreter& m, std::uint32_t p) {
+Status take_plane_block(Emitter& m, std::uint32_t p) {
   PlaneBlocks& plane = frame_state(m).plane;
   if (plane.kind != p) plane = {}, plane.kind = static_cast<std::uint8_t>(p);
   const double q = m.has('Q') ? m.value('Q') : -1;
@@ -117,13 +117,13 @@ Status take_plane_block(Interpreter& m, std::uint32_t p) {
   return p == 2 ? by_points(m, plane) : by_vectors(m, plane);
 }
 
-bool goes_on_plane(const Interpreter& m) {
+bool goes_on_plane(const BlockContext& m) {
   return m.has_code({Function::tilted_plane}) && m.has('P') && m.value('P') == frame_state(m).plane.kind;
 }
 
 }  // namespace
 
-Status finish_plane(Interpreter& m) {
+Status finish_plane(BlockContext& m) {
   if (goes_on_plane(m) || m.block->word_count == 0) return {};
   const PlaneBlocks plane = std::exchange(frame_state(m).plane, {});
   if (const int q = missing_of(plane); q != 0) return fail(alarm(AlarmId::plane_points, m.block->where, double(q)));
@@ -137,7 +137,7 @@ namespace kadr::functions {
 using namespace nct;
 
 /// G68.1 (25.3): about one axis; a second one within the first.
-Status space_rotation(Interpreter& m, const Call& call) {
+Status space_rotation(Emitter& m, const Call& call) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   if (five.frame == SpaceFrame::plane) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.2"));
   if (five.frame == SpaceFrame::turned_twice) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.1"));
@@ -155,7 +155,7 @@ Status space_rotation(Interpreter& m, const Call& call) {
 }
 
 /// G68.2 (25.6 to 25.10): INFERRED: without P as with P0.
-Status tilted_plane(Interpreter& m, const Call& call) {
+Status tilted_plane(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   const auto p = m.has('P') ? m.whole('P', 0, 4) : Result<std::uint32_t>(0);
   if (!p) return fail(p.error());
@@ -175,7 +175,7 @@ Status tilted_plane(Interpreter& m, const Call& call) {
 }
 
 /// G69.1: all of them at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has turned them.
-Status space_frame_off(Interpreter& m, const Call& call) {
+Status space_frame_off(Emitter& m, const Call& call) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   if (five.frame == SpaceFrame::none) return {};
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));

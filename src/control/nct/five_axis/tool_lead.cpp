@@ -16,7 +16,7 @@
 namespace kadr::nct {
 namespace {
 
-FiveAxisState& five_of(const Interpreter& m) { return nct_of(m).state.five_axis; }
+FiveAxisState& five_of(const BlockContext& m) { return nct_of(m).state.five_axis; }
 
 std::string code_of(ToolLead lead) {
   switch (lead) {
@@ -40,7 +40,7 @@ ToolLead lead_of(int arg) {
 }
 
 /// What 25.14 does not describe together with a tip that is led; INFERRED: refused rather than moved.
-Status nothing_else(const Interpreter& m, const Call& call) {
+Status nothing_else(const BlockContext& m, const Call& call) {
   const FiveAxisState& five = five_of(m);
   const auto refuse = [&](std::string_view what) { return fail(alarm(AlarmId::lead_state, call.where, call.row->code, what)); };
   if (five.frame != SpaceFrame::none) return refuse(five.frame == SpaceFrame::plane ? "G68.2" : "G68.1");
@@ -53,7 +53,7 @@ Status nothing_else(const Interpreter& m, const Call& call) {
 }
 
 /// G0 or G1 is in force, or stands in the block (25.14).
-bool straight_mode(const Interpreter& m) {
+bool straight_mode(const BlockContext& m) {
   if (m.has_code({Function::rapid, Function::linear})) return true;
   if (m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling})) return false;
   return m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
@@ -74,12 +74,12 @@ DirectionWay::Cone cone_of(const Motion& motion, const PartSpace& space) {
 
 }  // namespace
 
-void register_lead_length(Interpreter& m, double length) {
+void register_lead_length(BlockContext& m, double length) {
   m.modal.lengths = {};
   five_of(m).lead_length = length;
 }
 
-void note_lead_radius(Interpreter& m) {
+void note_lead_radius(BlockContext& m) {
   FiveAxisState& five = five_of(m);
   if (!leads_contact(five.lead)) return;
   const std::uint32_t number = m.modal.offset_number;
@@ -89,7 +89,7 @@ void note_lead_radius(Interpreter& m) {
 }
 
 /// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block; a G49 that moves nothing ends the lead in any mode.
-Status may_end_lead(const Interpreter& m, const Call& call) {
+Status may_end_lead(const BlockContext& m, const Call& call) {
   if (!leads_tip(five_of(m).lead) || straight_mode(m)) return {};
   const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
   const bool moves = m.has_axis_words() || m.has('I') || m.has('J') || m.has('K') || m.has('R');
@@ -97,7 +97,7 @@ Status may_end_lead(const Interpreter& m, const Call& call) {
   return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
 }
 
-void end_lead(Interpreter& m) {
+void end_lead(BlockContext& m) {
   FiveAxisState& five = five_of(m);
   five.lead = ToolLead::none;
   five.posture = false;
@@ -106,19 +106,19 @@ void end_lead(Interpreter& m) {
   if (m.modal.work_zero < all_systems) five.positioned = 0;
 }
 
-void reset_five_axis(Interpreter& m) {
+void reset_five_axis(BlockContext& m) {
   if (nct_of(m).settings.five_axis.group == MachineGroup::none && five_of(m).frame == SpaceFrame::none && five_of(m).plane.kind == 0)
     return;
   five_of(m) = {};
 }
 
-bool leads_lines(const Interpreter& m) {
+bool leads_lines(const BlockContext& m) {
   const FiveAxisState& five = five_of(m);
   if (leads_tip(five.lead) && (five.posture || leads_contact(five.lead))) return true;
   return nct_of(m).settings.leans_tool && (five.lead != ToolLead::none || m.modal.work_zero >= all_systems);
 }
 
-Status led_line(Interpreter& m, const Call& call, MotionKind kind) {
+Status led_line(Emitter& m, const Call& call, MotionKind kind) {
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
@@ -132,7 +132,7 @@ Status led_line(Interpreter& m, const Call& call, MotionKind kind) {
 
 /// Tool posture control keeps the tool in the plane, or on the cone, between its directions at the ends (25.16); cutting point control sets
 /// its tip so that it touches the programmed point (25.17).
-Status lead_motion(Interpreter& m, Motion& motion, const Axes& from) {
+Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
   const PartSpace* const space = space_of(m);
   if (space == nullptr || !leads_tip(five.lead) || (!five.posture && !leads_contact(five.lead))) return {};
@@ -184,7 +184,7 @@ using namespace nct;
 
 /// arg 431, 434, 435, 438, 439: the code in tenths. INFERRED: a missing H is the one in force; a block without words that move anything
 /// only takes up the length: what the position shows changes.
-Status tool_lead(Interpreter& m, const Call& call) {
+Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   const ToolLead lead = lead_of(call.row->arg);
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));

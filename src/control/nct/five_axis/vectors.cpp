@@ -19,7 +19,7 @@ namespace {
 constexpr char vector_letters[] = {'I', 'J', 'K'};
 
 /// The lead that is in force when the block moves: its own code goes before.
-std::pair<ToolLead, const CodeRow*> lead_of_block(const Interpreter& m) {
+std::pair<ToolLead, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
@@ -39,13 +39,13 @@ std::pair<ToolLead, const CodeRow*> lead_of_block(const Interpreter& m) {
 
 std::string_view name_of(ToolLead lead) { return lead == ToolLead::tip_vector ? "G43.5" : "G43.9"; }
 
-void hide(Interpreter& m, Word& w) {
+void hide(BlockContext& m, Word& w) {
   w.address = 0;
   m.block->altered = true;
 }
 
 /// Codes whose I J K, P are their own.
-bool has_other_taker(const Interpreter& m) {
+bool has_other_taker(const BlockContext& m) {
   return m.has_code({Function::set_tables, Function::tilted_plane, Function::space_rotation, Function::macro_call, Function::macro_modal,
                      Function::work_area_on, Function::vector_corner, Function::radius_side, Function::scaling_on});
 }
@@ -58,7 +58,7 @@ struct Components {
 };
 
 /// Words I, J, K from one place in the block to another; they are taken out of it.
-Components take_components(Interpreter& m, std::uint32_t from, std::uint32_t to) {
+Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to) {
   Components found;
   double* const parts[] = {&found.value.x, &found.value.y, &found.value.z};
   for (std::uint32_t i = from; i < to; ++i) {
@@ -74,7 +74,7 @@ Components take_components(Interpreter& m, std::uint32_t from, std::uint32_t to)
 }
 
 /// ,L2 I J K (25.17).
-Status take_normal(Interpreter& m, ToolLead lead) {
+Status take_normal(BlockContext& m, ToolLead lead) {
   FiveAxisState& five = nct_of(m).state.five_axis;
   nct_of(m).normal_before = five.normal;
   const std::uint32_t count = m.block->word_count;
@@ -93,7 +93,7 @@ Status take_normal(Interpreter& m, ToolLead lead) {
 }
 
 /// Where the control's choice turns the axis far that is free in a singular direction, and that may stand: it does. Not of the manual.
-std::optional<RotaryPair> without_whirl(Interpreter& m, const Word& where, Vec3 wanted, RotaryPair present,
+std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                         const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
   const Nct& nct = nct_of(m);
@@ -110,7 +110,7 @@ std::optional<RotaryPair> without_whirl(Interpreter& m, const Word& where, Vec3 
 }
 
 /// Words of the rotary axes take the place of the first two of I J K: the block positions them.
-Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
+Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
   Nct& nct = nct_of(m);
   const FiveAxis& machine = nct.settings.five_axis;
   if (machine.group == MachineGroup::none) return {};  // its code tells
@@ -155,7 +155,7 @@ Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint
 }
 
 /// G43.5, G43.9: I J K are the tool's direction, and rotary words are none (25.14).
-Status take_direction(Interpreter& m, ToolLead lead) {
+Status take_direction(Emitter& m, ToolLead lead) {
   const FiveAxis& machine = nct_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
     if (axis < 0) continue;
@@ -173,7 +173,7 @@ Status take_direction(Interpreter& m, ToolLead lead) {
 }
 
 /// INFERRED: the manual describes none of these while the tip is led.
-Status nothing_refused(const Interpreter& m, ToolLead lead) {
+Status nothing_refused(const BlockContext& m, ToolLead lead) {
   if (!leads_tip(lead)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -213,14 +213,14 @@ Status nothing_refused(const Interpreter& m, ToolLead lead) {
 
 }  // namespace
 
-bool watches_words(const Interpreter& m) {
+bool watches_words(const BlockContext& m) {
   const FiveAxisState& five = nct_of(m).state.five_axis;
   return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
 }
 
-bool watches_codes(const Interpreter& m) { return leads_tip(nct_of(m).state.five_axis.lead) && m.has('G'); }
+bool watches_codes(const BlockContext& m) { return leads_tip(nct_of(m).state.five_axis.lead) && m.has('G'); }
 
-Status five_axis_block(Interpreter& m) {
+Status five_axis_block(Emitter& m) {
   const FiveAxisState& five = nct_of(m).state.five_axis;
   if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
   const bool has_comma = (m.block->letters & letter_bit(comma_vector)) != 0;

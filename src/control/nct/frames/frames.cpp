@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
 #include "control/nct/nct.h"
@@ -21,7 +21,7 @@ std::array<Vec3, 3> rotation_rows(Vec3 angles) {
           Vec3{-b.sin, b.cos * a.sin, b.cos * a.cos}};
 }
 
-std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameTurn>& before) {
+std::shared_ptr<const FrameTurn> rotation_of(const BlockContext& m, const std::shared_ptr<const FrameTurn>& before) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
   const AxisDrives& drives = nct_of(m).drives.now;
   if (angles == Vec3{} && drives.is_own) return nullptr;
@@ -35,17 +35,17 @@ std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::sh
 
 }  // namespace
 
-int main_axis(const Interpreter& m, int role) {
+int main_axis(const BlockContext& m, int role) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (nct_of(m).settings.axes[a].role == role) return static_cast<int>(a);
   return -1;
 }
 
-std::string plane_name(const Interpreter& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
+std::string plane_name(const BlockContext& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
 
 namespace {
 
-void refresh_sums(Interpreter& m) {
+void refresh_sums(BlockContext& m) {
   Placement& f = m.frames;
   f.turn = rotation_of(m, f.turn);
   const bool dynamic = m.modal.work_zero >= all_systems;  // 25d: INFERRED: without the common offset
@@ -70,7 +70,7 @@ void refresh_sums(Interpreter& m) {
 
 }  // namespace
 
-void refresh_frames(Interpreter& m) {
+void refresh_frames(Emitter& m) {
   const std::shared_ptr<const FrameTurn> before = m.frames.turn;
   refresh_sums(m);
   refresh_space(m);
@@ -78,13 +78,13 @@ void refresh_frames(Interpreter& m) {
 }
 
 /// With a turn it is turned, too: the shift of the frames.
-Axes shift_of_origin(const Interpreter& m) {
+Axes shift_of_origin(const BlockContext& m) {
   Axes shift{};
   for (std::size_t a = 0; a < m.axis_count && m.frames.turn == nullptr; ++a) shift[a] = m.modal.new_system[a] + m.modal.local[a];
   return shift;
 }
 
-MotionDetail& detail_of(Interpreter& m, Motion& motion) {
+MotionDetail& detail_of(BlockContext& m, Motion& motion) {
   (void)m;
   auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
   MotionDetail& filled = *detail;
@@ -93,14 +93,14 @@ MotionDetail& detail_of(Interpreter& m, Motion& motion) {
 }
 
 /// In [0, R), whatever the number of turns was (5.6).
-void roll_positions(const Interpreter& m, Axes& positions) {
+void roll_positions(const BlockContext& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const AxisSettings& axis = nct_of(m).settings.axes[a];
     if (axis.rolls && (m.def.rotary >> a & 1u) != 0) positions[a] = rolled_position(positions[a], axis.period);
   }
 }
 
-double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) {
+double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) {
   double linear = 0, rotary = 0;  // squares of the ways, mm and degrees
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
@@ -115,7 +115,7 @@ double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) {
 namespace {
 
 /// Only G1, with G40, G64 and G80 (4.7).
-std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
+std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
   const AxisMask smoothed = nct_of(m).state.smoothed != 0 ? nct_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
   const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
   const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
@@ -123,7 +123,7 @@ std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
 }
 
 /// Within a frame in space the program's words are told beside the end that transformations, compensation make of them.
-void tell_programmed(Interpreter& m, Motion& motion) {
+void tell_programmed(BlockContext& m, Motion& motion) {
   MotionDetail& detail = detail_of(m, motion);
   detail.programmed = m.position.programmed;
   detail.has_programmed = true;
@@ -131,7 +131,7 @@ void tell_programmed(Interpreter& m, Motion& motion) {
 
 }  // namespace
 
-void note_motion(Interpreter& m, Motion& motion) {
+void note_motion(Emitter& m, Motion& motion) {
   Nct& nct = nct_of(m);
   nct.moved = true;
   const bool plain = m.transform.identity && m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane;

@@ -13,26 +13,26 @@ namespace {
 constexpr double same_place = 1e-4;  // mm
 
 /// A drilling cycle ends by G80 first, where the control says so (spec/fanuc 10.1: PS0044).
-Status outside_cycles(const Interpreter& m, const Call& call) {
+Status outside_cycles(const BlockContext& m, const Call& call) {
   if (!m.def.behaviour.reference_outside_cycles || !nct::drilling_on(m)) return {};
   return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
 }
 
 /// Not while polar or cylindrical interpolation is on (4.5, 4.6).
-Status off_surfaces(const Interpreter& m, const Call& call) {
+Status off_surfaces(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::plane) return {};
   return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
 }
 
 /// The point that the axis words give, not polar.
-Status point_of(Interpreter& m, Axes& to, AxisMask& named) {
+Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
   nct_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
   nct_of(m).cartesian_block = false;
   return read;
 }
 
-Status to_reference(Interpreter& m, std::uint32_t point, AxisMask named) {
+Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
   const auto end = static_cast<EndGiven>(static_cast<std::uint32_t>(EndGiven::reference_1) + point - 1);
   KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0, end));
   nct_of(m).moved = false;
@@ -43,7 +43,7 @@ Status to_reference(Interpreter& m, std::uint32_t point, AxisMask named) {
 }  // namespace
 
 /// G28, G30 P (9.1, 9.2): at rapid through the intermediate point to a reference point. arg 1: the first.
-Status reference_return(Interpreter& m, const Call& call) {
+Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
@@ -72,7 +72,7 @@ Status reference_return(Interpreter& m, const Call& call) {
 }
 
 /// G27 (spec/fanuc 6.6): at rapid to the point; it must be the reference point of the axes named.
-Status reference_check(Interpreter& m, const Call& call) {
+Status reference_check(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   if (!m.has_axis_words()) return {};
@@ -87,7 +87,7 @@ Status reference_check(Interpreter& m, const Call& call) {
 }
 
 /// G29 (spec/fanuc 6.6): at rapid through the intermediate point of the last G28 to the one given.
-Status reference_leave(Interpreter& m, const Call& call) {
+Status reference_leave(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   if (!m.has_axis_words()) return {};
@@ -104,7 +104,7 @@ Status reference_leave(Interpreter& m, const Call& call) {
 }
 
 /// G60 (spec/fanuc 3.5): as G0, once. INFERRED: the way beyond the point is not shown.
-Status single_direction(Interpreter& m, const Call&) {
+Status single_direction(Emitter& m, const Call&) {
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));

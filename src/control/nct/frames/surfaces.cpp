@@ -10,10 +10,10 @@
 namespace kadr::nct {
 namespace {
 
-bool is_rotary(const Interpreter& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
+bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
 
 /// Real axes of a point of the virtual plane; the angle nearest to `near`.
-void to_polar(const Interpreter& m, const Axes& programmed, double near, Axes& work) {
+void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
   const double offset = nct_of(m).settings.axes[plane.second].polar_offset;
@@ -27,13 +27,13 @@ void to_polar(const Interpreter& m, const Axes& programmed, double near, Axes& w
 }
 
 /// Millimetres on the unrolled surface.
-Vec2 unrolled(const Interpreter& m, const Axes& point) {
+Vec2 unrolled(const BlockContext& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
   const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
   return {flat(plane.first), flat(plane.second)};
 }
 
-void set_surface(const Interpreter& m, MotionDetail& detail, const Axes& from, const Axes& to) {
+void set_surface(const BlockContext& m, MotionDetail& detail, const Axes& from, const Axes& to) {
   const PlaneAxes& plane = m.modal.axes;
   detail.surface = m.modal.surface;
   detail.radius = m.modal.surface_radius;
@@ -53,22 +53,22 @@ void set_surface(const Interpreter& m, MotionDetail& detail, const Axes& from, c
 
 }  // namespace
 
-Axes transformed(const Interpreter& m, const Axes& programmed) {
+Axes transformed(const BlockContext& m, const Axes& programmed) {
   return m.transform.identity ? programmed : m.transform.to_work(programmed);
 }
 
-Vec2 flat_point(const Interpreter& m, const Axes& point) {
+Vec2 flat_point(const BlockContext& m, const Axes& point) {
   if (m.modal.surface == PathSurface::cylinder) return unrolled(m, point);
   return {point[m.modal.axes.first], point[m.modal.axes.second]};
 }
 
 /// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
-Axes surface_work(const Interpreter& m, const Axes& programmed) {
+Axes surface_work(const BlockContext& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
   return m.modal.surface == PathSurface::polar ? polar_work(m, point, nct_of(m).state.surface_angle) : point;
 }
 
-Axes polar_work(const Interpreter& m, const Axes& point, double near) {
+Axes polar_work(const BlockContext& m, const Axes& point, double near) {
   Axes work = point;
   to_polar(m, point, near, work);
   return work;
@@ -97,11 +97,11 @@ double swept_about_pole(const FlatArc& arc) {
   return swept;
 }
 
-Axes before_transform(const Interpreter& m) {
+Axes before_transform(const BlockContext& m) {
   return m.modal.surface == PathSurface::polar ? transformed(m, m.position.programmed) : m.position.work;
 }
 
-void finish_surface(Interpreter& m, Motion& motion, const Axes& from) {
+void finish_surface(BlockContext& m, Motion& motion, const Axes& from) {
   set_surface(m, detail_of(m, motion), transformed(m, from), transformed(m, m.position.programmed));
   if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
   motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
@@ -109,7 +109,7 @@ void finish_surface(Interpreter& m, Motion& motion, const Axes& from) {
   if (m.modal.surface == PathSurface::polar) nct_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
 }
 
-Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
+Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
   const PlaneAxes& plane = m.modal.axes;
   const Axes from = m.position.programmed;
   const AxisMask both = 1u << plane.first | 1u << plane.second;
@@ -133,7 +133,7 @@ namespace kadr::functions {
 
 namespace {
 
-Status allowed(const Interpreter& m, const Call& call) {
+Status allowed(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   // 4.5, 4.6 leave open what scaling and rotation do where the axes of the plane change their meaning.
   if (m.transform.scaling || m.transform.turning)
@@ -144,7 +144,7 @@ Status allowed(const Interpreter& m, const Call& call) {
 }  // namespace
 
 /// G12.1 (4.5): the plane must hold a linear and a rotary axis; the rotary one stands at 0, the linear one not.
-Status polar_surface_on(Interpreter& m, const Call& call) {
+Status polar_surface_on(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;
   const bool fits = (m.def.rotary >> plane.first & 1u) == 0 && (m.def.rotary >> plane.second & 1u) != 0;
@@ -163,7 +163,7 @@ Status polar_surface_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status polar_surface_off(Interpreter& m, const Call& call) {
+Status polar_surface_off(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   if (m.modal.surface != PathSurface::polar) return {};
   m.modal.surface = PathSurface::plane;
@@ -175,7 +175,7 @@ Status polar_surface_off(Interpreter& m, const Call& call) {
 }
 
 /// G7.1 A50: cylinder of radius 50 about A; A0: off (4.6).
-Status cylinder_mode(Interpreter& m, const Call& call) {
+Status cylinder_mode(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;
   const Word* word = nullptr;

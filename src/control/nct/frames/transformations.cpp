@@ -16,7 +16,7 @@ namespace {
 
 /// Changes the transformations; what stands stays where it is: the tool, the initial point of a drilling mode (16.0, INFERRED).
 template <class Change>
-void change_transform(Interpreter& m, Change change) {
+void change_transform(BlockContext& m, Change change) {
   const Axes tool = before_transform(m);
   DrillingMemory& drilling = nct_of(m).state.drilling;
   Axes initial = m.position.programmed;
@@ -30,7 +30,7 @@ void change_transform(Interpreter& m, Change change) {
 
 /// Centres named in the block: `use(axis, centre)`; rectangular also in G16, increments from the programmer's position (16.0).
 template <class Use>
-Status each_center(const Interpreter& m, Use use) {
+Status each_center(const BlockContext& m, Use use) {
   AxisMask named = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -47,25 +47,25 @@ Status each_center(const Interpreter& m, Use use) {
 }
 
 /// 16.4: mirroring is the outermost; it cannot come or go under the others.
-Status mirror_may_change(const Interpreter& m, const Call& call) {
+Status mirror_may_change(const BlockContext& m, const Call& call) {
   if (!m.transform.scaling && !m.transform.turning) return {};
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
 }
 
 /// On a cylinder degrees and millimetres would mix; 4.6 says nothing of it.
-Status flat_surface(const Interpreter& m, const Call& call) {
+Status flat_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   return {};
 }
 
-bool is_linear(const Interpreter& m, std::size_t axis) {
+bool is_linear(const BlockContext& m, std::size_t axis) {
   const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;
   return is_virtual || (m.def.rotary >> axis & 1u) == 0;
 }
 
 /// P for every linear axis, or I, J, K for X, Y, Z; INFERRED: what is left out is 1.
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
-Status read_factors(Interpreter& m, const Call& call, Axes& factors) {
+Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
   const Settings& settings = nct_of(m).settings;
   const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: else I, J, K mean nothing
@@ -102,14 +102,14 @@ Status read_factors(Interpreter& m, const Call& call, Axes& factors) {
 
 }  // namespace
 
-void clear_mirror(Interpreter& m) {
+void clear_mirror(BlockContext& m) {
   change_transform(m, [](Transform& t) {
     t.mirror.fill(1);
     t.added.fill(0);
   });
 }
 
-void note_mirror_code(Interpreter& m, const CodeRow& row) {
+void note_mirror_code(BlockContext& m, const CodeRow& row) {
   constexpr std::int32_t mirror_code = 51.1_g;
   const auto& mirror = m.transform.mirror;
   if (row.function == Function::mirror_off && std::find(mirror.begin(), mirror.end(), -1) != mirror.end())
@@ -124,7 +124,7 @@ using namespace nct;
 namespace {
 
 /// Of the named axes; without axis words of all (INFERRED).
-Status end_mirror(Interpreter& m) {
+Status end_mirror(BlockContext& m) {
   if (!m.has_axis_words()) {
     clear_mirror(m);
     return {};
@@ -144,7 +144,7 @@ Status end_mirror(Interpreter& m) {
 }  // namespace
 
 /// G51.1 (16.3): the named axes are mirrored about the given coordinates. alarms mirror_state, no_axis_word
-Status mirror_on(Interpreter& m, const Call& call) {
+Status mirror_on(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   auto mirror = m.transform.mirror;
@@ -162,7 +162,7 @@ Status mirror_on(Interpreter& m, const Call& call) {
 
 /// G101 X0 Y0 (spec/haas 6.1): about the work zero of the named axes; the numbers mean nothing. INFERRED: under G51, G68 too, for the
 /// control has no alarm for that.
-Status mirror_axes_on(Interpreter& m, const Call&) {
+Status mirror_axes_on(Emitter& m, const Call&) {
   auto mirror = m.transform.mirror;
   Axes added = m.transform.added;
   KADR_TRY(each_center(m, [&](std::size_t axis, double) {
@@ -176,16 +176,16 @@ Status mirror_axes_on(Interpreter& m, const Call&) {
   return {};
 }
 
-Status mirror_axes_off(Interpreter& m, const Call&) { return end_mirror(m); }
+Status mirror_axes_off(Emitter& m, const Call&) { return end_mirror(m); }
 
 /// G50.1: off on the named axes; without axis words on all (INFERRED). alarms mirror_state
-Status mirror_off(Interpreter& m, const Call& call) {
+Status mirror_off(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   return end_mirror(m);
 }
 
 /// G51 (16.2): a centre left out is the momentary position. One that is in force already keeps its place in the order.
-Status scaling_on(Interpreter& m, const Call& call) {
+Status scaling_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   Axes factors;
   KADR_TRY(read_factors(m, call, factors));
@@ -200,7 +200,7 @@ Status scaling_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status scaling_off(Interpreter& m, const Call&) {
+Status scaling_off(Emitter& m, const Call&) {
   if (!m.transform.scaling) return {};
   change_transform(m, [](Transform& t) {
     t.scaling = false;
@@ -211,7 +211,7 @@ Status scaling_off(Interpreter& m, const Call&) {
 }
 
 /// G68 (16.1): about a point of the plane by R; an increment of R adds to the angle in force; INFERRED: without R that one.
-Status plane_rotation_on(Interpreter& m, const Call& call) {
+Status plane_rotation_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   const PlaneAxes& plane = m.modal.axes;
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -234,7 +234,7 @@ Status plane_rotation_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status plane_rotation_off(Interpreter& m, const Call&) {
+Status plane_rotation_off(Emitter& m, const Call&) {
   if (!m.transform.turning) return {};
   change_transform(m, [](Transform& t) {
     t.turning = false;

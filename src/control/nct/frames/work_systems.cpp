@@ -10,14 +10,14 @@ namespace kadr {
 namespace {
 
 /// Not while polar or cylindrical interpolation is on (4.5, 4.6).
-Status plane_surface(const Interpreter& m, const Call& call) {
+Status plane_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   return {};
 }
 
 /// Values of the axis words as they stand, mm or degrees, a diameter as a radius. `use(axis, value, word)` gives a Status.
 template <class Use>
-Status each_axis(const Interpreter& m, Use use) {
+Status each_axis(const BlockContext& m, Use use) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
@@ -29,12 +29,12 @@ Status each_axis(const Interpreter& m, Use use) {
   return {};
 }
 
-bool written_as_increment(const Interpreter& m, const Word& w) {
+bool written_as_increment(const BlockContext& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
 /// Direction d (1 X, 2 Y, 3 Z) of the plane: the axis named in the block, main before parallel, else the main axis (10.4).
-int axis_of_direction(const Interpreter& m, int d) {
+int axis_of_direction(const BlockContext& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if ((nct_of(m).plane_axes >> a & 1u) == 0) continue;
@@ -45,7 +45,7 @@ int axis_of_direction(const Interpreter& m, int d) {
   return parallel >= 0 ? parallel : nct::main_axis(m, d);
 }
 
-bool names_direction(const Interpreter& m, int d) {
+bool names_direction(const BlockContext& m, int d) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((nct_of(m).plane_axes >> a & 1u) != 0 && (nct_of(m).settings.axes[a].role == d || nct_of(m).settings.axes[a].role == d + 4))
       return true;
@@ -53,7 +53,7 @@ bool names_direction(const Interpreter& m, int d) {
 }
 
 /// A rotary axis named beside one direction of the plane takes the place of the other (4.5, 4.6).
-int named_rotary(const Interpreter& m) {
+int named_rotary(const BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((nct_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
   return -1;
@@ -63,7 +63,7 @@ int named_rotary(const Interpreter& m) {
 
 namespace functions {
 
-Status select_plane(Interpreter& m, const Call& call) {
+Status select_plane(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   const Plane plane = call.row->arg == 18 ? Plane::zx : call.row->arg == 19 ? Plane::yz : Plane::xy;
   const auto [d1, d2, d3] = plane == Plane::zx ? std::array{3, 1, 2} : plane == Plane::yz ? std::array{2, 3, 1} : std::array{1, 2, 3};
@@ -80,7 +80,7 @@ Status select_plane(Interpreter& m, const Call& call) {
 }
 
 /// G54 … G59 (10.2.1).
-Status work_system(Interpreter& m, const Call& call) {
+Status work_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;  // spec/fanuc 6.1: G54 P3
   if (extended) return work_system_extended(m, call);
@@ -91,7 +91,7 @@ Status work_system(Interpreter& m, const Call& call) {
 }
 
 /// G54.1 P1 … P99 (10.2.2), P300 (spec/fanuc 6.1).
-Status work_system_extended(Interpreter& m, const Call& call) {
+Status work_system_extended(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, m.def.behaviour.further_systems);
@@ -103,7 +103,7 @@ Status work_system_extended(Interpreter& m, const Call& call) {
 }
 
 /// G52 (10.3): the local system's origin, or with increments its way from the last one.
-Status local_system(Interpreter& m, const Call& call) {
+Status local_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     const bool adds = !m.modal.absolute || written_as_increment(m, w);
@@ -115,7 +115,7 @@ Status local_system(Interpreter& m, const Call& call) {
 }
 
 /// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
-Status new_system(Interpreter& m, const Call& call) {
+Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
     nct_of(m).state.css_most = m.value('S');
     if (m.modal.surface_speed) nct_of(m).tell_surface_speed(m);
@@ -137,7 +137,7 @@ Status new_system(Interpreter& m, const Call& call) {
 }
 
 /// G53 (10.1.1): at rapid to machine coordinates, always absolute, without compensations; alone: the buffer is emptied.
-Status machine_move(Interpreter& m, const Call& call) {
+Status machine_move(Emitter& m, const Call& call) {
   nct_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
   if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5
@@ -167,7 +167,7 @@ Status machine_move(Interpreter& m, const Call& call) {
 }
 
 /// G10.9 (5.3.1): axes in radius (0) or diameter (1); nothing moves.
-Status diameter_switch(Interpreter& m, const Call& call) {
+Status diameter_switch(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   return each_axis(m, [&](std::size_t a, double, const Word& w) -> Status {
     const bool linear = (m.def.rotary >> a & 1u) == 0;

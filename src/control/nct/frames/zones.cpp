@@ -10,7 +10,7 @@ namespace kadr::functions {
 
 /// G22 X Y Z I J K P: limits in machine coordinates. INFERRED: a limit left out is none; without P inside is forbidden; an axis
 /// in diameter programming has diameters here too.
-Status work_area_on(Interpreter& m, const Call& call) {
+Status work_area_on(Emitter& m, const Call& call) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr char most_letters[] = {'X', 'Y', 'Z'}, least_letters[] = {'I', 'J', 'K'};
   if (m.block->letters == 0) return {};  // power-on (3.4): no limits yet
@@ -40,7 +40,7 @@ Status work_area_on(Interpreter& m, const Call& call) {
 }
 
 /// G23: the zone of the parameters again, as they are now (22.2: what has been written into them acts from here on).
-Status work_area_off(Interpreter& m, const Call&) {
+Status work_area_off(Emitter& m, const Call&) {
   const nct::ParameterStore& p = nct_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");
   constexpr int takes_part = 1, outside = 0, limits = 1, before = 2;

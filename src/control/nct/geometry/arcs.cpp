@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/automatic_geometry.h"
 #include "control/nct/nct.h"
@@ -32,7 +32,7 @@ CenterLetters center_letters(Plane plane) {
 /// The arc is found after the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
 class Arc {
  public:
-  Arc(Interpreter& m, const Call& call, Turn turn)
+  Arc(Emitter& m, const Call& call, Turn turn)
       : m_(m), call_(call), programmed_turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {
     const bool reversed = m.transform.reverses(plane_);
     turn_ = (turn == Turn::cw) != reversed ? Turn::cw : Turn::ccw;
@@ -245,7 +245,7 @@ class Arc {
     return fail(alarm);
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
   Turn turn_;  // after the transformations, as from_ and to_
@@ -260,6 +260,6 @@ class Arc {
 
 }  // namespace
 
-Status arc(Interpreter& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+Status arc(Emitter& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
 }  // namespace kadr::nct

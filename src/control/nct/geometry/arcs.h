@@ -4,7 +4,7 @@
 #include "control/block/arc.h"
 
 namespace kadr {
-class Interpreter;
+class Emitter;
 struct Call;
 }  // namespace kadr
 
@@ -12,6 +12,6 @@ namespace kadr::nct {
 
 /// The arc of the block, if it has one.
 ///   alarms  center_missing, arc_not_in_plane (2015), radius_mismatch (2012), value_out_of_range (L), those of automatic_geometry.h
-Status arc(Interpreter& m, const Call& call, Turn turn);
+Status arc(Emitter& m, const Call& call, Turn turn);
 
 }  // namespace kadr::nct

@@ -16,7 +16,7 @@ constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | l
 
 /// Programmed → work: the one place where this chapter's directions and lengths pass through the transformation. With different
 /// factors a length takes their mean (16.2 for ,R).
-ContourData in_work(const Interpreter& m, ContourData c) {
+ContourData in_work(const BlockContext& m, ContourData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
@@ -30,7 +30,7 @@ ContourData in_work(const Interpreter& m, ContourData c) {
 }
 
 /// ,A with no coordinate of the plane or with both: a line that a calculated point ends or begins (17.3).
-Status supporting_line(const Interpreter& m, MotionKind kind, PlaneWords words, ContourData& contour) {
+Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, ContourData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
@@ -44,10 +44,10 @@ Status supporting_line(const Interpreter& m, MotionKind kind, PlaneWords words, 
 
 }  // namespace
 
-bool has_geometry_words(const Interpreter& m) { return (m.block->letters & geometry_bits) != 0; }
-bool has_shape_words(const Interpreter& m) { return (m.block->letters & shape_bits) != 0; }
+bool has_geometry_words(const BlockContext& m) { return (m.block->letters & geometry_bits) != 0; }
+bool has_shape_words(const BlockContext& m) { return (m.block->letters & shape_bits) != 0; }
 
-PlaneWords plane_words(const Interpreter& m) {
+PlaneWords plane_words(const BlockContext& m) {
   PlaneWords words;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -59,7 +59,7 @@ PlaneWords plane_words(const Interpreter& m) {
   return words;
 }
 
-Status end_by_angle(const Interpreter& m, Axes& to, AxisMask& named) {
+Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named) {
   const PlaneWords words = plane_words(m);
   if (!words.one()) return {};
   const Span where = m.where(comma_angle);
@@ -77,11 +77,11 @@ Status end_by_angle(const Interpreter& m, Axes& to, AxisMask& named) {
   return {};
 }
 
-Status one_coordinate(const Interpreter& m) {
+Status one_coordinate(const BlockContext& m) {
   return plane_words(m).one() ? Status() : Status(fail(alarm(AlarmId::angle_alone, m.where(comma_angle))));
 }
 
-Status shape_words(const Interpreter& m, ContourData& contour) {
+Status shape_words(const BlockContext& m, ContourData& contour) {
   const auto take = [&](char address, double& to) -> Status {
     if (!m.has(address)) return {};
     to = m.length_value(address);
@@ -93,7 +93,7 @@ Status shape_words(const Interpreter& m, ContourData& contour) {
   return take(comma_rounding, contour.rounding);
 }
 
-Status shaped_line(Interpreter& m, const Call& call, MotionKind kind) {
+Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
   ContourData contour;
   KADR_TRY(shape_words(m, contour));
   const PlaneWords words = plane_words(m);
@@ -116,7 +116,7 @@ Status shaped_line(Interpreter& m, const Call& call, MotionKind kind) {
   return {};
 }
 
-Result<bool> is_over_determined_arc(const Interpreter& m, bool has_both_centers) {
+Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers) {
   const bool all = has_both_centers && m.has('R') && plane_words(m).both();
   if (all && m.modal.radius_side != 0) return true;
   if (!m.has('Q')) return false;  // in G40 R goes first (4.3, INFERRED)
@@ -124,7 +124,7 @@ Result<bool> is_over_determined_arc(const Interpreter& m, bool has_both_centers)
   return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
 }
 
-Status circle_words(const Interpreter& m, Vec2 center, Vec2 end, ContourData& contour) {
+Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& contour) {
   contour.on = SupportingCurve::circle;
   contour.radius = std::fabs(m.length_value('R'));
   contour.farther = m.value('Q') > 0;
@@ -134,7 +134,7 @@ Status circle_words(const Interpreter& m, Vec2 center, Vec2 end, ContourData& co
   return fail(alarm(AlarmId::radius_mismatch, m.block->where, contour.radius, there));
 }
 
-void attach(Interpreter& m, const ContourData& contour) {
+void attach(Emitter& m, const ContourData& contour) {
   if (contour.chamfer == 0 && contour.rounding == 0 && contour.on == SupportingCurve::none) return;
   detail_of(m, std::get<Motion>(m.batch->back().what)).contour = in_work(m, contour);
 }

@@ -12,7 +12,7 @@ namespace {
 /// The circles of one level, about where the tool stands.
 class CircularBore {
  public:
-  CircularBore(Interpreter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
+  CircularBore(Emitter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
 
   Status run() {
     KADR_TRY(sizes());
@@ -94,7 +94,7 @@ class CircularBore {
     return {};
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const Call& call_;
   Turn turn_;
   PlaneAxes plane_ = m_.modal.axes;
@@ -106,6 +106,6 @@ class CircularBore {
 }  // namespace
 
 /// G12 clockwise, G13 counter-clockwise.
-Status circular_bore(Interpreter& m, const Call& call) { return CircularBore(m, call).run(); }
+Status circular_bore(Emitter& m, const Call& call) { return CircularBore(m, call).run(); }
 
 }  // namespace kadr::functions

@@ -22,7 +22,7 @@ constexpr std::size_t most_digits = 15;  // what a variable holds exactly
 /// One text along a line.
 class EngravedText {
  public:
-  EngravedText(Interpreter& m, const Call& call) : m_(m), call_(call) {}
+  EngravedText(Emitter& m, const Call& call) : m_(m), call_(call) {}
 
   Status run() {
     KADR_TRY(choose_text());
@@ -129,7 +129,7 @@ class EngravedText {
     return {};
   }
 
-  Interpreter& m_;
+  Emitter& m_;
   const Call& call_;
   PlaneAxes plane_ = m_.modal.axes;
   double p_ = text_itself, serial_ = 0;
@@ -142,6 +142,6 @@ class EngravedText {
 
 }  // namespace
 
-Status engraved_text(Interpreter& m, const Call& call) { return EngravedText(m, call).run(); }
+Status engraved_text(Emitter& m, const Call& call) { return EngravedText(m, call).run(); }
 
 }  // namespace kadr::functions

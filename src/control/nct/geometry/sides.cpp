@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
 
 namespace kadr::nct {
 
-void note_side(Interpreter& m, Motion& motion) {
+void note_side(BlockContext& m, Motion& motion) {
   Volatile& state = nct_of(m).state;
   if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
   const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
@@ -31,11 +31,11 @@ void note_side(Interpreter& m, Motion& motion) {
   state.way.reset();
 }
 
-void note_skip_mark(Interpreter& m) {
+void note_skip_mark(Emitter& m) {
   if (nct_of(m).state.compensates && nct_of(m).settings.skip_breaks_contour) m.emit(ContourBreak{});
 }
 
-void end_side_block(Interpreter& m) {
+void end_side_block(Emitter& m) {
   Volatile& state = nct_of(m).state;
   if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;
   if (state.side_step != SideStep::ends) return;
@@ -45,7 +45,7 @@ void end_side_block(Interpreter& m) {
   state.way.reset();
 }
 
-std::optional<Vec2> plane_direction(const Interpreter& m) {
+std::optional<Vec2> plane_direction(const BlockContext& m) {
   constexpr char letters[] = {'I', 'J', 'K'};
   constexpr std::array<std::array<std::size_t, 2>, 3> of_plane{{{0, 1}, {2, 0}, {1, 2}}};
   const auto& pair = of_plane[m.modal.plane == Plane::xy ? 0 : m.modal.plane == Plane::zx ? 1 : 2];

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/nct.h"
 #include "control/nct/output/print.h"
 #include "control/reading.h"
@@ -19,15 +19,15 @@ namespace fs = std::filesystem;
 
 /// Path of the running program from the folder of the program memory. INFERRED: a program that lies elsewhere counts as if it
 /// stood in that folder.
-std::string program_path(const Interpreter& m) {
+std::string program_path(const BlockContext& m) {
   const auto whole = [](const std::string& path) {
     std::error_code error;  // no working directory: the path as it is
     return fs::absolute(path, error).lexically_normal();
   };
-  const fs::path main = whole(m.flow.main_file()), root = whole(nct_of(m).output.root() + "/").parent_path();
+  const fs::path main = whole(m.program().main_file()), root = whole(nct_of(m).output.root() + "/").parent_path();
   const fs::path from_root = main.lexically_relative(root);
   const bool inside = !from_root.empty() && *from_root.begin() != "..";
-  return whole(m.flow.file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
+  return whole(m.program().file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
 }
 
 /// Gives an alarm of the file its place.
@@ -38,7 +38,7 @@ Status placed(const Status& status, Span where) {
   return fail(alarm);
 }
 
-Result<double> value_or_zero(Interpreter& m, Expression expression) {
+Result<double> value_or_zero(Emitter& m, Expression expression) {
   if (!expression) return 0.0;
   return evaluate(*m.block, expression, Reading{m});
 }
@@ -46,7 +46,7 @@ Result<double> value_or_zero(Interpreter& m, Expression expression) {
 /// Values of the variables named in a text, in order; a vacant one: none.
 class Values {
  public:
-  explicit Values(Interpreter& m) : m_(m) { scratch_.text = {}; }
+  explicit Values(Emitter& m) : m_(m) { scratch_.text = {}; }
 
   Result<std::size_t> read(std::string_view rest) {
     Cursor cursor{rest, 0};
@@ -61,12 +61,12 @@ class Values {
   PrintValues values() const { return values_; }
 
  private:
-  Interpreter& m_;
+  Emitter& m_;
   Block scratch_;
   std::vector<std::optional<double>> values_;
 };
 
-Status print(Interpreter& m, const Statement& s, PrintKind kind) {
+Status print(Emitter& m, const Statement& s, PrintKind kind) {
   auto values = std::make_unique<Values>(m);
   const std::string_view text = m.block->text_of(s.text);
   const auto pieces = parse_print(text, kind, [&](std::string_view rest) { return values->read(rest); });
@@ -84,11 +84,11 @@ Status print(Interpreter& m, const Statement& s, PrintKind kind) {
   return placed(nct_of(m).output.print(*bytes, kind), s.where);
 }
 
-Status open_file_of(Interpreter& m, const Statement& s, double mode) {
+Status open_file_of(Emitter& m, const Statement& s, double mode) {
   OutputFile& output = nct_of(m).output;
   if (m.block->file_name.end != 0) {
     Span place = m.block->file_name;
-    const std::string name = m.flow.shown(m.block->text_of(m.block->file_name), place);
+    const std::string name = m.program().shown(m.block->text_of(m.block->file_name), place);
     const Status opened = output.open_named(mode, name, program_path(m));
     const bool of_name = !opened && opened.error().id != AlarmId::file_mode && opened.error().id != AlarmId::file_already_open;
     return placed(opened, of_name ? m.block->file_name : s.where);
@@ -100,7 +100,7 @@ Status open_file_of(Interpreter& m, const Statement& s, double mode) {
 
 }  // namespace
 
-Status output(Interpreter& m, const Statement& s) {
+Status output(Emitter& m, const Statement& s) {
   if (s.kind == StatementKind::print_decimal) return print(m, s, PrintKind::decimal);
   if (s.kind == StatementKind::print_binary) return print(m, s, PrintKind::binary);
   OutputFile& output = nct_of(m).output;
@@ -115,7 +115,7 @@ Status output(Interpreter& m, const Statement& s) {
   }
 }
 
-Result<std::string> embedded_values(Interpreter& m, const std::string& text, Span) {
+Result<std::string> embedded_values(Emitter& m, const std::string& text, Span) {
   auto values = std::make_unique<Values>(m);
   const PrintText pieces = parse_message(text, [&](std::string_view rest) { return values->read(rest); });
   const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;

@@ -7,13 +7,13 @@
 #include "lang/block/block.h"
 
 namespace kadr {
-class Interpreter;
+class Emitter;
 }
 
 namespace kadr::nct {
 
-Status output(Interpreter& m, const Statement& s);
+Status output(Emitter& m, const Statement& s);
 /// A message with `#v[cd]` replaced by values and `\n` by ends of line (23.1.8).
-Result<std::string> embedded_values(Interpreter& m, const std::string& text, Span where);
+Result<std::string> embedded_values(Emitter& m, const std::string& text, Span where);
 
 }  // namespace kadr::nct

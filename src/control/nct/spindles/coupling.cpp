@@ -6,30 +6,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
 
 namespace kadr::nct {
 namespace {
 
-int axis_named(const Interpreter& m, const std::string& name) {
+int axis_named(const BlockContext& m, const std::string& name) {
   const auto found = std::find(m.axis_names.begin(), m.axis_names.end(), name);
   return found == m.axis_names.end() ? -1 : static_cast<int>(found - m.axis_names.begin());
 }
 
-double master_number(const Interpreter& m, std::size_t axis) {
+double master_number(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
 /// The axis with the number in N2101 of this one, if it is another axis of the channel.
-std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
+std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
 /// In this channel or in another one.
-bool has_master(const Interpreter& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
+bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
 
-bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
+bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   const ParameterStore& store = nct_of(m).parameters;
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
@@ -55,7 +55,7 @@ void sort(std::vector<Follower>& followers) {
   followers = std::move(sorted);
 }
 
-void add(Interpreter& m, std::size_t axis, std::size_t master, double sign) {
+void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
   Couplings& c = nct_of(m).couplings;
   c.followers.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(master), sign});
   c.axes |= AxisMask{1} << axis;
@@ -64,7 +64,7 @@ void add(Interpreter& m, std::size_t axis, std::size_t master, double sign) {
 }
 
 /// The signed way of a follower whose master rolls over, and its place then.
-void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
+void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = nct_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
   double& work = m.position.work[follower.axis];
@@ -80,19 +80,19 @@ void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
 
 }  // namespace
 
-std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, std::size_t axis) {
+std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (a != axis && number > 0 && m.def.axis_numbers[a] == number) return a;
   return std::nullopt;
 }
 
-bool is_far_axis(const Interpreter& m, double number) {
+bool is_far_axis(const BlockContext& m, double number) {
   const bool is_own = std::any_of(m.def.axis_numbers.begin(), m.def.axis_numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count),
                                   [&](std::uint8_t own) { return own == number; });
   return !is_own && number >= 1 && number <= nct_of(m).axes_in_all;
 }
 
-SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events) {
+SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events) {
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
       if (const int axis = axis_named(m, name); axis >= 0 && !has_master(m, static_cast<std::size_t>(axis)))
@@ -101,7 +101,7 @@ SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& e
   return {};
 }
 
-void couple_gantries(Interpreter& m) {
+void couple_gantries(BlockContext& m) {
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
     constexpr int psn = 4;
     const auto master = bit_of(m, axis, psn) ? master_of(m, axis) : std::nullopt;
@@ -114,7 +114,7 @@ void couple_gantries(Interpreter& m) {
   follow_from_here(m);
 }
 
-void couple_axis(Interpreter& m, const std::string& name, bool on) {
+void couple_axis(Emitter& m, const std::string& name, bool on) {
   const int found = axis_named(m, name);
   if (found < 0) return;
   const auto axis = static_cast<std::size_t>(found);
@@ -139,7 +139,7 @@ void couple_axis(Interpreter& m, const std::string& name, bool on) {
   add(m, axis, *master, sign);
 }
 
-void link_far(Interpreter& m, const FarAxis& axis, bool on) {
+void link_far(BlockContext& m, const FarAxis& axis, bool on) {
   Couplings& c = nct_of(m).couplings;
   std::erase_if(c.far, [&](const FarAxis& far) { return far.axis == axis.axis && far.link == axis.link; });
   if (on) c.far.push_back(axis);
@@ -148,7 +148,7 @@ void link_far(Interpreter& m, const FarAxis& axis, bool on) {
   c.axes = on ? c.axes | bit : c.axes & ~bit;
 }
 
-void Nct::drop_far(Interpreter& m, const FarAxis& axis) {
+void Nct::drop_far(Emitter& m, const FarAxis& axis) {
   link_far(m, axis, false);
   const bool follows = axis.link == AxisLink::follows;
   constexpr double parameter = 2101;
@@ -157,18 +157,18 @@ void Nct::drop_far(Interpreter& m, const FarAxis& axis) {
 }
 
 /// What follows it in this channel goes with it.
-void Nct::lead_axis(Interpreter& m, std::size_t axis, double machine) {
+void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
   Axes& now = m.position.machine;
   now[axis] = machine;
   for (const Follower& f : couplings.followers) now[f.axis] = couplings.lead[f.axis] + f.sign * now[f.master];
   m.stand_at(Axes(now));
 }
 
-bool Nct::may_exchange(const Interpreter& m, std::size_t axis) const { return may_be_exchanged(m, axis); }
+bool Nct::may_exchange(const BlockContext& m, std::size_t axis) const { return may_be_exchanged(m, axis); }
 
 void Nct::exchange_far(std::size_t axis, double machine, bool on) { drives.asked.push_back({axis, AxisLink::exchanged, on, machine}); }
 
-Status not_following(const Interpreter& m, AxisMask named) {
+Status not_following(const BlockContext& m, AxisMask named) {
   const AxisMask wrong = named & nct_of(m).couplings.axes;
   if (wrong == 0) [[likely]]
     return {};
@@ -178,7 +178,7 @@ Status not_following(const Interpreter& m, AxisMask named) {
       alarm(AlarmId::axis_follows, letter != 0 && m.has(letter) ? m.where(letter) : m.block->where, std::string_view(m.axis_names[axis])));
 }
 
-void follow(Interpreter& m, Motion& motion) {
+void follow(BlockContext& m, Motion& motion) {
   const Couplings& c = nct_of(m).couplings;
   MotionDetail& detail = detail_of(m, motion);
   detail.followers = c.followers;
@@ -201,7 +201,7 @@ void follow(Interpreter& m, Motion& motion) {
   if (detail.rolled != 0) follow_from_here(m);
 }
 
-void follow_from_here(Interpreter& m) {
+void follow_from_here(BlockContext& m) {
   Couplings& c = nct_of(m).couplings;
   for (const Follower& f : c.followers) c.lead[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
 }

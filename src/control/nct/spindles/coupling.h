@@ -11,7 +11,8 @@
 #include "control/state/far_axis.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
+class Emitter;
 }
 
 namespace kadr::nct {
@@ -25,31 +26,31 @@ struct Couplings {
 };
 
 /// The axis of the channel with that number, other than `axis`.
-std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, std::size_t axis);
+std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis);
 
 /// An axis of another channel has that number.
-bool is_far_axis(const Interpreter& m, double number);
+bool is_far_axis(const BlockContext& m, double number);
 
 /// What the set-up's events ask for and cannot be: a sentence; empty: all can.
-SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events);
+SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events);
 
 /// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
-void couple_gantries(Interpreter& m);
+void couple_gantries(BlockContext& m);
 
 /// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours, but
 /// may be the master.
-void couple_axis(Interpreter& m, const std::string& name, bool on);
+void couple_axis(Emitter& m, const std::string& name, bool on);
 
 /// An axis hangs on one of another channel, or not any more.
-void link_far(Interpreter& m, const FarAxis& axis, bool on);
+void link_far(BlockContext& m, const FarAxis& axis, bool on);
 
 /// alarms  axis_follows: one of the named axes follows another
-Status not_following(const Interpreter& m, AxisMask named);
+Status not_following(const BlockContext& m, AxisMask named);
 
 /// The motion's masters stand at its end: the followers get theirs.
-void follow(Interpreter& m, Motion& motion);
+void follow(BlockContext& m, Motion& motion);
 
 /// The tool stands elsewhere (a probe has touched, a block is taken back): followers that roll over count on from there.
-void follow_from_here(Interpreter& m);
+void follow_from_here(BlockContext& m);
 
 }  // namespace kadr::nct

@@ -19,7 +19,7 @@ constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 bool is_main(int role) { return role >= 1 && role <= 3; }  // X, Y, Z
 
 /// Rotary axes that roll over have no way back; those of five-axis functions, those that follow or lead are counted on elsewhere.
-bool is_free_axis(const Interpreter& m, std::size_t axis) {
+bool is_free_axis(const BlockContext& m, std::size_t axis) {
   const Nct& nct = nct_of(m);
   const int number = static_cast<int>(axis);
   const FiveAxis& five = nct.settings.five_axis;
@@ -33,20 +33,20 @@ bool is_free_axis(const Interpreter& m, std::size_t axis) {
 }
 
 /// That N2104 of the axis names.
-std::optional<std::size_t> other_of(const Interpreter& m, std::size_t axis) {
+std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
   return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
 }
 
 /// N2105 #0 MMI: after the exchange the axis goes the other way round.
-bool goes_other_way(const Interpreter& m, std::size_t axis) {
+bool goes_other_way(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
   constexpr int mmi = 0;
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
 }
 
 /// The reversal comes after the exchange (INFERRED).
-AxisDrives drives_of(const Interpreter& m, const Drives& d) {
+AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   AxisDrives all;
   all.reversed = d.mirrored ^ d.far_reversed;
   for (AxisMask left = d.exchanged; left != 0; left &= left - 1) {
@@ -62,20 +62,20 @@ AxisDrives drives_of(const Interpreter& m, const Drives& d) {
 }
 
 /// Of the axis, and of the one it is exchanged with: neither is in another exchange, and both are free.
-bool may_exchange(const Interpreter& m, std::size_t axis) {
+bool may_exchange(const BlockContext& m, std::size_t axis) {
   const auto other = other_of(m, axis);
   return other && may_be_exchanged(m, axis) && may_be_exchanged(m, *other);
 }
 
 /// The other channel's axis stands at `machine`. Nothing moves, the programmed coordinates are new.
-void exchange_far(Interpreter& m, std::size_t axis, double machine, bool on) {
+void exchange_far(BlockContext& m, std::size_t axis, double machine, bool on) {
   Drives& d = nct_of(m).drives;
   d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
   d.far_reversed = on && goes_other_way(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
   m.position.machine[axis] = machine;
 }
 
-void unpark(Interpreter& m, std::size_t axis) {
+void unpark(BlockContext& m, std::size_t axis) {
   Drives& d = nct_of(m).drives;
   d.parked &= ~bit(axis);
   m.position.machine[axis] = d.standing[axis];
@@ -109,12 +109,12 @@ bool carry_out(Interpreter& m, const AskedOfAxis& asked) {
 
 }  // namespace
 
-bool may_be_exchanged(const Interpreter& m, std::size_t axis) {
+bool may_be_exchanged(const BlockContext& m, std::size_t axis) {
   const Drives& d = nct_of(m).drives;
   return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && d.now.of(axis) == axis;
 }
 
-void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) {
+void ask_of_axis(BlockContext& m, const std::string& name, AxisLink link, bool on) {
   const ParameterStore& store = nct_of(m).parameters;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if (m.axis_names[a] != name) continue;
@@ -143,7 +143,7 @@ void end_drives(Interpreter& m) {
   carry_out_asked(m);
 }
 
-void keep_parked(Interpreter& m, Motion& motion) {
+void keep_parked(BlockContext& m, Motion& motion) {
   const Drives& d = nct_of(m).drives;
   detail_of(m, motion).parked = d.parked;
   for (AxisMask left = d.parked; left != 0; left &= left - 1) {

@@ -10,6 +10,7 @@
 #include "config/setup.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
 }
 
@@ -35,10 +36,10 @@ struct Drives {
 };
 
 /// It is linear, and neither coupled, exchanged, nor one of a five-axis machine.
-bool may_be_exchanged(const Interpreter& m, std::size_t axis);
+bool may_be_exchanged(const BlockContext& m, std::size_t axis);
 
 /// Until the next block begins.
-void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on);
+void ask_of_axis(BlockContext& m, const std::string& name, AxisLink link, bool on);
 
 /// Nothing moves; work coordinates are those of the axes that are driven now.
 ///   warns  axis_not_changed
@@ -48,6 +49,6 @@ void carry_out_asked(Interpreter& m);
 void end_drives(Interpreter& m);
 
 /// The parked axes of a motion stand.
-void keep_parked(Interpreter& m, Motion& motion);
+void keep_parked(BlockContext& m, Motion& motion);
 
 }  // namespace kadr::nct

@@ -19,7 +19,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
 }
 
 /// Place of the axis that a parameter names, in the channel.
-Result<std::size_t> axis_of(const Interpreter& m, const Call& call, const char* parameter) {
+Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char* parameter) {
   const auto& store = nct_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
   for (std::size_t a = 0; a < m.axis_count && !name.empty(); ++a)
@@ -28,7 +28,7 @@ Result<std::size_t> axis_of(const Interpreter& m, const Call& call, const char* 
 }
 
 /// Spindle of N1801: by its name in the set-up, else "S2" is spindle 2 and "S" the main one (INFERRED).
-Result<int> master_of(const Interpreter& m, const Call& call, const std::string& name) {
+Result<int> master_of(const BlockContext& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : nct_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
   if (name == "S") return nct_of(m).state.main_spindle;
@@ -39,7 +39,7 @@ Result<int> master_of(const Interpreter& m, const Call& call, const std::string&
 }
 
 /// T, L: the ratio. L0 is illegal (INFERRED).
-Result<double> ratio(const Interpreter& m, const Call& call) {
+Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, most_teeth);
   if (!teeth) return fail(teeth.error());
@@ -49,14 +49,14 @@ Result<double> ratio(const Interpreter& m, const Call& call) {
   return starts / *teeth;
 }
 
-Status within(const Interpreter& m, char letter, double least, double most) {
+Status within(const BlockContext& m, char letter, double least, double most) {
   const double value = m.value(letter);
   if (value >= least && value <= most) return {};
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, value));
 }
 
 /// Degrees of the table for a mm along the gear's axis (20.1.3). INFERRED: the equation is that of the gear, the sign that of P.
-Result<double> helix(const Interpreter& m, const Call& call, double teeth) {
+Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
   for (const char letter : {'Q', 'P'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double module_least = 0.05, module_most = 60, pitch_least = 0.1, pitch_most = 508, right_angle = 90;
@@ -71,7 +71,7 @@ Result<double> helix(const Interpreter& m, const Call& call, double teeth) {
 namespace functions {
 
 /// G81.8 T L R Q P: couples, or couples anew; G81.8 Q P: only the helix compensation, while coupled.
-Status gear_on(Interpreter& m, const Call& call) {
+Status gear_on(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
   const std::string master_name = store.text(store.named("1801"));
@@ -113,7 +113,7 @@ Status gear_on(Interpreter& m, const Call& call) {
 }
 
 /// G80.8: the table stands, the spindle goes on.
-Status gear_off(Interpreter& m, const Call&) {
+Status gear_off(Emitter& m, const Call&) {
   nct::disengage(m);
   return {};
 }
@@ -123,7 +123,7 @@ Status gear_off(Interpreter& m, const Call&) {
 namespace nct {
 
 /// At N1805 each (0: at rapid), straight. INFERRED: of several feeds the one that no axis exceeds; at rapid where none has one.
-Status withdraw(Interpreter& m) {
+Status withdraw(Emitter& m) {
   const auto& store = nct_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};
   Axes to = m.position.machine;
@@ -143,7 +143,7 @@ Status withdraw(Interpreter& m) {
   return m.to_machine(MotionKind::feed, to, named, std::sqrt(squares) / minutes);
 }
 
-void disengage(Interpreter& m) {
+void disengage(Emitter& m) {
   if (!nct_of(m).state.gear.on) return;
   nct_of(m).state.gear = {};
   m.emit(Uncouple{nct_of(m).parameters.text(nct_of(m).parameters.named("1802"))});

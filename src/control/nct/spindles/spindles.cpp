@@ -39,13 +39,13 @@ int range_of(const Nct& nct, int number, double rpm) {
   return range;
 }
 
-std::string name_of_spindle(const Interpreter& m, int number) {
+std::string name_of_spindle(const BlockContext& m, int number) {
   const auto found = nct_of(m).spindle_names.find(number);
   return found != nct_of(m).spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
 /// INFERRED: a number that the set-up has not, where it has spindles, is alarm 2017.
-Status own_spindle(const Interpreter& m, int number, Span where) {
+Status own_spindle(const BlockContext& m, int number, Span where) {
   const SpindleState& s = nct_of(m).spindle(number);
   if (!s.known && !nct_of(m).spindle_names.empty())
     return fail(alarm(AlarmId::illegal_address, where, std::string_view(name_of_spindle(m, number))));
@@ -54,7 +54,7 @@ Status own_spindle(const Interpreter& m, int number, Span where) {
 }
 
 /// Turns the spindle by `degrees` in the position loop.
-void turn(Interpreter& m, int number, double degrees, bool absolute) {
+void turn(Emitter& m, int number, double degrees, bool absolute) {
   SpindleState& s = nct_of(m).spindle(number);
   s.angle += degrees;
   s.angle -= 360 * std::floor(s.angle / 360);
@@ -64,7 +64,7 @@ void turn(Interpreter& m, int number, double degrees, bool absolute) {
 }
 
 /// The spindle that a word of the block names, or plain S means; without one the spindle referred to last (11.1.1, 11.2).
-int spindle_of_block(const Interpreter& m) {
+int spindle_of_block(const BlockContext& m) {
   const Nct& nct = nct_of(m);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -84,14 +84,14 @@ double limited(const Nct& nct, int number, double rpm) {
   return rpm == 0 ? 0 : std::clamp(rpm, least, most);
 }
 
-Status loop_closed(const Interpreter& m, int number, Span where) {
+Status loop_closed(const BlockContext& m, int number, Span where) {
   if (nct_of(m).spindle(number).loop_closed) return {};
   return fail(alarm(AlarmId::spindle_loop_open, where, std::string_view(name_of_spindle(m, number))));
 }
 
 }  // namespace
 
-SurfaceSpeed Nct::surface_speed(const Interpreter& m) const {
+SurfaceSpeed Nct::surface_speed(const BlockContext& m) const {
   SurfaceSpeed law{m.modal.surface_speed, static_cast<std::uint8_t>(state.main_spindle), SurfaceSpeed::no_axis, state.surface_speed, 0, 0};
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == state.css_axis) law.axis = static_cast<std::uint8_t>(a);
@@ -101,13 +101,13 @@ SurfaceSpeed Nct::surface_speed(const Interpreter& m) const {
   return law;
 }
 
-void Nct::tell_surface_speed(Interpreter& m) const {
+void Nct::tell_surface_speed(Emitter& m) const {
   if (m.batch != nullptr) m.emit(surface_speed(m));
 }
 
-double Nct::css_rpm(const Interpreter& m) const { return surface_speed(m).rpm(m.position.work, spindle(state.main_spindle).rpm); }
+double Nct::css_rpm(const Emitter& m) const { return surface_speed(m).rpm(m.position.work, spindle(state.main_spindle).rpm); }
 
-double Nct::spindle_rpm(const Interpreter& m) const {
+double Nct::spindle_rpm(const Emitter& m) const {
   const SpindleState& s = spindle(state.main_spindle);
   if (s.dir != SpindleDir::cw && s.dir != SpindleDir::ccw) return 0;
   return m.modal.surface_speed ? css_rpm(m) : s.rpm;
@@ -118,7 +118,7 @@ double Nct::spindle_rpm(const Interpreter& m) const {
 namespace kadr::functions {
 
 /// S, S1=…, SSB…, S… P: a speed for one spindle; with G96 plain S is the surface speed (11.1, 11.5.1).
-Status spindle_word(Interpreter& m, const Call& call) {
+Status spindle_word(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   if (m.has_code({Function::new_system})) return {};  // G92 S limits the speed (11.5.2)
   const double value = call.word->value;
@@ -142,7 +142,7 @@ Status spindle_word(Interpreter& m, const Call& call) {
 }
 
 /// M3, M4, M5, M19 for the spindle referred to last (11.2).
-Status spindle_code(Interpreter& m, const Call& call) {
+Status spindle_code(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const int number = nct.state.current_spindle;
   nct::SpindleState& s = nct.spindle(number);
@@ -168,7 +168,7 @@ Status spindle_code(Interpreter& m, const Call& call) {
 }
 
 /// M11 … M18 (11.3): of the spindle that the block names. A speed in force that lies outside is limited (11.1).
-Status gear_range(Interpreter& m, const Call& call) {
+Status gear_range(Emitter& m, const Call& call) {
   const int number = nct::spindle_of_block(m);
   nct::SpindleState& s = nct_of(m).spindle(number);
   s.range = call.row->arg;
@@ -183,7 +183,7 @@ Status gear_range(Interpreter& m, const Call& call) {
 }
 
 /// CS2=30: to an angle by the shorter way, or by an increment (11.7.3).
-Status spindle_axis_word(Interpreter& m, const Call& call) {
+Status spindle_axis_word(Emitter& m, const Call& call) {
   const int number = m.def.address(call.word->address).number;
   KADR_TRY(nct::own_spindle(m, number, call.where));
   KADR_TRY(nct::loop_closed(m, number, call.where));
@@ -201,7 +201,7 @@ Status spindle_axis_word(Interpreter& m, const Call& call) {
 }
 
 /// G96 P: axis of the diameter (11.5.3).
-Status css_on(Interpreter& m, const Call&) {
+Status css_on(Emitter& m, const Call&) {
   if (m.has('P')) {
     const auto axis = m.whole('P', 1, 32);
     if (!axis) return fail(axis.error());
@@ -217,7 +217,7 @@ Status css_on(Interpreter& m, const Call&) {
 }
 
 /// G97: the last speed of G96 stays (11.5.1).
-Status css_off(Interpreter& m, const Call&) {
+Status css_off(Emitter& m, const Call&) {
   if (m.modal.surface_speed && m.batch != nullptr) {
     nct::SpindleState& s = nct_of(m).spindle(nct_of(m).state.main_spindle);
     if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = nct_of(m).css_rpm(m);
@@ -237,17 +237,19 @@ Status machine_code(Interpreter& m, const Call& call) {
   auto own_code = waiting_code(m, call);
   if (own_code && !*own_code) own_code = interrupt_code(m, call);
   if (!own_code) return fail(own_code.error());
-  if (*own_code) return {};
+  return *own_code ? Status() : spindle_machine_code(m, call.word->code / 10, call.where);
+}
+
+Status spindle_machine_code(Emitter& m, int code, Span where) {
   Nct& nct = nct_of(m);
-  const int code = call.word->code / 10;
   const int number = nct.state.current_spindle;
   for (int i = 0; i <= static_cast<int>(most_spindles); ++i) {
     const int n = i == 0 ? number : i;  // that referred to last goes before others with the same codes (11.2)
     const SpindleSettings& s = nct.settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
-      KADR_TRY(loop_closed(m, n, call.where));
+      KADR_TRY(loop_closed(m, n, where));
       if (!nct.spindle(n).referenced)  // 11.7.3: M19 before the first indexing code
-        return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(name_of_spindle(m, n))));
+        return fail(alarm(AlarmId::spindle_not_referenced, where, std::string_view(name_of_spindle(m, n))));
       const double way = (code - s.index_from + 1) * s.index_angle;
       turn(m, n, s.index_negative ? -way : way, false);
       return {};
@@ -266,7 +268,7 @@ Status machine_code(Interpreter& m, const Call& call) {
 }
 
 /// INFERRED from the manual's example, where S1 becomes C1: the axis C with the spindle's number; of spindle 1 also plain C.
-void find_spindle_axes(Interpreter& m, const Setup& setup) {
+void find_spindle_axes(BlockContext& m, const Setup& setup) {
   for (const SetupEvent& event : setup.events) {
     if (event.what != SetupEvent::Do::spindle_to_axis) continue;
     const std::string name = "C" + std::to_string(event.spindle);
@@ -275,7 +277,7 @@ void find_spindle_axes(Interpreter& m, const Setup& setup) {
   }
 }
 
-void watch_spindle_axes(Interpreter& m, AxisMask named) {
+void watch_spindle_axes(Emitter& m, AxisMask named) {
   for (const auto& [axis, number] : nct_of(m).spindle_axes) {
     const SpindleDir dir = nct_of(m).spindle(number).dir;
     if ((named >> axis & 1u) == 0 || (dir != SpindleDir::cw && dir != SpindleDir::ccw)) continue;
@@ -284,7 +286,7 @@ void watch_spindle_axes(Interpreter& m, AxisMask named) {
   }
 }
 
-bool has_spindle_word(const Interpreter& m) {
+bool has_spindle_word(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) return true;
   return false;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
 #include "control/nct/words/data_lines.h"
@@ -13,7 +13,7 @@ namespace {
 constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 
 /// v of G10 L2, L20: written, or in G91 and with the operator I added.
-Status set_zero(Interpreter& m, const Call& call, std::uint32_t index, bool common) {
+Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
   Axes& shift = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;  // spec/haas 5.4
   Axes& table = common ? shift : m.tables.zeros[index];
@@ -60,7 +60,7 @@ double* offset_register(ToolOffset& offset, std::uint32_t l) {
   }
 }
 
-Status set_offset(Interpreter& m, const Call& call, std::uint32_t l) {
+Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   for (const char letter : {'P', 'R'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   const auto number = m.whole('P', 1, most_offsets(m));
@@ -75,7 +75,7 @@ Status set_offset(Interpreter& m, const Call& call, std::uint32_t l) {
 }
 
 /// L200 wear, L201 geometry: X Y Z R Q of the table for turning (15.2); INFERRED: registers whose word is missing stay.
-Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
+Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, most_offsets(m));
   if (!number) return fail(number.error());
@@ -99,7 +99,7 @@ Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
 }
 
 /// L52, L75, L76, L77: the lines up to G11 are data.
-Status open_data(Interpreter& m, const Call& call, std::uint32_t l) {
+Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
     nct_of(m).state.data_mode = DataMode::parameters;
@@ -110,7 +110,7 @@ Status open_data(Interpreter& m, const Call& call, std::uint32_t l) {
 
 }  // namespace
 
-Status set_tables(Interpreter& m, const Call& call) {
+Status set_tables(Emitter& m, const Call& call) {
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
   nct_of(m).endless.note_change();
   const auto l = m.whole('L', 1, 999);
@@ -132,7 +132,7 @@ Status set_tables(Interpreter& m, const Call& call) {
   return set_zero(m, call, index, *l == 2 && *p == 0);
 }
 
-Status data_line(Interpreter& m) {
+Status data_line(Emitter& m) {
   if (m.has_code({Function::set_tables_end})) {
     if (m.block->word_count > 1) return fail(alarm(AlarmId::own_block, m.block->words[0].where, "G11"));
     nct_of(m).close_data();
@@ -143,7 +143,7 @@ Status data_line(Interpreter& m) {
 }
 
 /// One code of each exclusive group; one spindle code (13.1, 11.2).
-Status check_m_codes(const Interpreter& m) {
+Status check_m_codes(const BlockContext& m) {
   const Settings& s = nct_of(m).settings;
   const auto is_spindle = [&](int code) {
     if (code == 3 || code == 4 || code == 5 || code == 19) return true;

@@ -11,7 +11,7 @@ ToolPlace place_of(const nct::ToolCall& call) {
 }
 
 /// What was prepared comes into the spindle.
-void change(Interpreter& m, nct::CountUse count) {
+void change(Emitter& m, nct::CountUse count) {
   nct_of(m).endless.note_change();
   m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
   const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
@@ -25,7 +25,7 @@ void change(Interpreter& m, nct::CountUse count) {
 namespace functions {
 
 /// T: the tool is looked for and prepared; where the machine changes on T it is changed (12.1, 12.2).
-Status tool_call(Interpreter& m, const Call& call) {
+Status tool_call(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
@@ -48,13 +48,13 @@ Status tool_call(Interpreter& m, const Call& call) {
 }
 
 /// M6: what was prepared comes into the spindle (12.2).
-Status exchange_tool(Interpreter& m, const Call&) {
+Status exchange_tool(Emitter& m, const Call&) {
   change(m, nct_of(m).settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
   return {};
 }
 
 /// A, B, C, U, V, W as auxiliary functions (13.2).
-Status auxiliary_word(Interpreter& m, const Call& call) {
+Status auxiliary_word(Emitter& m, const Call& call) {
   const std::uint8_t number = m.def.address(call.word->address).number;
   nct_of(m).state.words.aux[number - 1u] = call.word->value;
   m.emit(AuxiliaryFunction{call.word->address, call.word->value});
@@ -70,7 +70,7 @@ Result<std::uint32_t> Nct::offset_of_tool(char letter) const {
   return static_cast<std::uint32_t>(letter == 'H' ? numbers.h : numbers.d);
 }
 
-Status Nct::open_tool_data(Interpreter& m, std::uint32_t l, double p, Span where) {
+Status Nct::open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, where, 'P', "G10"));
   const auto kind = data_kind(l, p);
   if (!kind) return fail(alarm(AlarmId::value_out_of_range, m.has('P') ? m.where('P') : where, 'P', p));
@@ -80,7 +80,7 @@ Status Nct::open_tool_data(Interpreter& m, std::uint32_t l, double p, Span where
 }
 
 /// N is a data word there.
-Status Nct::tool_line(Interpreter& m) {
+Status Nct::tool_line(Emitter& m) {
   std::vector<DataWord> words;
   if (m.block->has_number) words.push_back({'N', double(m.block->number), {}, m.block->number_where});
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -95,7 +95,7 @@ Status Nct::tool_line(Interpreter& m) {
   return {};
 }
 
-Status Nct::parameter_line(Interpreter& m) {
+Status Nct::parameter_line(BlockContext& m) {
   ParameterStore::Write write;
   write.block = m.block->where;
   if (m.block->has_number) write.n = ParameterStore::Word{double(m.block->number), m.block->number_where};

@@ -21,7 +21,7 @@ struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
 };
-Result<Distances> distances(const Interpreter& m) {
+Result<Distances> distances(const BlockContext& m) {
   Distances d;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -35,12 +35,12 @@ Result<Distances> distances(const Interpreter& m) {
   return d;
 }
 
-Status out_of_range(const Interpreter& m, char letter) {
+Status out_of_range(const BlockContext& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
 /// R of a first line: not negative; stays as it was where it is not given.
-Status take_r(const Interpreter& m, double& to) {
+Status take_r(const BlockContext& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
   to = m.length_value('R');
@@ -48,7 +48,7 @@ Status take_r(const Interpreter& m, double& to) {
 }
 
 /// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
-Status first_of_rough(Interpreter& m, const Call& call) {
+Status first_of_rough(BlockContext& m, const Call& call) {
   TurningMemory& kept = nct_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
   const auto d = distances(m);
@@ -65,7 +65,7 @@ Status first_of_rough(Interpreter& m, const Call& call) {
 }
 
 /// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
-Status first_of_pattern(Interpreter& m) {
+Status first_of_pattern(BlockContext& m) {
   constexpr double most_passes = 9999;
   TurningMemory& kept = nct_of(m).state.turning;
   const auto d = distances(m);
@@ -80,7 +80,7 @@ Status first_of_pattern(Interpreter& m) {
 }
 
 /// G76.7 Pmmrraa QΔmin Rd.
-Status first_of_thread(Interpreter& m) {
+Status first_of_thread(BlockContext& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
   TurningMemory& kept = nct_of(m).state.turning;
   if (m.has('P')) {
@@ -102,7 +102,7 @@ Status first_of_thread(Interpreter& m) {
 }
 
 /// Which of the two lines of a compound cycle the block is: the second names the contour, the target or the pecks.
-bool is_first_line(const Interpreter& m, int code) {
+bool is_first_line(const BlockContext& m, int code) {
   switch (code) {
     case 70.7_g: return false;
     case 71.7_g:
@@ -113,7 +113,7 @@ bool is_first_line(const Interpreter& m, int code) {
   }
 }
 
-Status first_line(Interpreter& m, const Call& call) {
+Status first_line(BlockContext& m, const Call& call) {
   switch (call.row->arg) {
     case 71.7_g:
     case 72.7_g: return first_of_rough(m, call);
@@ -138,14 +138,14 @@ Status second_line(Interpreter& m, const Call& call) {
   return call.row->arg == 73.7_g ? pattern(m, call, by) : rough(m, call, by);
 }
 
-Status possible(const Interpreter& m, const Call& call) {
+Status possible(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }
 
 /// Words of a simple cycle: what is not given stays as in the block before.
-Status take_simple(Interpreter& m, const Call& call) {
+Status take_simple(BlockContext& m, const Call& call) {
   TurningMemory& kept = nct_of(m).state.turning;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
@@ -162,7 +162,7 @@ Status take_simple(Interpreter& m, const Call& call) {
 }
 
 /// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
-Status cut_once(Interpreter& m, const Call& call) {
+Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   const bool along_first = call.row->arg == 77.7_g;
@@ -174,7 +174,7 @@ Status cut_once(Interpreter& m, const Call& call) {
 }
 
 /// G78.7; the length of the chamfer-out is not known: INFERRED none.
-Status simple_thread(Interpreter& m, const Call& call) {
+Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
@@ -187,15 +187,17 @@ class FinishingRun final : public RunningValue<FinishingRun> {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter&) override { return false; }
+
+  Status lead_on(Interpreter& m) const override {
     CallFrame frame;
     frame.name = name_;
     frame.left = 1;
     frame.caller = m.origin;
     frame.modal_calls = nct_of(m).state.active_modal_calls;
-    KADR_TRY(m.flow.call_at(m.flow.reader(), first_, frame, m.block->where));
-    nct_of(m).finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
-    return false;
+    KADR_TRY(m.flow.call_at(m.program().reader(), first_, frame, m.block->where));
+    nct_of(m).finishing.push_back({m.program().depth(), behind_.offset, plane_point(m), m.origin});
+    return {};
   }
 
  private:
@@ -214,8 +216,8 @@ Status finish(Interpreter& m, const Call& call) {
 
 Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = nct_of(m).finishing;
-  while (!all.empty() && m.flow.depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
-  if (all.empty() || m.flow.depth() != all.back().depth || m.flow.position().offset < all.back().behind) return false;
+  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
+  if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
   const Finishing ended = all.back();
   all.pop_back();
   const auto left = m.flow.end_subprogram(m.block->where);
@@ -239,7 +241,7 @@ Status turning_cycle(Interpreter& m, const Call& call) {
 }
 
 /// G77.7, G78.7, G79.7 (19.1): each block with an axis repeats the cycle, which ends where it began.
-Status turning_simple(Interpreter& m, const Call& call) {
+Status turning_simple(Emitter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;
   nct::TurningMemory& kept = nct_of(m).state.turning;

@@ -12,6 +12,8 @@
 #include "base/vec.h"
 
 namespace kadr {
+class BlockContext;
+class Emitter;
 class Interpreter;
 struct Call;
 struct CodeRow;
@@ -57,8 +59,8 @@ Result<bool> end_contour(Interpreter& m);
 Status finish(Interpreter& m, const Call& call);
 Status rough(Interpreter& m, const Call& call, Vec2 allowance);
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
-Status groove(Interpreter& m, const Call& call);
-Status compound_thread(Interpreter& m, const Call& call);
+Status groove(Emitter& m, const Call& call);
+Status compound_thread(Emitter& m, const Call& call);
 
 /// One pass of a thread: at rapid to the depth of `from`, along it to `to`, out, back to the start.
 struct ThreadPass {
@@ -68,8 +70,8 @@ struct ThreadPass {
   double angle = 0;    // of the spindle at the start, degrees
   double chamfer = 0;  // mm along the thread's axis, at its end: out at 45°
 };
-Status thread_pass(Interpreter& m, const ThreadPass& pass);
+Status thread_pass(Emitter& m, const ThreadPass& pass);
 /// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
-Result<double> thread_lead_of(Interpreter& m, const Call& call);
+Result<double> thread_lead_of(BlockContext& m, const Call& call);
 
 }  // namespace kadr::nct

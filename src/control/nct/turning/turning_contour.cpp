@@ -21,7 +21,7 @@ constexpr std::size_t most_pieces = 10'000;
 /// works on the contour as it is programmed, and what it makes goes through them as any motion does (16, INFERRED).
 class DryRun {
  public:
-  explicit DryRun(Interpreter& m)
+  explicit DryRun(Emitter& m)
       : m_(m),
         modal_(m.modal),
         position_(m.position),
@@ -56,7 +56,7 @@ class DryRun {
   ActionBatch actions;
 
  private:
-  Interpreter& m_;
+  Emitter& m_;
   Modal modal_;
   ProgramPosition position_;
   Block* block_;
@@ -236,7 +236,7 @@ Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
   if (!p) return fail(p.error());
   if (!q) return fail(q.error());
   ProgramFile& file = m.flow.program_file();
-  const auto first = file.find_number(*p, m.flow.position());
+  const auto first = file.find_number(*p, m.program().position());
   if (!first) return fail(alarm(AlarmId::contour_block_missing, m.where('P'), double(*p)));
   const auto last = file.find_number(*q, *first);
   if (!last) return fail(alarm(AlarmId::contour_block_missing, m.where('Q'), double(*q)));
@@ -260,7 +260,7 @@ Result<Contour> read_contour(Interpreter& m, const Call& call) {
     return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
   contour.behind = place->behind;
-  contour.follows = contour.behind.offset > m.flow.position().offset;
+  contour.follows = contour.behind.offset > m.program().position().offset;
   return contour;
 }
 
@@ -288,7 +288,7 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
   return cut;
 }
 
-Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift) {
+Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift) {
   const Vec2 end = piece.to + shift;
   if (!piece.is_arc()) return go(m, piece.kind, end);
   const PlaneAxes& plane = m.modal.axes;

@@ -46,6 +46,6 @@ Result<Contour> read_contour(Interpreter& m, const Call& call);
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
 /// One motion of the contour, shifted; lines at rapid where the program says so, all else at the feed in force.
-Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift);
+Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift);
 
 }  // namespace kadr::nct

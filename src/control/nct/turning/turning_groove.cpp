@@ -27,7 +27,7 @@ class GrooveRun final : public RunningValue<GrooveRun> {
   };
   explicit GrooveRun(const Job& job) : job_(job), depth_(job.start.x), place_(job.start.y) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     if (over_) return false;
     if (depth_ == job_.target.x) {
       KADR_TRY(leave(m));
@@ -43,10 +43,10 @@ class GrooveRun final : public RunningValue<GrooveRun> {
   /// From a to b by at most `way`.
   static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
 
-  Status to(Interpreter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
+  Status to(Emitter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
   /// Off the wall, out, over the next place; after the last one back to the start.
-  Status leave(Interpreter& m) {
+  Status leave(Emitter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
     KADR_TRY(to(m, MotionKind::rapid, {job_.start.x, place_ + off}));
@@ -64,7 +64,7 @@ class GrooveRun final : public RunningValue<GrooveRun> {
 };
 
 /// P belongs to the second axis, Q to the first.
-Result<double> distance(const Interpreter& m, const Call& call, char letter) {
+Result<double> distance(const Emitter& m, const Call& call, char letter) {
   if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
   return m.length_value(letter);
@@ -72,7 +72,7 @@ Result<double> distance(const Interpreter& m, const Call& call, char letter) {
 
 }  // namespace
 
-Status groove(Interpreter& m, const Call& call) {
+Status groove(Emitter& m, const Call& call) {
   GrooveRun::Job job;
   job.deep_first = call.row->arg == 74.7_g;
   const std::size_t deep = job.deep_first ? 0 : 1;

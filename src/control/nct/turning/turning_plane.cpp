@@ -3,25 +3,25 @@
 #include "control/nct/turning/turning_plane.h"
 
 #include "base/tolerance.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/blocks.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
 namespace {
 
-std::size_t axis_of(const Interpreter& m, std::size_t which) { return which == 0 ? m.modal.axes.first : m.modal.axes.second; }
+std::size_t axis_of(const BlockContext& m, std::size_t which) { return which == 0 ? m.modal.axes.first : m.modal.axes.second; }
 
 }  // namespace
 
-std::size_t place_in_plane(const Interpreter& m, const Word& w) {
+std::size_t place_in_plane(const BlockContext& m, const Word& w) {
   const std::size_t axis = m.def.address(w.address).axis;
   return axis == m.modal.axes.first ? 0 : axis == m.modal.axes.second ? 1 : 2;
 }
 
-Vec2 plane_point(const Interpreter& m) { return {m.position.programmed[m.modal.axes.first], m.position.programmed[m.modal.axes.second]}; }
+Vec2 plane_point(const BlockContext& m) { return {m.position.programmed[m.modal.axes.first], m.position.programmed[m.modal.axes.second]}; }
 
-Status go(Interpreter& m, MotionKind kind, Vec2 to) {
+Status go(Emitter& m, MotionKind kind, Vec2 to) {
   const PlaneAxes& plane = m.modal.axes;
   const Vec2 here = plane_point(m);
   AxisMask named = 0;
@@ -31,13 +31,13 @@ Status go(Interpreter& m, MotionKind kind, Vec2 to) {
   return named == 0 ? Status() : m.straight(kind, end, named);
 }
 
-void end_pass(Interpreter& m) {
+void end_pass(Emitter& m) {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
-char letter_of(const Interpreter& m, std::size_t which) { return m.letters.axis_letter[axis_of(m, which)]; }
+char letter_of(const BlockContext& m, std::size_t which) { return m.letters.axis_letter[axis_of(m, which)]; }
 
-Result<PlaneTarget> plane_target(Interpreter& m) {
+Result<PlaneTarget> plane_target(BlockContext& m) {
   PlaneTarget target;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];

@@ -16,7 +16,7 @@ namespace {
 constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
-/// Along the contour to the last motion; the program goes on after it.
+/// The program goes on after the contour.
 Status jump_behind(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
@@ -118,7 +118,7 @@ class RoughRun final : public RunningValue<RoughRun> {
   RoughRun(Contour contour, Profile profile, Vec2 allowance, const TurningMemory& data)
       : contour_(std::move(contour)), profile_(std::move(profile)), allowance_(allowance), depth_(data.depth), back_(data.back) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     if (!began_) {
       began_ = true;
       KADR_TRY(to(m, MotionKind::rapid, profile_.start(), 0));
@@ -135,16 +135,17 @@ class RoughRun final : public RunningValue<RoughRun> {
     } else {
       KADR_TRY(go(m, MotionKind::rapid, contour_.pieces.front().from));
       end_pass(m);
-      KADR_TRY(jump_behind(m, contour_));
       return false;
     }
     return true;
   }
 
- private:
-  Status to(Interpreter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
+  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
 
-  Status cut(Interpreter& m) {
+ private:
+  Status to(Emitter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
+
+  Status cut(Emitter& m) {
     const Profile::Cut now = cuts_[cut_++];
     const bool last = cut_ == cuts_.size();
     if (now.open) {
@@ -181,7 +182,7 @@ class PatternRun final : public RunningValue<PatternRun> {
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
       : contour_(std::move(contour)), allowance_(allowance), relief_(relief), passes_(passes) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     const double left = passes_ == 1 ? 0 : double(passes_ - 1 - pass_) / (passes_ - 1);
     const Vec2 shift = allowance_ + left * relief_;
     const Vec2 start = contour_.pieces.front().from;
@@ -195,9 +196,10 @@ class PatternRun final : public RunningValue<PatternRun> {
     }
     KADR_TRY(go(m, MotionKind::rapid, start));
     end_pass(m);
-    KADR_TRY(jump_behind(m, contour_));
     return false;
   }
+
+  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
 
  private:
   Contour contour_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning/turning.h"
 #include "control/nct/turning/turning_plane.h"
@@ -14,7 +14,7 @@ namespace kadr::nct {
 namespace {
 
 /// A motion in step with the spindle; nothing overrides it.
-Status cut_thread(Interpreter& m, Vec2 to, double lead, double angle) {
+Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   const std::size_t before = m.batch->size();
   KADR_TRY(go(m, MotionKind::thread, to));
   if (m.batch->size() == before) return {};
@@ -43,7 +43,7 @@ class ThreadRun final : public RunningValue<ThreadRun> {
   };
   explicit ThreadRun(const Job& job) : job_(job) {}
 
-  Result<bool> next(Interpreter& m) override {
+  Result<bool> next(Emitter& m) override {
     if (finishing_ == job_.data.finishing) return false;
     const double rough = job_.height - job_.data.allowance;
     if (depth_ < rough - tol::level) {
@@ -81,7 +81,7 @@ class ThreadRun final : public RunningValue<ThreadRun> {
 
 }  // namespace
 
-Status thread_pass(Interpreter& m, const ThreadPass& pass) {
+Status thread_pass(Emitter& m, const ThreadPass& pass) {
   nct_of(m).state.in_thread = false;
   KADR_TRY(go(m, MotionKind::rapid, pass.from));
   const Vec2 way = pass.to - pass.from;
@@ -99,7 +99,7 @@ Status thread_pass(Interpreter& m, const ThreadPass& pass) {
   return go(m, MotionKind::rapid, pass.start);
 }
 
-Result<double> thread_lead_of(Interpreter& m, const Call& call) {
+Result<double> thread_lead_of(BlockContext& m, const Call& call) {
   if (m.modal.surface_speed) return fail(alarm(AlarmId::not_together, call.where, "G96", call.row->code));
   if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
   for (const char letter : {'F', 'E'})
@@ -110,7 +110,7 @@ Result<double> thread_lead_of(Interpreter& m, const Call& call) {
 }
 
 /// G76.7 X_ Z_ R_ P_ Q_ F_.
-Status compound_thread(Interpreter& m, const Call& call) {
+Status compound_thread(Emitter& m, const Call& call) {
   constexpr double most_passes = 1e6;
   ThreadRun::Job job;
   const auto target = plane_target(m);

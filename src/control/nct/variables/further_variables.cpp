@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -23,7 +23,7 @@ constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace
 
-Status name_variables(Interpreter& m, const Statement& statement) {
+Status name_variables(BlockContext& m, const Statement& statement) {
   std::string_view names = m.block->text_of(statement.text);
   double number = m.block->code[statement.value.begin].number;
   for (bool more = true; more; ++number) {
@@ -37,7 +37,7 @@ Status name_variables(Interpreter& m, const Statement& statement) {
   return {};
 }
 
-Result<double> number_meant(const Interpreter& m, double number, Span where) {
+Result<double> number_meant(const BlockContext& m, double number, Span where) {
   if (!VariableNames::is_named(number) || m.def.grammar.given_names == nullptr) return number;
   const auto& names = nct_of(m).variable_names;
   if (const auto found = names.find(number); found != names.end()) return found->second;
@@ -50,12 +50,12 @@ std::optional<FurtherVariable> further_variable(const VariableRow& row, std::uin
   return std::nullopt;
 }
 
-double read_further(const Interpreter& m, FurtherVariable variable) {
+double read_further(const BlockContext& m, FurtherVariable variable) {
   const MacroVariables& variables = nct_of(m).variables;
   return variable.own ? variables.further(variable.number) : variables.common(static_cast<int>(variable.number));
 }
 
-void write_further(Interpreter& m, FurtherVariable variable, double value) {
+void write_further(BlockContext& m, FurtherVariable variable, double value) {
   Nct& nct = nct_of(m);
   nct.endless.note_change();
   if (variable.own) nct.variables.set_further(variable.number, value);
@@ -71,7 +71,7 @@ double cutting_unit(const ControlDef& def) {
 }
 
 /// INFERRED: the run is the cycle and the part, and no part came before it.
-double timer(const Interpreter& m, const VariableRow& row) {
+double timer(const BlockContext& m, const VariableRow& row) {
   switch (static_cast<TimerOf>(row.arg)) {
     case TimerOf::power_on:
     case TimerOf::cycle_start:
@@ -81,7 +81,7 @@ double timer(const Interpreter& m, const VariableRow& row) {
   }
 }
 
-double operator_switch(const Interpreter& m, const VariableRow& row) {
+double operator_switch(const BlockContext& m, const VariableRow& row) {
   switch (row.arg) {
     case block_delete: return std::any_of(m.skip_switches.begin(), m.skip_switches.end(), [](bool on) { return on; });
     case stop_at_m1: return m.optional_stop_on;

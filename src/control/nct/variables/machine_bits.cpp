@@ -2,7 +2,7 @@
 
 #include "control/nct/variables/machine_bits.h"
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -14,7 +14,7 @@ double bits_to_word(const std::array<double, 32>& bits) {
   return word;
 }
 
-double mirror_bits(const Interpreter& m) {
+double mirror_bits(const BlockContext& m) {
   std::uint32_t bits = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.transform.mirror[a] < 0 && m.def.axis_numbers[a] >= 1) bits |= 1u << (m.def.axis_numbers[a] - 1u);

@@ -4,7 +4,7 @@
 #include <array>
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::nct {
@@ -12,7 +12,7 @@ class Nct;
 
 double bits_to_word(const std::array<double, 32>& bits);
 /// A bit an axis that is mirrored, by its control-wide number.
-double mirror_bits(const Interpreter& m);
+double mirror_bits(const BlockContext& m);
 /// Of #_CNTBS (23.1.11): all three as a mask, or one.
 double search_bits(const Nct& n, int bit);
 

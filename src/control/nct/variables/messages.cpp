@@ -16,14 +16,14 @@ namespace {
 
 constexpr int stop_base = 5000;
 
-std::string text_of(Interpreter& m) {
+std::string text_of(BlockContext& m) {
   if (m.block->comments.empty()) return {};
   Span all;
-  return m.flow.shown(m.block->text_of(m.block->comments.front()), all);
+  return m.program().shown(m.block->text_of(m.block->comments.front()), all);
 }
 
 /// The number before the text: at most three digits; nothing: 0.
-Result<int> number_of(Interpreter& m, const Statement& s) {
+Result<int> number_of(Emitter& m, const Statement& s) {
   if (!s.value) return 0;
   const auto value = evaluate(*m.block, s.value, Reading{m});
   if (!value) return fail(value.error());
@@ -33,7 +33,7 @@ Result<int> number_of(Interpreter& m, const Statement& s) {
 }
 
 /// #3000: the program stops with alarm ii4nnn00, ii the channel.
-Status program_alarm(Interpreter& m, const Statement& s, int number) {
+Status program_alarm(BlockContext& m, const Statement& s, int number) {
   const int alarm_base = static_cast<int>(m.def.behaviour.alarm_base);
   const std::string code = fmt::format("{:02}{}00", m.def.channel, alarm_base + number);
   const std::string text = text_of(m);
@@ -41,7 +41,7 @@ Status program_alarm(Interpreter& m, const Statement& s, int number) {
 }
 
 /// #3107: a question; its answer is read from #3107 (an event of the set-up, otherwise OK or Yes).
-Status question(Interpreter& m, const Statement& s, int number) {
+Status question(Emitter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);
   if (!text) return fail(text.error());
@@ -52,7 +52,7 @@ Status question(Interpreter& m, const Statement& s, int number) {
 
 }  // namespace
 
-Status message(Interpreter& m, const Statement& s) {
+Status message(Emitter& m, const Statement& s) {
   const auto number = number_of(m, s);
   if (!number) return fail(number.error());
   const Instruction& target = m.block->code[s.target.begin];

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
 
@@ -16,7 +16,7 @@ constexpr int extended_zero = 187;  // P of G54.1
 
 }  // namespace
 
-double modal_group(const Interpreter& m, int family, std::uint32_t group) {
+double modal_group(const BlockContext& m, int family, std::uint32_t group) {
   const Interrupted& interrupted = nct_of(m).interrupted;
   const Modal& modal = family == 2 && interrupted.active ? interrupted.modal : m.modal;
   const std::string name = std::to_string(group);
@@ -28,7 +28,7 @@ double modal_group(const Interpreter& m, int family, std::uint32_t group) {
   return 0;
 }
 
-double modal_word(const Interpreter& m, int arg) {
+double modal_word(const BlockContext& m, int arg) {
   const int family = arg / family_step;
   const Interrupted& interrupted = nct_of(m).interrupted;
   const ModalWords& w = family == 2 && interrupted.active ? interrupted.words : nct_of(m).state.words;

@@ -5,14 +5,14 @@
 #include <cstdint>
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
 }
 
 namespace kadr::nct {
 
 /// Code of a group: 100·decimal + whole part; 0: none.
-double modal_group(const Interpreter& m, int family, std::uint32_t group);
+double modal_group(const BlockContext& m, int family, std::uint32_t group);
 /// A word by its letter; `arg` = 1000·family + letter (controls/nct.toml).
-double modal_word(const Interpreter& m, int arg);
+double modal_word(const BlockContext& m, int arg);
 
 }  // namespace kadr::nct

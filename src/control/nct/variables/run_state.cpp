@@ -17,7 +17,7 @@ bool is_set(const ToolOffset& o) {
   return false;
 }
 
-AxisValues by_name(const Interpreter& m, const Axes& axes) {
+AxisValues by_name(const BlockContext& m, const Axes& axes) {
   AxisValues values;
   for (std::size_t a = 0; a < m.axis_count; ++a) values[m.axis_names[a]] = axes[a];
   return values;
@@ -51,7 +51,7 @@ const char* name_of(SpindleDir dir) {
 
 }  // namespace
 
-void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) {
+void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
   const auto add = [&](int n) {
     double value = 0;
     if (nct_of(m).variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/nct.h"
 #include "control/nct/variables/clock.h"
@@ -40,19 +40,19 @@ std::optional<Found> find(const ControlDef& def, std::uint32_t number) {
 }
 
 /// Index in the channel of the axis with that control-wide number; -1: another channel's, or none.
-int axis_of(const Interpreter& m, std::uint32_t number) {
+int axis_of(const BlockContext& m, std::uint32_t number) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
   return -1;
 }
 
 /// A length in the program's unit; a diameter as one.
-double shown(const Interpreter& m, int axis, double mm) {
+double shown(const BlockContext& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
   return m.modal.inch ? v / mm_per_inch : v;
 }
-double kept(const Interpreter& m, int axis, double value) {
+double kept(const BlockContext& m, int axis, double value) {
   if ((m.def.rotary >> axis & 1u) != 0) return value;
   const double mm = m.modal.inch ? value * mm_per_inch : value;
   return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
@@ -73,7 +73,7 @@ std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v
 }
 
 /// A position of the tool as it is told (25.19): in the work system, or in the programming frame; with the length, or without.
-double told(const Interpreter& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
+double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
   const bool with_length = !nct_of(m).settings.without_length;
   const PartSpace* const space = space_of(m);
   if (space == nullptr || space->is_plain()) return work[axis] + (with_length ? length[axis] : 0);
@@ -84,7 +84,7 @@ double told(const Interpreter& m, std::size_t axis, const Axes& work, const Axes
 }
 
 /// Positions and lengths by axis; another channel's axis reads 0.
-double axis_value(const Interpreter& m, VariableKind kind, int axis) {
+double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
   const Nct& nct = nct_of(m);
@@ -101,7 +101,7 @@ double axis_value(const Interpreter& m, VariableKind kind, int axis) {
 }
 
 /// The field of the offset table, or nullptr.
-double* offset_field(Interpreter& m, VariableKind kind, std::uint32_t number) {
+double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   if (number >= m.tables.offsets.size()) return nullptr;
   ToolOffset& o = m.tables.offsets[number];
   switch (kind) {
@@ -121,7 +121,7 @@ double* offset_field(Interpreter& m, VariableKind kind, std::uint32_t number) {
 }
 
 /// What one unit of a register's variable is: mm, of a diameter (spec/haas 2.4) half of it.
-double register_unit(const Interpreter& m, VariableKind kind) {
+double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
   return (m.modal.inch ? mm_per_inch : 1) * (radius && nct_of(m).settings.offsets_are_diameters ? 0.5 : 1);
@@ -134,7 +134,7 @@ std::size_t system_of(const Found& f) {
   return extended ? basic_systems + f.family : static_cast<std::size_t>(f.row->arg);
 }
 
-double* rotation_field(Interpreter& m, const Found& f) {
+double* rotation_field(BlockContext& m, const Found& f) {
   Vec3& angles = m.tables.rotations[system_of(f)];
   return f.index == 1 ? &angles.x : f.index == 2 ? &angles.y : &angles.z;
 }
@@ -145,7 +145,7 @@ bool is_zero(VariableKind kind) {
 }
 
 /// #5501 … (25.4): the dynamic offset in force as the table stands, of the rotary axes as it is in the table.
-double dynamic_value(const Interpreter& m, int axis) {
+double dynamic_value(const BlockContext& m, int axis) {
   const PartSpace* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -153,7 +153,7 @@ double dynamic_value(const Interpreter& m, int axis) {
 }
 
 /// #151001 … the other way round than #5061; #151101 … of the machine (25.19).
-double probe_of_five_axes(const Interpreter& m, bool of_machine, int axis) {
+double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
   const Nct& nct = nct_of(m);
@@ -162,13 +162,13 @@ double probe_of_five_axes(const Interpreter& m, bool of_machine, int axis) {
 }
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-double* zero_field(Interpreter& m, const Found& f, int axis) {
+double* zero_field(BlockContext& m, const Found& f, int axis) {
   Axes& common = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;
   Axes* const zero = f.row->kind == VariableKind::zero_common ? &common : &m.tables.zeros[system_of(f)];
   return zero->data() + axis;
 }
 
-double read_plain(const Interpreter& m, const Found& f) {
+double read_plain(const Emitter& m, const Found& f) {
   const Nct& n = nct_of(m);
   const VariableRow& row = *f.row;
   switch (row.kind) {
@@ -194,7 +194,7 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::override_lock: return row.bit < 0 ? n.control_2 : n.control_2 >> row.bit & 1u;
     case VariableKind::mirror_state: return mirror_bits(m);
     case VariableKind::search_state: return search_bits(n, row.bit);
-    case VariableKind::main_program: return number_of_file(m.flow.main_file());
+    case VariableKind::main_program: return number_of_file(m.program().main_file());
     case VariableKind::modal_group: return modal_group(m, row.arg, f.index);
     case VariableKind::modal_word: return modal_word(m, row.arg);
     case VariableKind::tool_magazine: return n.tool_magazine;
@@ -231,7 +231,7 @@ Status write_control(std::uint32_t& control, const VariableRow& row, double valu
   return {};
 }
 
-Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
+Status write_plain(BlockContext& m, const Found& f, double value, Span where) {
   Nct& n = nct_of(m);
   switch (f.row->kind) {
     case VariableKind::plc_out: {
@@ -267,7 +267,7 @@ Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
 
 }  // namespace
 
-Axes length_in_force(const Interpreter& m) {
+Axes length_in_force(const BlockContext& m) {
   const PartSpace* const space = space_of(m);
   if (space == nullptr || space->is_plain()) return m.frames.length;
   Axes length = m.frames.length;
@@ -277,7 +277,7 @@ Axes length_in_force(const Interpreter& m) {
   return length;
 }
 
-Result<double> read_variable(Interpreter& m, double number, Span where) {
+Result<double> read_variable(Emitter& m, double number, Span where) {
   const auto meant = number_meant(m, number, where);
   if (!meant) return fail(meant.error());
   const auto n = whole_number(*meant, where);
@@ -310,7 +310,7 @@ Result<double> read_variable(Interpreter& m, double number, Span where) {
   return read_plain(m, *f);
 }
 
-Status write_variable(Interpreter& m, double number, double value, Span where) {
+Status write_variable(Emitter& m, double number, double value, Span where) {
   const auto meant = number_meant(m, number, where);
   if (!meant) return fail(meant.error());
   const auto n = whole_number(*meant, where);
@@ -354,7 +354,7 @@ Status write_variable(Interpreter& m, double number, double value, Span where) {
   return write_plain(m, *f, value, where);
 }
 
-Status set_start_value(Interpreter& m, double number, double value) {
+Status set_start_value(Emitter& m, double number, double value) {
   Nct& nct = nct_of(m);
   const auto n = whole_number(number, {});
   if (!n) return fail(n.error());
@@ -379,7 +379,7 @@ Status set_start_value(Interpreter& m, double number, double value) {
   return write_variable(m, number, value, {});
 }
 
-Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) {
+Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) {
   if (symbol == symbol_own_number)
     return VariableNames::is_named(index) ? fail(alarm(AlarmId::variable_unknown, where, index)) : Result<double>(index);
   const VariableName& name = m.def.grammar.symbols[static_cast<std::size_t>(symbol)];
@@ -389,7 +389,7 @@ Result<double> number_of_element(const Interpreter& m, double symbol, double ind
   return name.number + nearest - name.first_index;
 }
 
-Result<double> read_parameter(Interpreter& m, double number, double bit, double index, Span where) {
+Result<double> read_parameter(BlockContext& m, double number, double bit, double index, Span where) {
   const auto given = [](double v) { return is_vacant(v) ? std::optional<double>() : std::optional(v); };
   if (is_vacant(number)) return fail(alarm(AlarmId::expression_syntax, where, "PRM"));
   nct_of(m).endless.note_reading();

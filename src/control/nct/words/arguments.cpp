@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/nct/calls/calls.h"
 
 namespace kadr::nct {
@@ -46,7 +46,7 @@ class Assigner {
 
 }  // namespace
 
-Status arguments_of(const Interpreter& m, std::uint32_t caller, Locals& to) {
+Status arguments_of(const BlockContext& m, std::uint32_t caller, Locals& to) {
   const bool later_counts = m.def.behaviour.later_argument_counts;  // spec/fanuc 9.3: G, L, N, O, P are none there
   Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {

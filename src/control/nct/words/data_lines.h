@@ -4,15 +4,16 @@
 #include "base/result.h"
 
 namespace kadr {
-class Interpreter;
+class BlockContext;
+class Emitter;
 }
 
 namespace kadr::nct {
 
 /// One data line.
 ///   alarms  value_out_of_range (2002), word_missing (2004), parameter_not_writable (2193), data_block
-Status data_line(Interpreter& m);
+Status data_line(Emitter& m);
 /// Two M codes of one exclusive group, or two spindle codes. alarms m_codes_contradict
-Status check_m_codes(const Interpreter& m);
+Status check_m_codes(const BlockContext& m);
 
 }  // namespace kadr::nct

@@ -11,12 +11,12 @@
 
 namespace kadr {
 
-std::uint32_t nct::most_offsets(const Interpreter& m) {
+std::uint32_t nct::most_offsets(const BlockContext& m) {
   const int most = nct_of(m).tools.limits().offsets;
   return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
 }
 
-Result<std::uint32_t> nct::offset_number(const Interpreter& m, char letter) {
+Result<std::uint32_t> nct::offset_number(const BlockContext& m, char letter) {
   if (m.def.behaviour.offset_numbers_checked && m.has(letter) && m.value(letter) > nct::most_offsets(m))  // spec/fanuc 7.1: PS0030
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, nct::most_offsets(m));
@@ -29,7 +29,7 @@ Result<std::uint32_t> nct::offset_number(const Interpreter& m, char letter) {
 namespace {
 
 /// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
-AxisMask length_axes(const Interpreter& m) {
+AxisMask length_axes(const BlockContext& m) {
   const int mode = nct_of(m).settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
   if (const int axis = nct::drills_along(m); axis >= 0) return bit(axis);
@@ -47,10 +47,10 @@ AxisMask length_axes(const Interpreter& m) {
 
 /// What a length of the table shifts the axis by: on one programmed in diameter it is a diameter (5.3, 15.3). Decided when the
 /// length is called: the table does not know its axis, and G10.9 leaves the machine where it is.
-double shift_by(const Interpreter& m, std::size_t axis, double length) { return nct::is_diameter(m, axis) ? length / 2 : length; }
+double shift_by(const BlockContext& m, std::size_t axis, double length) { return nct::is_diameter(m, axis) ? length / 2 : length; }
 
 /// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
-void register_turning(Interpreter& m, std::uint32_t number) {
+void register_turning(BlockContext& m, std::uint32_t number) {
   const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
   if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
   const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
@@ -61,7 +61,7 @@ void register_turning(Interpreter& m, std::uint32_t number) {
     }
 }
 
-void register_length(Interpreter& m, std::uint32_t number) {
+void register_length(BlockContext& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
@@ -72,7 +72,7 @@ void register_length(Interpreter& m, std::uint32_t number) {
 }
 
 /// spec/haas 10, Setting 15: H must be the tool in the spindle; H0 ends the compensation.
-Status of_tool(const Interpreter& m, std::uint32_t number) {
+Status of_tool(const BlockContext& m, std::uint32_t number) {
   const std::uint32_t tool = m.modal.tool;
   if (!nct_of(m).settings.length_of_tool || number == 0 || number == tool) return {};
   return fail(alarm(AlarmId::length_of_other_tool, m.where('H'), double(number), double(tool)));
@@ -80,7 +80,7 @@ Status of_tool(const Interpreter& m, std::uint32_t number) {
 
 }  // namespace
 
-bool nct::only_shifts_length(const Interpreter& m) {
+bool nct::only_shifts_length(const BlockContext& m) {
   if (m.modal.absolute || !(m.has('H') || m.has_code({Function::length_comp}))) return false;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (const char letter = m.letters.axis_letter[a]; letter != 0 && m.has(letter) && m.value(letter) != 0) return false;
@@ -90,7 +90,7 @@ bool nct::only_shifts_length(const Interpreter& m) {
 namespace functions {
 
 /// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
-Status length_comp(Interpreter& m, const Call& call) {
+Status length_comp(Emitter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
@@ -122,7 +122,7 @@ Status length_comp(Interpreter& m, const Call& call) {
 }
 
 /// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
-Status length_number(Interpreter& m, const Call& call) {
+Status length_number(Emitter& m, const Call& call) {
   if (m.has_code({Function::length_comp, Function::tool_lead, Function::tool_orientation})) return {};
   const auto number = nct::offset_number(m, 'H');
   if (!number) return fail(number.error());
@@ -138,7 +138,7 @@ Status length_number(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status radius_number(Interpreter& m, const Call&) {
+Status radius_number(Emitter& m, const Call&) {
   const auto number = nct::offset_number(m, 'D');
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
@@ -149,7 +149,7 @@ Status radius_number(Interpreter& m, const Call&) {
 }
 
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
-Status radius_side(Interpreter& m, const Call& call) {
+Status radius_side(Emitter& m, const Call& call) {
   nct::Volatile& state = nct_of(m).state;
   if (m.def.behaviour.compensation_in_xy && call.row->arg != 0 && m.modal.plane != Plane::xy)
     return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
@@ -173,14 +173,14 @@ Status radius_side(Interpreter& m, const Call& call) {
 }
 
 /// G38 (15.5.5): the motion of its block, a line, ends with the vector that it begins with.
-Status vector_hold(Interpreter& m, const Call& call) {
+Status vector_hold(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   nct_of(m).holds_vector = true;
   return {};
 }
 
 /// G39 (15.5.6): about the programmed point, to where the next motion begins or to I, J, K. Nothing else moves in its block.
-Status vector_corner(Interpreter& m, const Call& call) {
+Status vector_corner(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   m.emit(ContourCorner{nct::plane_direction(m)});

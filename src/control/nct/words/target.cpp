@@ -12,8 +12,8 @@ namespace kadr::nct {
 namespace {
 
 /// G16: the first plane axis carries the radius, the second the angle (5.4).
-void polar(const Interpreter& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
-  Modal& modal = const_cast<Interpreter&>(m).modal;  // what was given last is kept
+void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
+  Modal& modal = const_cast<BlockContext&>(m).modal;  // what was given last is kept
   const PlaneAxes& plane = modal.axes;
   const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};
   if (!modal.polar_angle_given) modal.polar_angle = angle_deg(here);
@@ -38,7 +38,7 @@ void polar(const Interpreter& m, const Word* radius, const Word* angle, Axes& to
 }
 
 /// Two words of one axis (X and its increment U): the one written last.
-tl::unexpected<Alarm> twice(const Interpreter& m, std::size_t axis) {
+tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
   const Word* last = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -49,16 +49,16 @@ tl::unexpected<Alarm> twice(const Interpreter& m, std::size_t axis) {
 
 }  // namespace
 
-bool is_diameter(const Interpreter& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
+bool is_diameter(const BlockContext& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
 
-double coordinate(const Interpreter& m, const Word& w, std::size_t axis) {
+double coordinate(const BlockContext& m, const Word& w, std::size_t axis) {
   const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
   const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
   const double v = w.value * (is_length ? m.unit_scale() : 1.0);
   return is_diameter(m, axis) ? v / 2 : v;
 }
 
-bool is_increment(const Interpreter& m, const Word& w) {
+bool is_increment(const BlockContext& m, const Word& w) {
   if (nct_of(m).absolute_block) return false;
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
@@ -88,7 +88,7 @@ double roll_travel(const AxisSettings& axis, double c, double programmed, bool i
 namespace {
 
 /// Rotary axes that follow from the tool's direction (25.14), the shortest way.
-void take_directed(const Interpreter& m, Axes& to, AxisMask& named) {
+void take_directed(const BlockContext& m, Axes& to, AxisMask& named) {
   Nct& nct = nct_of(m);
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
     if ((nct.by_direction >> axis & 1u) == 0) continue;
@@ -104,7 +104,7 @@ void take_directed(const Interpreter& m, Axes& to, AxisMask& named) {
 
 }  // namespace
 
-Status target(const Interpreter& m, Axes& to, AxisMask& named) {
+Status target(const BlockContext& m, Axes& to, AxisMask& named) {
   to = m.position.programmed;
   named = 0;
   Nct& nct = nct_of(m);
