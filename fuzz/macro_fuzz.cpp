@@ -11,7 +11,7 @@
 
 #include "config/control_file.h"
 #include "config/machine_axes.h"
-#include "control/nct/output/print.h"
+#include "control/macro_b/output/print.h"
 #include "lang/block/lexer.h"
 #include "lang/expression/expression.h"
 #include "require.h"

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "control/nct/calls/waiting.h"
+#include "control/nct/axes/coupling.h"
+#include "control/nct/axes/drives.h"
 #include "control/nct/nct.h"
-#include "control/nct/spindles/coupling.h"
-#include "control/nct/spindles/drives.h"
+#include "control/nct/waiting.h"
 #include "control/state/search_rules.h"
 
 namespace kadr::nct {

@@ -8,12 +8,12 @@
 
 #include "base/code_literals.h"
 #include "config/machine_axes.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/frames/transformations.h"
+#include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/calls/waiting.h"
-#include "control/nct/five_axis/five_axis.h"
-#include "control/nct/frames/transformations.h"
-#include "control/nct/variables/system_variables.h"
-#include "control/nct/words/coordinates.h"
+#include "control/macro_b/variables/system_variables.h"
+#include "control/nct/waiting.h"
 
 namespace kadr::nct {
 namespace {

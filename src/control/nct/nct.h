@@ -7,9 +7,9 @@
 
 #include "config/setup.h"
 #include "control/dialect.h"
+#include "control/macro_b/output/output_file.h"
+#include "control/macro_b/variables/parameters.h"
 #include "control/nct/memory.h"
-#include "control/nct/output/output_file.h"
-#include "control/nct/variables/parameters.h"
 #include "control/variables/macro_variables.h"
 
 namespace kadr {
