@@ -2,9 +2,9 @@
 // them.
 
 #include "base/code_literals.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr::functions {
 namespace {
@@ -37,7 +37,7 @@ class CircularBore {
   /// I, K, Q and D: radii of the tool's path, mm. alarms word_missing, pocket_words_wrong, value_out_of_range
   Status sizes() {
     if (!m_.has('I')) return fail(alarm(AlarmId::word_missing, call_.where, 'I', call_.row->code));
-    const double given = m_.has('D') ? m_.value('D') : nct_of(m_).state.words.d;
+    const double given = m_.has('D') ? m_.value('D') : macro_b_of(m_).state.words.d;
     double tool = 0;
     if (given > 0 && given < static_cast<double>(m_.tables.offsets.size())) {
       const ToolOffset& offset = m_.tables.offsets[static_cast<std::size_t>(given)];

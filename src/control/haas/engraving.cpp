@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 #include "control/haas/letters.h"
-#include "control/nct/nct.h"
 
 namespace kadr::functions {
 namespace {
@@ -31,10 +31,10 @@ class EngravedText {
     KADR_TRY(m_.feed_known(call_.where));
     m_.warn(warning(AlarmId::engraving_font, call_.where, call_.row->code));
     for (std::size_t i = 0; i < text_.size(); ++i) {
-      const auto strokes = nct::strokes_of(text_[i]);
-      for (const auto& stroke : *strokes) KADR_TRY(draw(stroke, static_cast<double>(i) * nct::letter_advance));
+      const auto strokes = haas::strokes_of(text_[i]);
+      for (const auto& stroke : *strokes) KADR_TRY(draw(stroke, static_cast<double>(i) * haas::letter_advance));
     }
-    KADR_TRY(over({static_cast<double>(text_.size()) * nct::letter_advance, 0}));
+    KADR_TRY(over({static_cast<double>(text_.size()) * haas::letter_advance, 0}));
     if (p_ == serial_number) set_serial(serial_ + 1);
     return to_level(level_, MotionKind::rapid);
   }
@@ -67,7 +67,7 @@ class EngravedText {
       return {};
     }
     if (!consists_of("#")) return fail(alarm(AlarmId::not_available, m_.block->comments.front(), std::string_view(text_)));
-    const double stored = nct_of(m_).variables.common(serial_variable);
+    const double stored = macro_b_of(m_).variables.common(serial_variable);
     serial_ = is_vacant(stored) ? 0 : std::round(std::fabs(stored));
     const double shown = std::fmod(serial_, std::pow(10.0, static_cast<double>(text_.size())));
     text_ = fmt::format("{:0{}.0f}", shown, text_.size());
@@ -75,8 +75,8 @@ class EngravedText {
   }
 
   void set_serial(double number) {
-    nct_of(m_).endless.note_change();
-    nct_of(m_).variables.set_common(serial_variable, number);
+    macro_b_of(m_).endless.note_change();
+    macro_b_of(m_).variables.set_common(serial_variable, number);
   }
 
   /// alarms  not_available (a letter that the font has not), word_missing, value_out_of_range
@@ -86,11 +86,11 @@ class EngravedText {
     const Span where = m_.block->comments.empty() ? call_.where : m_.block->comments.front();
     for (const char letter : text_) {
       const std::string shown = std::string(call_.row->code) + " '" + letter + "'";
-      if (!nct::strokes_of(letter)) return fail(alarm(AlarmId::not_available, where, std::string_view(shown)));
+      if (!haas::strokes_of(letter)) return fail(alarm(AlarmId::not_available, where, std::string_view(shown)));
     }
     const double height = m_.has('J') ? m_.length_value('J') : usual_height;
     if (!(height > 0)) return fail(alarm(AlarmId::value_out_of_range, m_.where('J'), 'J', height));
-    unit_ = height / nct::letter_height;
+    unit_ = height / haas::letter_height;
     along_ = sincos_deg(m_.has('I') ? m_.value('I') : 0);
     level_ = m_.length_value('R');
     if (m_.has('E')) plunge_ = m_.length_value('E');

@@ -4,7 +4,7 @@
 
 #include "base/ascii.h"
 
-namespace kadr::nct {
+namespace kadr::haas {
 namespace {
 
 /// Points on a grid of 5 by 7, x and y a digit each; a blank ends a stroke.
@@ -96,4 +96,4 @@ std::optional<std::vector<std::vector<Vec2>>> strokes_of(char letter) {
   return std::nullopt;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::haas

@@ -7,7 +7,7 @@
 
 #include "base/vec.h"
 
-namespace kadr::nct {
+namespace kadr::haas {
 
 /// Height of a capital, and how far one letter is from the next, in the units of the strokes.
 inline constexpr double letter_height = 6, letter_advance = 6;
@@ -15,4 +15,4 @@ inline constexpr double letter_height = 6, letter_advance = 6;
 /// The strokes of a letter, from its lower left corner; small letters are drawn as capitals. Nothing: there is no such letter.
 std::optional<std::vector<std::vector<Vec2>>> strokes_of(char letter);
 
-}  // namespace kadr::nct
+}  // namespace kadr::haas

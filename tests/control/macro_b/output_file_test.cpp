@@ -14,7 +14,7 @@
 
 #include "choices.h"
 
-namespace kadr::nct::output_file_test {
+namespace kadr::macro_b::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -366,4 +366,4 @@ RC_GTEST_PROP(output_file, nothing_outside_the_root_ever_changes, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::nct::output_file_test
+}  // namespace kadr::macro_b::output_file_test

@@ -9,7 +9,7 @@
 
 #include "config/parameter_table.h"
 
-namespace kadr::nct::parameters_test {
+namespace kadr::macro_b::parameters_test {
 namespace {
 
 const std::vector<ParameterRow>& rows() {
@@ -372,4 +372,4 @@ RC_GTEST_PROP(parameter_properties, a_block_taken_back_leaves_no_trace, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::nct::parameters_test
+}  // namespace kadr::macro_b::parameters_test

@@ -8,7 +8,7 @@
 
 #include "choices.h"
 
-namespace kadr::nct::print_test {
+namespace kadr::macro_b::print_test {
 namespace {
 
 using test::Choices;
@@ -249,4 +249,4 @@ TEST(parse_message, text_stays_as_it_is) {
 }
 
 }  // namespace
-}  // namespace kadr::nct::print_test
+}  // namespace kadr::macro_b::print_test

@@ -10,13 +10,13 @@
 #include "config/drill_steps.h"
 #include "control/fanuc/drilling/drilling_run.h"
 #include "control/fanuc/drilling/pattern.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/frames/transformations.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr double most_pecks = 1e6;
@@ -24,7 +24,7 @@ constexpr double most_holes = 99'999'999;
 
 /// The cycle's row in force, or -1.
 std::int16_t cycle_row(const Interpreter& m) {
-  const std::int16_t row = m.modal.rows[nct_of(m).drilling_group];
+  const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
@@ -35,12 +35,12 @@ bool moves_by_code(const Interpreter& m) {
 
 /// X, Y, Z by number: the direction in which the plane drills.
 int drilling_direction(const Interpreter& m) {
-  if (m.def.behaviour.drills_third && !nct_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  if (m.def.behaviour.drills_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
 bool has_direction(const Interpreter& m, std::size_t axis, int direction) {
-  const int role = nct_of(m).settings.axes[axis].role;
+  const int role = fanuc_of(m).settings.axes[axis].role;
   return role == direction || role == direction + 4;
 }
 
@@ -65,10 +65,10 @@ Result<const Word*> bottom_word(const Interpreter& m) {
 int drilling_axis(const Interpreter& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
-  if (const std::size_t axis = nct_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
+  if (const std::size_t axis = fanuc_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
     return static_cast<int>(axis);
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (nct_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
+    if (fanuc_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
   return -1;
 }
 
@@ -76,8 +76,8 @@ int drilling_axis(const Interpreter& m, const Word* bottom) {
 class Drilling {
  public:
   Drilling(Interpreter& m, const Call& call)
-      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {
-    const bool rigid = nct_of(m).state.rigid_tap || nct_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
+      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(fanuc_of(m).state.drilling) {
+    const bool rigid = fanuc_of(m).state.rigid_tap || fanuc_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
     if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
     if (code_ == only_back) code_ = 87_g;
   }
@@ -121,7 +121,7 @@ class Drilling {
     KADR_TRY(data(job));
     KADR_TRY(m_.feed_known(call_.where));
     KADR_TRY(within_reach(job));
-    nct_of(m_).moved = true;
+    macro_b_of(m_).moved = true;
     m_.running = std::make_unique<DrillingRun>(job);
     return {};
   }
@@ -131,7 +131,7 @@ class Drilling {
   bool by_q() const { return m_.def.behaviour.shifts_by_q; }
   bool has_percent() const { return code_ == 85_g || code_ == 89_g || is_tap(); }
   const SpindleSettings& spindle() const {
-    return nct_of(m_).settings.spindles[static_cast<std::size_t>(nct_of(m_).state.current_spindle)];
+    return fanuc_of(m_).settings.spindles[static_cast<std::size_t>(fanuc_of(m_).state.current_spindle)];
   }
   std::string_view code_text() const { return call_.row->code; }
 
@@ -139,7 +139,7 @@ class Drilling {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
     if (code_ == 76_g && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
     if (is_tap() && !spindle().indexes && !m_.def.behaviour.drills_by_level)
-      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(nct_of(m_).state.current_spindle)));
+      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(fanuc_of(m_).state.current_spindle)));
     if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
     for (const char letter : {'I', 'J', 'K'})
       if (m_.has(letter) && !belongs(letter)) return fail(alarm(AlarmId::illegal_address, m_.where(letter), letter));
@@ -227,7 +227,7 @@ class Drilling {
 
   /// What is missing comes from the parameters; INFERRED: a percentage of 0 there is not set and means 100.
   Status data(DrillingRun::Job& job) const {
-    const Settings& s = nct_of(m_).settings;
+    const Settings& s = fanuc_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
     job.code = code_;
     job.peck = kept_.peck;
@@ -281,7 +281,7 @@ class Drilling {
     AxisMask named = 0;
     if (job.passes == 1 || m_.modal.polar_data) return {};
     KADR_TRY(hole_position(m_, kept_.axis, second, named));
-    nct_of(m_).rolled = 0;
+    fanuc_of(m_).rolled = 0;
     for (std::size_t a = 0; a < m_.axis_count; ++a) {
       const double last = first[a] + (second[a] - first[a]) * (job.passes - 1);
       if ((named >> a & 1u) != 0 && !(std::fabs(last) <= farthest))
@@ -300,7 +300,7 @@ class Drilling {
 Status known(const Interpreter& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
-  const bool lathe = nct_of(m).settings.lathe_codes;
+  const bool lathe = fanuc_of(m).settings.lathe_codes;
   if (alias ? lathe : !(replaced && lathe)) return {};
   return fail(
       alarm(AlarmId::code_unknown, call.where, call.word != nullptr ? m.block->text_of(call.where) : std::string_view(call.row->code)));
@@ -324,11 +324,11 @@ int drills_along(const Interpreter& m) {
 }
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
-  if (row.letter == 'M' && nct_of(m).settings.part_code != 0 && tenth == 10 * nct_of(m).settings.part_code)
-    nct_of(m).state.parts_done += 1;  // 13.1
+  if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
+    macro_b_of(m).state.parts_done += 1;  // 13.1
   note_mirror_code(m, row);
-  if (row.group != nct_of(m).motion_group) return;
-  if (row.function != Function::turning_simple) nct_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)
+  if (row.group != fanuc_of(m).motion_group) return;
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -345,34 +345,34 @@ Status check_increment_of_r(const Interpreter& m) {
   return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
 /// G73 … G89 (18), phase `positioning`: operation 1 now; the rest follows the block's functions, action by action.
 Status drilling(Interpreter& m, const Call& call) {
-  KADR_TRY(nct::known(m, call));
-  if (nct::moves_by_code(m)) return {};
-  return nct::Drilling(m, call).run();
+  KADR_TRY(fanuc::known(m, call));
+  if (fanuc::moves_by_code(m)) return {};
+  return fanuc::Drilling(m, call).run();
 }
 
 /// G80 (18.1.4), or a code of group 1: the data are deleted, G98 is in force.
 Status drilling_off(Interpreter& m, const Call&) {
-  if (!nct::drilling_on(m)) return {};
-  nct_of(m).state.drilling = {};
-  nct_of(m).state.rigid_tap = false;
+  if (!fanuc::drilling_on(m)) return {};
+  fanuc_of(m).state.drilling = {};
+  fanuc_of(m).state.rigid_tap = false;
   if (!m.has_code({Function::retract_level})) m.run_modes({Function::retract_initial});
   return {};
 }
 
 /// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, from where the tool stands.
 Status hole_pattern(Interpreter& m, const Call& call) {
-  const std::int16_t row = nct::motion_row(m);
-  if (!nct::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));
-  auto points = nct::pattern_points(m, call);
+  const std::int16_t row = fanuc::motion_row(m);
+  if (!fanuc::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));
+  auto points = fanuc::pattern_points(m, call);
   if (!points) return fail(points.error());
   const Call cycle{&m.def.codes[static_cast<std::size_t>(row)], nullptr, call.where};
-  return nct::Drilling(m, cycle).at_points(std::move(*points));
+  return fanuc::Drilling(m, cycle).at_points(std::move(*points));
 }
 
 }  // namespace kadr::functions

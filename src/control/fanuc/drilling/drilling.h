@@ -13,21 +13,7 @@ class Interpreter;
 struct CodeRow;
 }  // namespace kadr
 
-namespace kadr::nct {
-
-/// Cycle variables, modal while the mode is on. Deleted: R and the bottom are increments of 0, all others 0 (18.0).
-struct DrillingMemory {
-  std::size_t axis = 0;                          // that drills
-  double initial = 0;                            // the initial point, programmed, mm
-  double level = 0, bottom = 0;                  // R and the bottom as their words say, mm
-  bool level_added = true, bottom_added = true;  // increments: from the initial point, from R
-  bool level_known = false, bottom_known = false;
-  Vec3 shift;             // I, J, K of G76 and G87, mm
-  double percent = 0;     // I of G85, G89, G84.2, G84.3; 0: not given
-  double peck = 0;        // Q, mm; 0: not given
-  double clearance = -1;  // E, mm; -1: not given
-  double dwell = 0;       // P, seconds or revolutions
-};
+namespace kadr::fanuc {
 
 /// A cycle of group 9 is in force.
 bool drilling_on(const Interpreter& m);
@@ -43,4 +29,4 @@ Status check_drilling(const Interpreter& m);
 /// Operator I after R: R is an increment only in a cycle (5.1). alarms increment_not_allowed
 Status check_increment_of_r(const Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

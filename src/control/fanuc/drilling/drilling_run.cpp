@@ -10,12 +10,12 @@
 #include "base/tolerance.h"
 #include "config/drill_steps.h"
 #include "control/cycles/hole_work.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/macro_b/blocks.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/dialect/blocks.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 namespace {
 
@@ -40,7 +40,7 @@ bool is_there(const Interpreter& m, const Axes& to, AxisMask named) {
 Status to_hole(Interpreter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
-  if (!nct_of(m).settings.holes_exact || m.batch->size() == before) return {};
+  if (!fanuc_of(m).settings.holes_exact || m.batch->size() == before) return {};
   if (auto* const motion = std::get_if<Motion>(&m.batch->back().what)) motion->exact = true;
   return {};
 }
@@ -64,19 +64,19 @@ Status over_hole(Interpreter& m, std::size_t drill) {
   Axes to;
   AxisMask named = 0;
   KADR_TRY(hole_position(m, drill, to, named));
-  if (is_there(m, to, named) && nct_of(m).rolled == 0) return {};
+  if (is_there(m, to, named) && fanuc_of(m).rolled == 0) return {};
   return to_hole(m, to, named);
 }
 
-double tapping_rpm(const Interpreter& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
+double tapping_rpm(const Interpreter& m) { return fanuc_of(m).spindle(fanuc_of(m).state.current_spindle).rpm; }
 
 DrillingRun::DrillingRun(Job job) : job_(std::move(job)), cycle_(cycle_of(job_)), peck_(job_.peck) {}
 
 Status DrillingRun::check(const Interpreter& m) const {
-  const bool turns = is_tap() ? tapping_rpm(m) > 0 : nct_of(m).spindle_rpm(m) > 0;
+  const bool turns = is_tap() ? tapping_rpm(m) > 0 : fanuc_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
   if (!is_tap() && !(dwells && revolutions)) return {};  // 8: a dwell in revolutions would never end
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
@@ -196,10 +196,10 @@ Status DrillingRun::tap_in(Interpreter& m) {
 /// 18.1.9 operation 4: M19, or only the loop is closed.
 Status DrillingRun::close_loop(Interpreter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
-  const int number = nct_of(m).state.current_spindle;
-  const int code = nct_of(m).settings.spindles[static_cast<std::size_t>(number)].closing_code;
+  const int number = fanuc_of(m).state.current_spindle;
+  const int code = fanuc_of(m).settings.spindles[static_cast<std::size_t>(number)].closing_code;
   if (code == 0) {
-    SpindleState& s = nct_of(m).spindle(number);
+    SpindleState& s = fanuc_of(m).spindle(number);
     s.loop_closed = true;
     s.referenced = false;
     s.dir = SpindleDir::stop;
@@ -208,7 +208,7 @@ Status DrillingRun::close_loop(Interpreter& m) {
   Word word;
   word.address = 'M';
   word.code = code * 10;
-  return machine_code(m, {nullptr, &word, m.block->where});
+  return m.dialect->machine_code(m, {nullptr, &word, m.block->where});
 }
 
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
@@ -218,7 +218,7 @@ Status DrillingRun::dwell(Interpreter& m) {
     m.emit(Dwell{job_.dwell});
     return {};
   }
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
   if (is_tap() && revolutions) {
     m.emit(Dwell{job_.dwell * 60 / tapping_rpm(m)});
     return {};
@@ -295,4 +295,4 @@ double DrillingRun::back_to(const Interpreter& m) const {
   return down() * (back - job_.level) < 0 ? job_.level : back;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -9,7 +9,7 @@
 #include "config/drill_steps.h"
 #include "control/interpreter.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// Hole position of the block from where the tool stands: its axis words without that of the drilling axis. `to`: programmed.
 ///   alarms  those of the coordinates (5)
@@ -82,4 +82,4 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   bool stands_off_ = false;
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -3,10 +3,10 @@
 #include "control/fanuc/drilling/pattern.h"
 
 #include "base/code_literals.h"
+#include "control/fanuc/fanuc.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 Result<std::vector<Vec2>> pattern_points(const Interpreter& m, const Call& call) {
   constexpr std::uint32_t most_points = 10'000;
@@ -29,4 +29,4 @@ Result<std::vector<Vec2>> pattern_points(const Interpreter& m, const Call& call)
   return points;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

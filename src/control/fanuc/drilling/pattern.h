@@ -11,10 +11,10 @@ class Interpreter;
 struct Call;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// The holes, programmed coordinates of the plane, mm; the pattern's centre, or first hole of G72, is where the tool stands.
 ///   alarms  word_missing: I, L, of G71 K; word_not_integer, value_out_of_range: L
 Result<std::vector<Vec2>> pattern_points(const Interpreter& m, const Call& call);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -6,7 +6,7 @@
 
 #include "action/placement.h"
 #include "base/result.h"
-#include "control/fanuc/five_axis/five_axis_state.h"
+#include "control/fanuc/state/five_axis_state.h"
 
 namespace kadr {
 class Interpreter;
@@ -16,7 +16,7 @@ struct Motion;
 enum class MotionKind : std::uint8_t;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// The space of the codes in force; nullptr: there is nothing of chapter 25. The one before, if it is the same.
 std::shared_ptr<const WorkSpace> part_space(const Interpreter& m, const std::shared_ptr<const WorkSpace>& before);
@@ -57,4 +57,4 @@ void end_lead(Interpreter& m);
 /// G49, G69.1, G54 of a reset: nothing of chapter 25 is in force.
 void reset_five_axis(Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

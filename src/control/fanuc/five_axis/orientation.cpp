@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 #include "kinematics/part_space.h"
 #include "kinematics/tip_ways.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr int orient_alone = 531;  // G53.1
@@ -21,7 +21,7 @@ Result<RotaryPair> pair_for_plane(const Interpreter& m, const Call& call) {
   const PartSpace& space = *space_of(m);
   const PartSpaceData& d = space.data();
   Vec3 wanted = d.frame.column(2);
-  if (nct_of(m).settings.leans_tool) wanted = d.basic * wanted;
+  if (fanuc_of(m).settings.leans_tool) wanted = d.basic * wanted;
   const auto pair = d.machine.chosen(wanted, space.rotary(m.position.machine), d.measured);
   if (!pair) return fail(alarm(AlarmId::direction_unreachable, call.where, wanted.x, wanted.y, wanted.z));
   return *pair;
@@ -40,7 +40,7 @@ void set_main(const Interpreter& m, Axes& work, Vec3 to) {
 }
 
 void set_rotary(const Interpreter& m, Axes& work, RotaryPair machine) {
-  const FiveAxis& five = nct_of(m).settings.five_axis;
+  const FiveAxis& five = fanuc_of(m).settings.five_axis;
   const auto set = [&](int axis, double to) {
     work[static_cast<std::size_t>(axis)] = to - m.frames.origin[static_cast<std::size_t>(axis)];
   };
@@ -65,12 +65,12 @@ Result<MotionKind> kind_in_force(Interpreter& m, const Call& call) {
 /// A straight motion of the axes to work coordinates in the frames in force.
 Motion& add_five(Interpreter& m, MotionKind kind, const Axes& work) {
   const AxisMask named = all_five(m);
-  const auto rolls = nct_of(m).settings.axes;
-  nct_of(m).rolled = 0;
+  const auto rolls = fanuc_of(m).settings.axes;
+  fanuc_of(m).rolled = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if ((named >> a & 1u) == 0 || !rolls[a].rolls || (m.def.rotary >> a & 1u) == 0) continue;
-    nct_of(m).travel[a] = work[a] - m.position.work[a];
-    nct_of(m).rolled |= AxisMask{1} << a;
+    fanuc_of(m).travel[a] = work[a] - m.position.work[a];
+    fanuc_of(m).rolled |= AxisMask{1} << a;
   }
   m.move_to(m.transform.to_programmed(work), work, named);
   Motion& motion = m.add_motion(kind, named);
@@ -85,11 +85,11 @@ Status turn_to_plane(Interpreter& m, const Call& call) {
   const auto pair = pair_for_plane(m, call);
   if (!pair) return fail(pair.error());
   const Vec3 tip = tip_in_frame(m);
-  nct_of(m).state.five_axis.oriented = *pair;
+  fanuc_of(m).state.five_axis.oriented = *pair;
   m.change_frames();
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
-  if (!nct_of(m).settings.keeps_linear) set_main(m, work, tip);
+  if (!fanuc_of(m).settings.keeps_linear) set_main(m, work, tip);
   add_five(m, *kind, work);
   return {};
 }
@@ -114,7 +114,7 @@ Result<Leading> leading_words(const Interpreter& m, const Call& call, Vec3 tip) 
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
     const std::size_t axis = m.def.address(w.address).axis;
-    const int role = nct_of(m).settings.axes[axis].role;
+    const int role = fanuc_of(m).settings.axes[axis].role;
     if (role < 1 || role > 3) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     const double v = coordinate(m, w, axis);
     to[axis] = is_increment(m, w) ? here[axis] + v : v;
@@ -131,12 +131,12 @@ Result<Leading> leading_words(const Interpreter& m, const Call& call, Vec3 tip) 
 
 /// The length of H, in the plain way it was called or along the tool's direction (25.15).
 Status take_orientation_length(Interpreter& m, const Call& call) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
     const auto number = offset_number(m, 'H');
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    nct_of(m).state.words.h = *number;
+    macro_b_of(m).state.words.h = *number;
   }
   if (m.modal.length_number == 0) return fail(alarm(AlarmId::length_missing, call.where, call.row->code));
   if (five.lead == ToolLead::axis && !m.has('H')) return {};
@@ -147,7 +147,7 @@ Status take_orientation_length(Interpreter& m, const Call& call) {
     register_lead_length(m, length);
   } else {
     m.modal.lengths = {};
-    const Vec3 along = length * nct_of(m).settings.five_axis.tool;
+    const Vec3 along = length * fanuc_of(m).settings.five_axis.tool;
     Axes lengths{};
     set_main(m, lengths, along);
     m.modal.lengths = lengths;
@@ -159,7 +159,7 @@ Status take_orientation_length(Interpreter& m, const Call& call) {
 
 /// G53.6: the tip is led during the turn, then the plane's frame is that of the positions reached.
 Status orient_led(Interpreter& m, const Call& call) {
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
   if (!kind) return fail(kind.error());
   KADR_TRY(take_orientation_length(m, call));
@@ -168,7 +168,7 @@ Status orient_led(Interpreter& m, const Call& call) {
   const Vec3 tip = tip_in_frame(m);
   const auto words = leading_words(m, call, tip);
   if (!words) return fail(words.error());
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   const double along = five.lead == ToolLead::axis ? five.lead_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
   const ToolLead lead = std::exchange(five.lead, ToolLead::tip);
   const double length = std::exchange(five.lead_length, along);
@@ -198,43 +198,43 @@ Status orient_led(Interpreter& m, const Call& call) {
 }
 
 }  // namespace
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
-using namespace nct;
+using namespace fanuc;
 
 /// G53.1, G53.6 (25.11, 25.15): arg in tenths.
 Status tool_orientation(Interpreter& m, const Call& call) {
-  const FiveAxisState& five = nct_of(m).state.five_axis;
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
-  if (nct_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
+  if (fanuc_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_led(m, call);
 }
 
 /// G54.2 P (25.4). With FOS=0 the axes go to the zero's new place, their coordinates stay; at rapid where neither G0 nor G1 is in force.
 Status dynamic_zero(Interpreter& m, const Call& call) {
-  if (!nct_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
+  if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (leads_tip(nct_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
+  if (leads_tip(fanuc_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, dynamic_systems);
   if (!number) return fail(number.error());
   const auto row = static_cast<std::uint16_t>(all_systems - 1 + *number);
-  nct_of(m).state.five_axis.positioned = 0;
+  fanuc_of(m).state.five_axis.positioned = 0;
   m.modal.work_zero = row;
   note_work_zero(m, row);
   const Axes before = m.position.programmed;
   m.change_frames();
-  if (nct_of(m).settings.keeps_linear) return {};
+  if (fanuc_of(m).settings.keeps_linear) return {};
   take_up(m, before);
   if (m.has_axis_words()) return {};
   const bool straight = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
   const auto kind = straight ? kind_in_force(m, call) : Result<MotionKind>(MotionKind::rapid);
   if (!kind) return fail(kind.error());
   const Axes programmed = m.position.programmed;
-  return m.straight(*kind, programmed, std::exchange(nct_of(m).taken_up, AxisMask{0}));
+  return m.straight(*kind, programmed, std::exchange(fanuc_of(m).taken_up, AxisMask{0}));
 }
 
 }  // namespace kadr::functions

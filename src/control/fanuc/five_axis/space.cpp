@@ -1,13 +1,13 @@
 // From the codes in force to the space of the work coordinates (spec/nct/25a 6.3). For control/fanuc/frames/frames, the functions of this
 // folder.
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 #include "kinematics/part_space.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// M_Z(gamma)·M_Y(beta)·M_X(alpha) of the work system (10.2.3).
@@ -50,15 +50,15 @@ void set_zero(const Interpreter& m, PartSpaceData& d) {
 }
 
 PartSpaceData data_of(const Interpreter& m) {
-  const Nct& nct = nct_of(m);
-  const FiveAxisState& five = nct.state.five_axis;
+  const Fanuc& fanuc = fanuc_of(m);
+  const FiveAxisState& five = fanuc.state.five_axis;
   const bool dynamic = m.modal.work_zero >= all_systems;
   PartSpaceData d;
-  d.machine = nct.settings.five_axis;
+  d.machine = fanuc.settings.five_axis;
   if (d.machine.group == MachineGroup::none) d.machine = {};
   const auto limits = [&](RotaryJoint& joint) {
     if (joint.axis < 0) return;
-    std::tie(joint.least, joint.most) = nct.axis_limits[static_cast<std::size_t>(joint.axis)];
+    std::tie(joint.least, joint.most) = fanuc.axis_limits[static_cast<std::size_t>(joint.axis)];
   };
   limits(d.machine.first);
   limits(d.machine.second);
@@ -71,7 +71,7 @@ PartSpaceData data_of(const Interpreter& m) {
   d.moves_zero = dynamic && !d.follows_table;
   set_zero(m, d);
   d.fixed = five.oriented;
-  d.keeps_linear = nct.settings.keeps_linear && !d.leads_tip;
+  d.keeps_linear = fanuc.settings.keeps_linear && !d.leads_tip;
   const Axes all = shifts(m);
   if (d.has_frame) {
     d.frame = five.turn;
@@ -86,7 +86,7 @@ PartSpaceData data_of(const Interpreter& m) {
   d.length = five.lead != ToolLead::none ? five.lead_length * d.machine.tool : main_of(m, m.modal.lengths);
   const AxisMask rotary = PartSpace(d).rotary_axes();
   const bool in_five_axes = d.follows_table || d.follows_head || d.moves_zero || d.leads_tip;
-  d.corrects = nct.settings.leans_tool && in_five_axes && !(d.basic == Mat3()) && (five.positioned & rotary) == rotary && !five.oriented;
+  d.corrects = fanuc.settings.leans_tool && in_five_axes && !(d.basic == Mat3()) && (five.positioned & rotary) == rotary && !five.oriented;
   return d;
 }
 
@@ -95,8 +95,8 @@ PartSpaceData data_of(const Interpreter& m) {
 const PartSpace* space_of(const Interpreter& m) { return static_cast<const PartSpace*>(m.frames.space.get()); }
 
 std::shared_ptr<const WorkSpace> part_space(const Interpreter& m, const std::shared_ptr<const WorkSpace>& before) {
-  const Nct& nct = nct_of(m);
-  if (nct.settings.five_axis.group == MachineGroup::none && nct.state.five_axis.frame == SpaceFrame::none) return nullptr;
+  const Fanuc& fanuc = fanuc_of(m);
+  if (fanuc.settings.five_axis.group == MachineGroup::none && fanuc.state.five_axis.frame == SpaceFrame::none) return nullptr;
   const PartSpaceData data = data_of(m);
   if (before && static_cast<const PartSpace&>(*before).data() == data) return before;
   return std::make_shared<const PartSpace>(data);
@@ -114,7 +114,7 @@ void refresh_space(Interpreter& m) {
   head(d.machine.first, d.machine.first_on_table());
   head(d.machine.second, d.machine.second_on_table());
   const auto turn = space_of(m)->turn();
-  const AxisDrives& drives = nct_of(m).drives.now;
+  const AxisDrives& drives = fanuc_of(m).driven;
   if (!turn || (*turn == Mat3() && drives.is_own)) {
     f.turn = nullptr;
   } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main || f.turn->drives != drives) {
@@ -127,19 +127,19 @@ void refresh_space(Interpreter& m) {
 void take_up(Interpreter& m, const Axes& programmed_before) {
   const PartSpace* const space = space_of(m);
   if (space == nullptr) return;
-  nct_of(m).taken_up = 0;
+  fanuc_of(m).taken_up = 0;
   for (const std::int8_t axis : space->data().main)
     if (axis >= 0) {
       const auto a = static_cast<std::size_t>(axis);
       m.position.programmed[a] = programmed_before[a];
-      nct_of(m).taken_up |= AxisMask{1} << a;
+      fanuc_of(m).taken_up |= AxisMask{1} << a;
     }
 }
 
 void note_positioned(Interpreter& m, AxisMask named) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   const PartSpace* const space = space_of(m);
-  if (space == nullptr || !nct_of(m).settings.leans_tool) return;
+  if (space == nullptr || !fanuc_of(m).settings.leans_tool) return;
   const AxisMask now = five.positioned | (named & space->rotary_axes());
   if (now == five.positioned) return;
   five.positioned = now;
@@ -150,4 +150,4 @@ void note_positioned(Interpreter& m, AxisMask named) {
   }
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

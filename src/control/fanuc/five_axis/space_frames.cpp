@@ -3,19 +3,19 @@
 #include <array>
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
 constexpr double least_sine = 1e-4;      // 25.8 "almost on one line": UNKNOWN, as suggested in spec/nct/25f
 constexpr double least_distance = 1e-3;  // mm
 
-FiveAxisState& frame_state(const Interpreter& m) { return nct_of(m).state.five_axis; }
+FiveAxisState& frame_state(const Interpreter& m) { return fanuc_of(m).state.five_axis; }
 
 Vec3 vector_words(const Interpreter& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
 
@@ -27,7 +27,7 @@ Result<Vec3> point_words(const Interpreter& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
     const std::size_t axis = m.def.address(w.address).axis;
-    const int role = nct_of(m).settings.axes[axis].role;
+    const int role = fanuc_of(m).settings.axes[axis].role;
     if (role < 1 || role > 3 || w.incremental) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     *parts[role - 1] = coordinate(m, w, axis);
   }
@@ -130,15 +130,15 @@ Status finish_plane(Interpreter& m) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
-using namespace nct;
+using namespace fanuc;
 
 /// G68.1 (25.3): about one axis; a second one within the first.
 Status space_rotation(Interpreter& m, const Call& call) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::plane) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.2"));
   if (five.frame == SpaceFrame::turned_twice) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.1"));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -159,7 +159,7 @@ Status tilted_plane(Interpreter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   const auto p = m.has('P') ? m.whole('P', 0, 4) : Result<std::uint32_t>(0);
   if (!p) return fail(p.error());
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::turned || five.frame == SpaceFrame::turned_twice)
     return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.1"));
   if (*p == 2 || *p == 3) return take_plane_block(m, *p);
@@ -176,7 +176,7 @@ Status tilted_plane(Interpreter& m, const Call& call) {
 
 /// G69.1: all of them at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has turned them.
 Status space_frame_off(Interpreter& m, const Call& call) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::none) return {};
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   five.frame = SpaceFrame::none;

@@ -1,22 +1,22 @@
 // G43.1, G43.4, G43.5, G43.8, G43.9: the length in the tool's direction, the tip or the cutting point led (spec/nct/25b, 25h, 25i, 25j).
-// For control/functions, control/nct/dialect.
+// For control/functions, control/fanuc/dialect.
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 #include "kinematics/part_space.h"
 #include "kinematics/tip_ways.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
-FiveAxisState& five_of(const Interpreter& m) { return nct_of(m).state.five_axis; }
+FiveAxisState& five_of(const Interpreter& m) { return fanuc_of(m).state.five_axis; }
 
 std::string code_of(ToolLead lead) {
   switch (lead) {
@@ -107,7 +107,7 @@ void end_lead(Interpreter& m) {
 }
 
 void reset_five_axis(Interpreter& m) {
-  if (nct_of(m).settings.five_axis.group == MachineGroup::none && five_of(m).frame == SpaceFrame::none && five_of(m).plane.kind == 0)
+  if (fanuc_of(m).settings.five_axis.group == MachineGroup::none && five_of(m).frame == SpaceFrame::none && five_of(m).plane.kind == 0)
     return;
   five_of(m) = {};
 }
@@ -115,7 +115,7 @@ void reset_five_axis(Interpreter& m) {
 bool leads_lines(const Interpreter& m) {
   const FiveAxisState& five = five_of(m);
   if (leads_tip(five.lead) && (five.posture || leads_contact(five.lead))) return true;
-  return nct_of(m).settings.leans_tool && (five.lead != ToolLead::none || m.modal.work_zero >= all_systems);
+  return fanuc_of(m).settings.leans_tool && (five.lead != ToolLead::none || m.modal.work_zero >= all_systems);
 }
 
 Status led_line(Interpreter& m, const Call& call, MotionKind kind) {
@@ -151,7 +151,7 @@ Status lead_motion(Interpreter& m, Motion& motion, const Axes& from) {
     data.contact = true;
     data.radius = five.radius;
     data.corner = five.corner;
-    data.normal = nct_of(m).normal_before == Vec3{} ? five.normal : nct_of(m).normal_before;
+    data.normal = fanuc_of(m).normal_before == Vec3{} ? five.normal : fanuc_of(m).normal_before;
     data.end_normal = five.normal;
   }
   auto way = std::make_shared<TipWays>(data);
@@ -176,19 +176,19 @@ Status lead_motion(Interpreter& m, Motion& motion, const Axes& from) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
-using namespace nct;
+using namespace fanuc;
 
 /// arg 431, 434, 435, 438, 439: the code in tenths. INFERRED: a missing H is the one in force; a block without words that move anything
 /// only takes up the length: what the position shows changes.
 Status tool_lead(Interpreter& m, const Call& call) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
   const ToolLead lead = lead_of(call.row->arg);
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
-  if (nct_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
+  if (fanuc_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (!straight_mode(m)) return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
   if (leads_tip(lead)) KADR_TRY(nothing_else(m, call));
   const auto p = m.has('P') && lead != ToolLead::axis ? m.whole('P', 0, 1) : Result<std::uint32_t>(0);
@@ -197,7 +197,7 @@ Status tool_lead(Interpreter& m, const Call& call) {
     const auto number = offset_number(m, 'H');
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    nct_of(m).state.words.h = *number;
+    macro_b_of(m).state.words.h = *number;
   }
   m.modal.turning_lengths = false;
   m.modal.length_sign = 1;
@@ -212,7 +212,7 @@ Status tool_lead(Interpreter& m, const Call& call) {
   const Axes before = m.position.programmed;
   m.change_frames();
   five.begins = true;
-  const bool moves = m.has_axis_words() || nct_of(m).by_direction != 0;
+  const bool moves = m.has_axis_words() || fanuc_of(m).by_direction != 0;
   const PartSpace& space = *space_of(m);
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)

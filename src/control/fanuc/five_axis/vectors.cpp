@@ -1,19 +1,19 @@
 // The words of a block while the tip is led: I J K as the tool's direction, ,L2 I J K as the surface's normal (spec/nct/25h, 25i, 25j). For
-// control/macro_b/blocks.
+// control/macro_b/dialect/blocks.
 
 #include <cmath>
 #include <utility>
 
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 #include "kinematics/part_space.h"
 #include "kinematics/tip_ways.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr char vector_letters[] = {'I', 'J', 'K'};
@@ -34,7 +34,7 @@ std::pair<ToolLead, const CodeRow*> lead_of_block(const Interpreter& m) {
                                   : ToolLead::contact_vector,
               &row};
   }
-  return {nct_of(m).state.five_axis.lead, nullptr};
+  return {fanuc_of(m).state.five_axis.lead, nullptr};
 }
 
 std::string_view name_of(ToolLead lead) { return lead == ToolLead::tip_vector ? "G43.5" : "G43.9"; }
@@ -75,8 +75,8 @@ Components take_components(Interpreter& m, std::uint32_t from, std::uint32_t to)
 
 /// ,L2 I J K (25.17).
 Status take_normal(Interpreter& m, ToolLead lead) {
-  FiveAxisState& five = nct_of(m).state.five_axis;
-  nct_of(m).normal_before = five.normal;
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
+  fanuc_of(m).normal_before = five.normal;
   const std::uint32_t count = m.block->word_count;
   std::uint32_t at = 0;
   while (at < count && m.block->words[at].address != comma_vector) ++at;
@@ -88,7 +88,7 @@ Status take_normal(Interpreter& m, ToolLead lead) {
   if (!normal.any() || length(normal.value) == 0) return fail(alarm(AlarmId::direction_zero, mark.where, ",L2 I J K"));
   hide(m, mark);
   five.normal = unit(normal.value);
-  if (nct_of(m).normal_before == Vec3{}) nct_of(m).normal_before = five.normal;
+  if (fanuc_of(m).normal_before == Vec3{}) fanuc_of(m).normal_before = five.normal;
   return {};
 }
 
@@ -96,13 +96,13 @@ Status take_normal(Interpreter& m, ToolLead lead) {
 std::optional<RotaryPair> without_whirl(Interpreter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                         const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
-  const Nct& nct = nct_of(m);
+  const Fanuc& fanuc = fanuc_of(m);
   const PartSpaceData& d = space_of(m)->data();
-  if (!(nct.singular > 0)) return chosen;
+  if (!(fanuc.singular > 0)) return chosen;
   const bool head = d.machine.group == MachineGroup::head_head;
   if (chosen && std::fabs(head ? chosen->first - present.first : chosen->second - present.second) < far) return chosen;
   const auto kept = d.machine.kept(wanted, present, d.measured);
-  if (!kept || kept->off > nct.singular) return chosen;
+  if (!kept || kept->off > fanuc.singular) return chosen;
   constexpr double rounding = 1e-9;  // degrees
   const int axis = kept->first_stays ? d.machine.first.axis : d.machine.second.axis;
   if (kept->off > rounding) m.warn(warning(AlarmId::axis_kept, where.where, m.axis_names[static_cast<std::size_t>(axis)], kept->off));
@@ -111,16 +111,16 @@ std::optional<RotaryPair> without_whirl(Interpreter& m, const Word& where, Vec3 
 
 /// Words of the rotary axes take the place of the first two of I J K: the block positions them.
 Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
-  Nct& nct = nct_of(m);
-  const FiveAxis& machine = nct.settings.five_axis;
+  Fanuc& fanuc = fanuc_of(m);
+  const FiveAxis& machine = fanuc.settings.five_axis;
   if (machine.group == MachineGroup::none) return {};  // its code tells
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const PartSpace& space = *space_of(m);
   PartSpaceData d = space.data();
   const RotaryPair present = space.rotary(m.position.machine);
   const Vec3 wanted = unit(vector.value);
-  const bool goes_on = nct.state.five_axis.posture && nct.state.five_axis.lead == lead;
-  const bool leans = nct.settings.leans_tool && !(d.basic == Mat3());
+  const bool goes_on = fanuc.state.five_axis.posture && fanuc.state.five_axis.lead == lead;
+  const bool leans = fanuc.settings.leans_tool && !(d.basic == Mat3());
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
@@ -142,21 +142,21 @@ Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint
     if (w.address != 0 || w.written < 'I' || w.written > 'K') continue;
     const auto axis = static_cast<std::size_t>(axes[given]);
     w.address = m.letters.axis_letter[axis];
-    nct.by_direction |= AxisMask{1} << axis;
-    nct.directed[axis] = targets[given];
+    fanuc.by_direction |= AxisMask{1} << axis;
+    fanuc.directed[axis] = targets[given];
     ++given;
   }
   for (; given < 2; ++given) {  // fewer words than axes: the other is positioned with it
     const auto axis = static_cast<std::size_t>(axes[given]);
-    nct.by_direction |= AxisMask{1} << axis;
-    nct.directed[axis] = targets[given];
+    fanuc.by_direction |= AxisMask{1} << axis;
+    fanuc.directed[axis] = targets[given];
   }
   return {};
 }
 
 /// G43.5, G43.9: I J K are the tool's direction, and rotary words are none (25.14).
 Status take_direction(Interpreter& m, ToolLead lead) {
-  const FiveAxis& machine = nct_of(m).settings.five_axis;
+  const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
     if (axis < 0) continue;
     const char letter = m.letters.axis_letter[static_cast<std::size_t>(axis)];
@@ -214,14 +214,14 @@ Status nothing_refused(const Interpreter& m, ToolLead lead) {
 }  // namespace
 
 bool watches_words(const Interpreter& m) {
-  const FiveAxisState& five = nct_of(m).state.five_axis;
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
   return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
 }
 
-bool watches_codes(const Interpreter& m) { return leads_tip(nct_of(m).state.five_axis.lead) && m.has('G'); }
+bool watches_codes(const Interpreter& m) { return leads_tip(fanuc_of(m).state.five_axis.lead) && m.has('G'); }
 
 Status five_axis_block(Interpreter& m) {
-  const FiveAxisState& five = nct_of(m).state.five_axis;
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
   const bool has_comma = (m.block->letters & letter_bit(comma_vector)) != 0;
   const bool coded = m.has('G') && m.has_code({Function::tool_lead});
@@ -235,4 +235,4 @@ Status five_axis_block(Interpreter& m) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

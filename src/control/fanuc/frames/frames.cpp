@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/axes/drives.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
@@ -23,7 +22,7 @@ std::array<Vec3, 3> rotation_rows(Vec3 angles) {
 
 std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameTurn>& before) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
-  const AxisDrives& drives = nct_of(m).drives.now;
+  const AxisDrives& drives = fanuc_of(m).driven;
   if (angles == Vec3{} && drives.is_own) return nullptr;
   FrameTurn rotation;
   rotation.drives = drives;
@@ -37,7 +36,7 @@ std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::sh
 
 int main_axis(const Interpreter& m, int role) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (nct_of(m).settings.axes[a].role == role) return static_cast<int>(a);
+    if (fanuc_of(m).settings.axes[a].role == role) return static_cast<int>(a);
   return -1;
 }
 
@@ -95,7 +94,7 @@ MotionDetail& detail_of(Interpreter& m, Motion& motion) {
 /// In [0, R), whatever the number of turns was (5.6).
 void roll_positions(const Interpreter& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const AxisSettings& axis = nct_of(m).settings.axes[a];
+    const AxisSettings& axis = fanuc_of(m).settings.axes[a];
     if (axis.rolls && (m.def.rotary >> a & 1u) != 0) positions[a] = rolled_position(positions[a], axis.period);
   }
 }
@@ -107,7 +106,7 @@ double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) {
     const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
     ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
   }
-  if (rotary == 0 || m.modal.surface != PathSurface::plane || leads_tip(nct_of(m).state.five_axis.lead)) return m.modal.feed;
+  if (rotary == 0 || m.modal.surface != PathSurface::plane || leads_tip(fanuc_of(m).state.five_axis.lead)) return m.modal.feed;
   const double feed = m.modal.feed / mm_per_inch;  // inches, degrees a minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
@@ -116,7 +115,8 @@ namespace {
 
 /// Only G1, with G40, G64 and G80 (4.7).
 std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
-  const AxisMask smoothed = nct_of(m).state.smoothed != 0 ? nct_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
+  const AxisMask smoothed =
+      fanuc_of(m).state.smoothed != 0 ? fanuc_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
   const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
   const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
@@ -132,38 +132,35 @@ void tell_programmed(Interpreter& m, Motion& motion) {
 }  // namespace
 
 void note_motion(Interpreter& m, Motion& motion) {
-  Nct& nct = nct_of(m);
-  nct.moved = true;
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.moved = true;
   const bool plain = m.transform.identity && m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane;
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
-  if (!plain && nct.state.five_axis.frame != SpaceFrame::none) tell_programmed(m, motion);
-  if (motion.kind != MotionKind::thread) nct.state.in_thread = false;
-  const bool tip = leads_tip(nct.state.five_axis.lead);        // 25.14: the feed is that of the tip
+  if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) tell_programmed(m, motion);
+  if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
+  const bool tip = leads_tip(fanuc.state.five_axis.lead);      // 25.14: the feed is that of the tip
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;  // #3004: no stop; override and stop as in G63; no exact stop (23.1.10, 6.3.4)
-  if ((nct.control_2 & m_est) != 0) motion.exact = false;
-  const bool stops = (m.block_exact || m.modal.exact) && (nct.control_2 & m_est) == 0;
-  motion.in_position = stops || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
-  motion.own_override = (nct.control_2 & m_ov) != 0 || m.modal.rows[nct.stop_group] == nct.inhibiting;
-  motion.no_hold = motion.own_override || (nct.control_2 & m_fhd) != 0;
+  if ((fanuc.control_2 & m_est) != 0) motion.exact = false;
+  const bool stops = (m.block_exact || m.modal.exact) && (fanuc.control_2 & m_est) == 0;
+  motion.in_position = stops || (motion.kind == MotionKind::rapid && fanuc.settings.in_position_check);
+  motion.own_override = (fanuc.control_2 & m_ov) != 0 || m.modal.rows[fanuc.stop_group] == fanuc.inhibiting;
+  motion.no_hold = motion.own_override || (fanuc.control_2 & m_fhd) != 0;
   if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4
-  else if (m.modal.rows[nct.stop_group] == nct.slowing) motion.corner_speed = CornerSpeed::inner_slower;
-  if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
+  else if (m.modal.rows[fanuc.stop_group] == fanuc.slowing) motion.corner_speed = CornerSpeed::inner_slower;
+  if (m.modal.smoothing != 0) motion.join = fanuc.settings.accuracy;
   if (m.modal.smoothing > 1 && !stops) motion.smoothing = smoothing_of(m, motion);
-  if (nct.rolled != 0) {
+  if (fanuc.rolled != 0) {
     MotionDetail& detail = detail_of(m, motion);
-    detail.rolled = nct.rolled;
-    for (std::size_t a = 0; a < m.axis_count; ++a) detail.travel[a] = nct.travel[a] * m.transform.mirror[a];
-    nct.rolled = 0;
+    detail.rolled = fanuc.rolled;
+    for (std::size_t a = 0; a < m.axis_count; ++a) detail.travel[a] = fanuc.travel[a] * m.transform.mirror[a];
+    fanuc.rolled = 0;
     roll_positions(m, m.position.work);
     roll_positions(m, m.position.machine);
     motion.to = m.position.work;
     motion.machine = m.position.machine;
   }
-  if (m.modal.radius_side != 0 || nct.state.side_step != SideStep::none) note_side(m, motion);
-  if (nct.couplings.axes != 0) follow(m, motion);
-  if (nct.drives.parked != 0) keep_parked(m, motion);
-  if (!nct.spindle_axes.empty()) watch_spindle_axes(m, motion.named);
+  if (m.modal.radius_side != 0 || fanuc.state.side_step != SideStep::none) note_side(m, motion);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

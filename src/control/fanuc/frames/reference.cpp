@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr::functions {
 namespace {
@@ -14,7 +14,7 @@ constexpr double same_place = 1e-4;  // mm
 
 /// A drilling cycle ends by G80 first, where the control says so (spec/fanuc 10.1: PS0044).
 Status outside_cycles(const Interpreter& m, const Call& call) {
-  if (!m.def.behaviour.reference_outside_cycles || !nct::drilling_on(m)) return {};
+  if (!m.def.behaviour.reference_outside_cycles || !fanuc::drilling_on(m)) return {};
   return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
 }
 
@@ -26,17 +26,17 @@ Status off_surfaces(const Interpreter& m, const Call& call) {
 
 /// The point that the axis words give, not polar.
 Status point_of(Interpreter& m, Axes& to, AxisMask& named) {
-  nct_of(m).cartesian_block = true;
+  fanuc_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
-  nct_of(m).cartesian_block = false;
+  fanuc_of(m).cartesian_block = false;
   return read;
 }
 
 Status to_reference(Interpreter& m, std::uint32_t point, AxisMask named) {
   const auto end = static_cast<EndGiven>(static_cast<std::uint32_t>(EndGiven::reference_1) + point - 1);
   KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0, end));
-  nct_of(m).moved = false;
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).moved = false;
+  macro_b_of(m).stops_reading = true;
   return {};
 }
 
@@ -66,8 +66,8 @@ Status reference_return(Interpreter& m, const Call& call) {
   Axes through;
   KADR_TRY(point_of(m, through, named));
   KADR_TRY(m.straight(MotionKind::rapid, through, named));
-  nct_of(m).state.through = m.position.programmed;
-  nct_of(m).state.has_through = true;
+  fanuc_of(m).state.through = m.position.programmed;
+  fanuc_of(m).state.has_through = true;
   return to_reference(m, point, named);
 }
 
@@ -94,10 +94,10 @@ Status reference_leave(Interpreter& m, const Call& call) {
   AxisMask named = 0;
   Axes to;
   KADR_TRY(point_of(m, to, named));
-  if (nct_of(m).state.has_through) {
+  if (fanuc_of(m).state.has_through) {
     Axes through = m.position.programmed;
     for (std::size_t a = 0; a < m.axis_count; ++a)
-      if ((named >> a & 1U) != 0) through[a] = nct_of(m).state.through[a];
+      if ((named >> a & 1U) != 0) through[a] = fanuc_of(m).state.through[a];
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
   return m.straight(MotionKind::rapid, to, named);

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 bool is_rotary(const Interpreter& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
@@ -16,7 +16,7 @@ bool is_rotary(const Interpreter& m, std::size_t axis) { return (m.def.rotary >>
 void to_polar(const Interpreter& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
-  const double offset = nct_of(m).settings.axes[plane.second].polar_offset;
+  const double offset = fanuc_of(m).settings.axes[plane.second].polar_offset;
   const double side = m.modal.surface_side;
   const double r2 = u * u + w * w - offset * offset;
   const double r = r2 > 0 ? std::sqrt(r2) : 0;
@@ -41,8 +41,8 @@ void set_surface(const Interpreter& m, MotionDetail& detail, const Axes& from, c
   if (m.modal.surface == PathSurface::polar) {
     detail.flat_from = {from[plane.first], from[plane.second]};
     detail.flat_to = {to[plane.first], to[plane.second]};
-    detail.offset = nct_of(m).settings.axes[plane.second].polar_offset;
-    detail.rotary_most = nct_of(m).settings.axes[plane.second].feed_most;
+    detail.offset = fanuc_of(m).settings.axes[plane.second].polar_offset;
+    detail.rotary_most = fanuc_of(m).settings.axes[plane.second].feed_most;
     detail.programmed = to;
     detail.has_programmed = true;
   } else {
@@ -65,7 +65,7 @@ Vec2 flat_point(const Interpreter& m, const Axes& point) {
 /// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
 Axes surface_work(const Interpreter& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
-  return m.modal.surface == PathSurface::polar ? polar_work(m, point, nct_of(m).state.surface_angle) : point;
+  return m.modal.surface == PathSurface::polar ? polar_work(m, point, fanuc_of(m).state.surface_angle) : point;
 }
 
 Axes polar_work(const Interpreter& m, const Axes& point, double near) {
@@ -106,7 +106,7 @@ void finish_surface(Interpreter& m, Motion& motion, const Axes& from) {
   if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
   motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
   motion.second = static_cast<std::uint8_t>(m.modal.axes.second);
-  if (m.modal.surface == PathSurface::polar) nct_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
+  if (m.modal.surface == PathSurface::polar) fanuc_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
 }
 
 Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
@@ -127,7 +127,7 @@ Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, Axi
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
@@ -156,9 +156,9 @@ Status polar_surface_on(Interpreter& m, const Call& call) {
     return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
-  nct_of(m).state.surface_angle = rotary;
+  fanuc_of(m).state.surface_angle = rotary;
   Axes at = m.position.work;  // in the virtual plane
-  at[plane.second] = nct_of(m).settings.axes[plane.second].polar_offset;
+  at[plane.second] = fanuc_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);
   return {};
 }
@@ -168,7 +168,7 @@ Status polar_surface_off(Interpreter& m, const Call& call) {
   if (m.modal.surface != PathSurface::polar) return {};
   m.modal.surface = PathSurface::plane;
   const Axes before = m.position.work;
-  nct::roll_positions(m, m.position.work);
+  fanuc::roll_positions(m, m.position.work);
   if (m.position.work != before) m.emit(m.frame_change());
   m.position.programmed = m.transform.to_programmed(m.position.work);
   return {};

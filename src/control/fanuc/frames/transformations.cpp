@@ -1,4 +1,4 @@
-// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). For control/fanuc/drilling/drilling, control/nct/nct; tested by
+// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). For control/fanuc/drilling/drilling, control/fanuc/dialect; tested by
 // tests/control/fanuc/transformations_test.cpp.
 
 #include "control/fanuc/frames/transformations.h"
@@ -7,18 +7,19 @@
 #include <cmath>
 
 #include "base/code_literals.h"
+#include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// Changes the transformations; what stands stays where it is: the tool, the initial point of a drilling mode (16.0, INFERRED).
 template <class Change>
 void change_transform(Interpreter& m, Change change) {
   const Axes tool = before_transform(m);
-  DrillingMemory& drilling = nct_of(m).state.drilling;
+  DrillingMemory& drilling = fanuc_of(m).state.drilling;
   Axes initial = m.position.programmed;
   initial[drilling.axis] = drilling.initial;
   initial = m.transform.to_work(initial);
@@ -67,7 +68,7 @@ bool is_linear(const Interpreter& m, std::size_t axis) {
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
 Status read_factors(Interpreter& m, const Call& call, Axes& factors) {
   factors.fill(1);
-  const Settings& settings = nct_of(m).settings;
+  const Settings& settings = fanuc_of(m).settings;
   const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: else I, J, K mean nothing
   const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
   if (by_parameter && !each)
@@ -116,11 +117,11 @@ void note_mirror_code(Interpreter& m, const CodeRow& row) {
     m.modal.rows[row.group] = static_cast<std::int16_t>(m.def.row_of('G', mirror_code));
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
-using namespace nct;
+using namespace fanuc;
 namespace {
 
 /// Of the named axes; without axis words of all (INFERRED).
@@ -216,7 +217,7 @@ Status plane_rotation_on(Interpreter& m, const Call& call) {
   const PlaneAxes& plane = m.modal.axes;
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
-  const Settings& settings = nct_of(m).settings;
+  const fanuc::Settings& settings = fanuc_of(m).settings;
   const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.8, spec/haas 6.2: else R is absolute in G91 too
   const bool adds =
       by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;

@@ -6,11 +6,11 @@ class Interpreter;
 struct CodeRow;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// No axis is mirrored any more; the tool stands.
 void clear_mirror(Interpreter& m);
 /// Group 22 shows G51.1 as long as an axis is mirrored (16.3, INFERRED). `row`: a code just carried out.
 void note_mirror_code(Interpreter& m, const CodeRow& row);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

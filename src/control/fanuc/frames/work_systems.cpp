@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -37,17 +37,17 @@ bool written_as_increment(const Interpreter& m, const Word& w) {
 int axis_of_direction(const Interpreter& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    if ((nct_of(m).plane_axes >> a & 1u) == 0) continue;
-    const int role = nct_of(m).settings.axes[a].role;
+    if ((fanuc_of(m).plane_axes >> a & 1u) == 0) continue;
+    const int role = fanuc_of(m).settings.axes[a].role;
     if (role == d) return static_cast<int>(a);
     if (role == d + 4) parallel = static_cast<int>(a);
   }
-  return parallel >= 0 ? parallel : nct::main_axis(m, d);
+  return parallel >= 0 ? parallel : fanuc::main_axis(m, d);
 }
 
 bool names_direction(const Interpreter& m, int d) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if ((nct_of(m).plane_axes >> a & 1u) != 0 && (nct_of(m).settings.axes[a].role == d || nct_of(m).settings.axes[a].role == d + 4))
+    if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (fanuc_of(m).settings.axes[a].role == d || fanuc_of(m).settings.axes[a].role == d + 4))
       return true;
   return false;
 }
@@ -55,7 +55,7 @@ bool names_direction(const Interpreter& m, int d) {
 /// A rotary axis named beside one direction of the plane takes the place of the other (4.5, 4.6).
 int named_rotary(const Interpreter& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if ((nct_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
+    if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
   return -1;
 }
 
@@ -70,7 +70,7 @@ Status select_plane(Interpreter& m, const Call& call) {
   int first = axis_of_direction(m, d1), second = axis_of_direction(m, d2);
   const bool names_first = names_direction(m, d1), names_second = names_direction(m, d2);
   if (const int rotary = named_rotary(m); rotary >= 0 && names_first != names_second) (names_first ? second : first) = rotary;
-  const int normal = nct::main_axis(m, d3);
+  const int normal = fanuc::main_axis(m, d3);
   if (m.modal.radius_side != 0 && (m.modal.plane != plane)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.plane = plane;
   // A channel without that axis keeps the plane; a motion in it will be an alarm.
@@ -96,7 +96,7 @@ Status work_system_extended(Interpreter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, m.def.behaviour.further_systems);
   if (!number) return fail(number.error());
-  m.modal.work_zero = static_cast<std::uint16_t>(nct::basic_systems + *number);
+  m.modal.work_zero = static_cast<std::uint16_t>(macro_b::basic_systems + *number);
   note_work_zero(m, m.modal.work_zero);
   m.change_frames();
   return {};
@@ -117,8 +117,8 @@ Status local_system(Interpreter& m, const Call& call) {
 /// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
 Status new_system(Interpreter& m, const Call& call) {
   if (m.has('S')) {
-    nct_of(m).state.css_most = m.value('S');
-    if (m.modal.surface_speed) nct_of(m).tell_surface_speed(m);
+    fanuc_of(m).state.css_most = m.value('S');
+    if (m.modal.surface_speed) fanuc_of(m).tell_surface_speed(m);
   }
   if (!m.has_axis_words()) {
     if (m.has('S')) return {};
@@ -138,7 +138,7 @@ Status new_system(Interpreter& m, const Call& call) {
 
 /// G53 (10.1.1): at rapid to machine coordinates, always absolute, without compensations; alone: the buffer is emptied.
 Status machine_move(Interpreter& m, const Call& call) {
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
   if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5
     m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code));
@@ -147,22 +147,22 @@ Status machine_move(Interpreter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;
-  nct_of(m).rolled = 0;
+  fanuc_of(m).rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[m.frames.driven(a)] = v;
     named |= 1u << a;
-    if (const nct::AxisSettings& axis = nct_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
-      const double from = nct::rolled_position(m.position.machine[a], axis.period);
-      nct_of(m).travel[a] = nct::roll_travel(axis, from, v, false);
-      nct_of(m).rolled |= 1u << a;
-      to[a] = from + nct_of(m).travel[a];
+    if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
+      const double from = fanuc::rolled_position(m.position.machine[a], axis.period);
+      fanuc_of(m).travel[a] = fanuc::roll_travel(axis, from, v, false);
+      fanuc_of(m).rolled |= 1u << a;
+      to[a] = from + fanuc_of(m).travel[a];
     }
     if (!(std::fabs(v) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, v));
     return {};
   }));
   KADR_TRY(m.to_machine(MotionKind::rapid, to, named, 0));
-  nct_of(m).moved = false;
+  macro_b_of(m).moved = false;
   return {};
 }
 
@@ -173,7 +173,7 @@ Status diameter_switch(Interpreter& m, const Call& call) {
     const bool linear = (m.def.rotary >> a & 1u) == 0;
     if (!linear || written_as_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
-    if (!nct_of(m).settings.axes[a].switches_by_code)
+    if (!fanuc_of(m).settings.axes[a].switches_by_code)
       return fail(alarm(AlarmId::diameter_by_machine, w.where, std::string_view(m.axis_names[a])));
     if (w.value == 1) m.modal.diameter |= 1u << a;
     else m.modal.diameter &= ~(1u << a);

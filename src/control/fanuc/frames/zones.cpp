@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr::functions {
 
@@ -18,7 +18,7 @@ Status work_area_on(Interpreter& m, const Call& call) {
   for (int role = 1; role <= 3; ++role) {
     const char most = most_letters[role - 1], least = least_letters[role - 1];
     if (!m.has(most) && !m.has(least)) continue;
-    const int main = nct::main_axis(m, role);
+    const int main = fanuc::main_axis(m, role);
     if (main < 0) return fail(alarm(AlarmId::illegal_address, m.where(m.has(most) ? most : least), m.has(most) ? most : least));
     const auto a = static_cast<std::size_t>(main);
     const double part = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1;
@@ -35,13 +35,13 @@ Status work_area_on(Interpreter& m, const Call& call) {
   zone.outside_forbidden = *p == 1;
   m.emit(zone);
   m.each_block = true;  // from here on the machine may refuse a motion
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).stops_reading = true;
   return {};
 }
 
 /// G23: the zone of the parameters again, as they are now (22.2: what has been written into them acts from here on).
 Status work_area_off(Interpreter& m, const Call&) {
-  const nct::ParameterStore& p = nct_of(m).parameters;
+  const macro_b::ParameterStore& p = macro_b_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");
   constexpr int takes_part = 1, outside = 0, limits = 1, before = 2;
   ZoneChange zone{p.bit(control, limits), p.bit(control, outside), 0, {}, {}, true};
@@ -55,7 +55,7 @@ Status work_area_off(Interpreter& m, const Call&) {
   m.emit(zone);
   m.emit(ZoneChange{p.bit(control, before), false, 0, {}, {}, true});
   if (zone.on) m.each_block = true;  // from here on the machine may refuse a motion
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).stops_reading = true;
   return {};
 }
 

@@ -1,17 +1,17 @@
-// G2, G3 of the NCT control: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3). For control/nct/dialect.
+// G2, G3: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3). For control/fanuc/dialect.
 
 #include "control/fanuc/geometry/arcs.h"
 
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr double any_difference = 1e300;
@@ -42,9 +42,9 @@ class Arc {
     const bool radius_first = m_.def.behaviour.arc_radius_first;
     if (has_geometry_words(m_) || (m_.has('R') && has_center() && !radius_first)) KADR_TRY(geometry());
     const double angle_before = m_.modal.polar_data ? start_angle() : 0;
-    nct_of(m_).absolute_block = over_determined();
+    fanuc_of(m_).absolute_block = over_determined();
     const Status read = m_.target(end_, named_);
-    nct_of(m_).absolute_block = false;
+    fanuc_of(m_).absolute_block = false;
     KADR_TRY(read);
     note_positioned(m_, named_);
     const bool has_data = m_.has('R') || has_center();
@@ -54,8 +54,8 @@ class Arc {
     if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) tell_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
-    if (!has_data && !in_plane && nct_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
-    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !nct_of(m_).settings.arc_without_data_stops) {
+    if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
+    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !fanuc_of(m_).settings.arc_without_data_stops) {
       m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
       return straight_line();
     }
@@ -140,20 +140,20 @@ class Arc {
       const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
       return fail(alarm(AlarmId::surface_state, m_.where(letter), letter));
     }
-    const bool absolute = nct_of(m_).settings.centers_absolute;
+    const bool absolute = fanuc_of(m_).settings.centers_absolute;
     const Axes& here = m_.position.programmed;
     const Vec2 words{m_.length_value(letters_.first), m_.length_value(letters_.second)};
     const Vec2 center = absolute ? words : Vec2{here[plane_.first], here[plane_.second]} + words;
-    const double difference = m_.has('L') ? any_difference : nct_of(m_).settings.radius_difference;
+    const double difference = m_.has('L') ? any_difference : fanuc_of(m_).settings.radius_difference;
     auto arc = arc_around(from_, to_, placed_point(center), turn_, difference);
     if (!arc) return placed(arc.error());
-    if (polar_turns_ && length(center) <= nct_of(m_).settings.radius_difference) arc->turns = *polar_turns_;
+    if (polar_turns_ && length(center) <= fanuc_of(m_).settings.radius_difference) arc->turns = *polar_turns_;
     return arc;
   }
 
   Result<PlaneArc> by_radius() {
     const double radius = m_.length_value('R') * m_.transform.radius_scale(plane_);
-    const double most = nct_of(m_).settings.radius_shortfall;
+    const double most = fanuc_of(m_).settings.radius_shortfall;
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
@@ -193,7 +193,8 @@ class Arc {
     KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
-      work = polar_work(m_, work, nct_of(m_).state.surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
+      work =
+          polar_work(m_, work, fanuc_of(m_).state.surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
     const Axes from = m_.position.work;
     Motion& motion = move(arc, work);
     KADR_TRY(lead_motion(m_, motion, from));
@@ -210,8 +211,8 @@ class Arc {
     m_.set_feed(motion);
     motion.center = arc.center;
     motion.turns = arc.turns;
-    if (!leads_tip(nct_of(m_).state.five_axis.lead))
-      motion.along = nct_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    if (!leads_tip(fanuc_of(m_).state.five_axis.lead))
+      motion.along = fanuc_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (turns_evenly(arc)) motion.along = FeedAlong::turn;
     return motion;
   }
@@ -221,7 +222,7 @@ class Arc {
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
-    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !leads_tip(nct_of(m_).state.five_axis.lead) &&
+    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !leads_tip(fanuc_of(m_).state.five_axis.lead) &&
            radius_changes(from_, to_, arc.center);
   }
 
@@ -262,4 +263,4 @@ class Arc {
 
 Status arc(Interpreter& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

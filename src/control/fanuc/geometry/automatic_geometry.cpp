@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
@@ -63,7 +63,7 @@ Status end_by_angle(const Interpreter& m, Axes& to, AxisMask& named) {
   const PlaneWords words = plane_words(m);
   if (!words.one()) return {};
   const Span where = m.where(comma_angle);
-  if (m.modal.polar_data && !nct_of(m).cartesian_block) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
+  if (m.modal.polar_data && !fanuc_of(m).cartesian_block) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
   const SinCos angle = sincos_deg(m.value(comma_angle));
   const std::size_t given = words.first ? m.modal.axes.first : m.modal.axes.second;
   const std::size_t other = words.first ? m.modal.axes.second : m.modal.axes.first;
@@ -105,9 +105,9 @@ Status shaped_line(Interpreter& m, const Call& call, MotionKind kind) {
   if (m.has('Q') && contour.on != SupportingCurve::line) return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
   Axes to;
   AxisMask named = 0;
-  nct_of(m).absolute_block = contour.on == SupportingCurve::line;
+  fanuc_of(m).absolute_block = contour.on == SupportingCurve::line;
   const Status read = m.target(to, named);
-  nct_of(m).absolute_block = false;
+  fanuc_of(m).absolute_block = false;
   KADR_TRY(read);
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (supports) named |= AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second;
@@ -130,7 +130,7 @@ Status circle_words(const Interpreter& m, Vec2 center, Vec2 end, ContourData& co
   contour.farther = m.value('Q') > 0;
   if (!(contour.radius > 0 && contour.radius <= farthest)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
   const double there = length(end - center);
-  if (std::fabs(there - contour.radius) <= nct_of(m).settings.radius_difference) return {};
+  if (std::fabs(there - contour.radius) <= fanuc_of(m).settings.radius_difference) return {};
   return fail(alarm(AlarmId::radius_mismatch, m.block->where, contour.radius, there));
 }
 
@@ -139,4 +139,4 @@ void attach(Interpreter& m, const ContourData& contour) {
   detail_of(m, std::get<Motion>(m.batch->back().what)).contour = in_work(m, contour);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -10,7 +10,7 @@ class Interpreter;
 struct Call;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// ,C ,R ,A or Q stands in the block; ,C or ,R does.
 bool has_geometry_words(const Interpreter& m);
@@ -49,4 +49,4 @@ Status circle_words(const Interpreter& m, Vec2 center, Vec2 end, ContourData& co
 /// Tells `path` of the last motion's contour.
 void attach(Interpreter& m, const ContourData& contour);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -5,18 +5,18 @@
 
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 void note_side(Interpreter& m, Motion& motion) {
-  Volatile& state = nct_of(m).state;
+  Volatile& state = fanuc_of(m).state;
   if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
   const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
   const bool contour = arc || motion.kind == MotionKind::rapid || motion.kind == MotionKind::feed;
-  if (!contour || m.modal.surface != PathSurface::plane || nct_of(m).uncompensated) return;
+  if (!contour || m.modal.surface != PathSurface::plane || fanuc_of(m).uncompensated) return;
   const PlaneAxes& plane = m.modal.axes;
   const int side = (state.tool_radius < 0) == m.transform.reverses(plane) ? -m.modal.radius_side : m.modal.radius_side;
   motion.side = static_cast<std::int8_t>(side);
@@ -24,7 +24,7 @@ void note_side(Interpreter& m, Motion& motion) {
   if (m.modal.offset_number != 0) m.use.note(UseKind::radius, m.modal.offset_number, m.origin, state.tool_radius == 0);
   if ((m.transform.moved_with(motion.named) & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
   motion.side_step = state.side_step;
-  if (nct_of(m).holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
+  if (fanuc_of(m).holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
   state.compensates = motion.side_step != SideStep::ends;
   if (motion.side_step != SideStep::none && state.way) detail_of(m, motion).way = state.way;
   state.side_step = SideStep::none;
@@ -32,11 +32,11 @@ void note_side(Interpreter& m, Motion& motion) {
 }
 
 void note_skip_mark(Interpreter& m) {
-  if (nct_of(m).state.compensates && nct_of(m).settings.skip_breaks_contour) m.emit(ContourBreak{});
+  if (fanuc_of(m).state.compensates && fanuc_of(m).settings.skip_breaks_contour) m.emit(ContourBreak{});
 }
 
 void end_side_block(Interpreter& m) {
-  Volatile& state = nct_of(m).state;
+  Volatile& state = fanuc_of(m).state;
   if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;
   if (state.side_step != SideStep::ends) return;
   m.emit(ContourBreak{true});
@@ -55,4 +55,4 @@ std::optional<Vec2> plane_direction(const Interpreter& m) {
   return way == Vec2{} ? std::nullopt : std::optional(way);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

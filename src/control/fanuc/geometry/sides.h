@@ -11,7 +11,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// Side, radius and step of a motion in the plane; the step is taken by the first one.
 void note_side(Interpreter& m, Motion& motion);
@@ -24,4 +24,4 @@ void end_side_block(Interpreter& m);
 /// I, J, K of the plane as a direction, mirrored and turned as the contour is (15.5.1, 15.5.6); nothing if none stands in the block.
 std::optional<Vec2> plane_direction(const Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
 #include "control/macro_b/variables/system_variables.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 bool is_set(const ToolOffset& o) {
@@ -51,26 +51,7 @@ const char* name_of(SpindleDir dir) {
 
 }  // namespace
 
-void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) {
-  const auto add = [&](int n) {
-    double value = 0;
-    if (nct_of(m).variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
-  };
-  for (int n = 1; n <= static_cast<int>(most_locals); ++n) add(n);
-  for (int n = first_common; n <= last_common; ++n) add(n);
-  for (const auto& [n, value] : nct_of(m).variables.all_further())
-    if (!is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
-  for (const std::string& name : watch) {
-    const auto same = [&](const auto& v) { return v.first == name; };
-    if (std::any_of(ending.variables.begin(), ending.variables.end(), same) || name.size() < 2) continue;
-    const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
-    const auto read = read_variable(m, number, {});
-    if (read && !is_vacant(*read)) ending.variables.emplace_back(name, *read);
-    else ending.watched_unset.emplace_back(name, true);
-  }
-}
-
-RunState Nct::run_state(const Interpreter& m) const {
+RunState Fanuc::run_state(const Interpreter& m) const {
   RunState s;
   for (std::size_t i = 1; i < m.tables.offsets.size(); ++i)
     if (is_set(m.tables.offsets[i])) s.tables.offsets[static_cast<int>(i)] = m.tables.offsets[i];
@@ -79,9 +60,6 @@ RunState Nct::run_state(const Interpreter& m) const {
   s.tables.plane = plane_name(m);
   for (std::size_t a = 0; a < m.axis_count; ++a) s.tables.diameter[m.axis_names[a]] = (m.modal.diameter >> a & 1u) != 0;
   s.tables.tool = static_cast<int>(m.modal.tool);
-  s.tables.tool_table = tools.rows();
-  s.tables.place_table = tools.places();
-  s.tables.form_table = tools.forms();
   for (std::size_t i = 1; i < m.skip_switches.size(); ++i)
     if (m.skip_switches[i]) s.tables.skip.push_back(static_cast<int>(i));
   if (state.five_axis.frame != SpaceFrame::none) {
@@ -117,4 +95,4 @@ RunState Nct::run_state(const Interpreter& m) const {
   return s;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/fanuc/words/data_lines.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
@@ -40,7 +40,7 @@ Status set_zero(Interpreter& m, const Call& call, std::uint32_t index, bool comm
       if (m.has(rotation_letters[i])) m.journal.keep(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
   }
   (void)call;
-  nct_of(m).tables_changed = true;
+  fanuc_of(m).tables_changed = true;
   m.change_frames();
   return {};
 }
@@ -69,8 +69,8 @@ Status set_offset(Interpreter& m, const Call& call, std::uint32_t l) {
   double* const to = offset_register(m.tables.offsets[*number], l);
   const Word& r = *m.word('R');
   const bool adds = !m.modal.absolute || r.incremental;
-  *to = (adds ? *to : 0.0) + r.value * m.unit_scale() * (((l == 12 || l == 13) && nct_of(m).settings.offsets_are_diameters) ? 0.5 : 1.0);
-  nct_of(m).changed_offsets.push_back(*number);
+  *to = (adds ? *to : 0.0) + r.value * m.unit_scale() * (((l == 12 || l == 13) && fanuc_of(m).settings.offsets_are_diameters) ? 0.5 : 1.0);
+  fanuc_of(m).changed_offsets.push_back(*number);
   return {};
 }
 
@@ -94,7 +94,7 @@ Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
     *to = (adds ? *to : 0.0) + w->value * m.unit_scale();
   }
   if (m.has('Q')) offset.tip_position = *q;
-  nct_of(m).changed_offsets.push_back(*number);
+  fanuc_of(m).changed_offsets.push_back(*number);
   return {};
 }
 
@@ -102,22 +102,22 @@ Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
 Status open_data(Interpreter& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
-    nct_of(m).state.data_mode = DataMode::parameters;
+    macro_b_of(m).state.data_mode = DataMode::parameters;
     return {};
   }
-  return nct_of(m).open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
+  return fanuc_of(m).open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
 }
 
 }  // namespace
 
 Status set_tables(Interpreter& m, const Call& call) {
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
-  nct_of(m).endless.note_change();
+  macro_b_of(m).endless.note_change();
   const auto l = m.whole('L', 1, 999);
   if (!l) return fail(l.error());
   if (*l == 52 || (*l >= 75 && *l <= 77)) return open_data(m, call, *l);
   const bool of_turning = *l >= 200 && *l <= 203;
-  if (of_turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
+  if (of_turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
   if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
   ToolOffset unused;
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
@@ -135,16 +135,16 @@ Status set_tables(Interpreter& m, const Call& call) {
 Status data_line(Interpreter& m) {
   if (m.has_code({Function::set_tables_end})) {
     if (m.block->word_count > 1) return fail(alarm(AlarmId::own_block, m.block->words[0].where, "G11"));
-    nct_of(m).close_data();
+    macro_b_of(m).close_data();
     return {};
   }
-  if (nct_of(m).state.data_mode == DataMode::parameters) return nct_of(m).parameter_line(m);
-  return nct_of(m).tool_line(m);
+  if (macro_b_of(m).state.data_mode == DataMode::parameters) return macro_b_of(m).parameter_line(m);
+  return fanuc_of(m).tool_line(m);
 }
 
 /// One code of each exclusive group; one spindle code (13.1, 11.2).
 Status check_m_codes(const Interpreter& m) {
-  const Settings& s = nct_of(m).settings;
+  const Settings& s = fanuc_of(m).settings;
   const auto is_spindle = [&](int code) {
     if (code == 3 || code == 4 || code == 5 || code == 19) return true;
     for (const SpindleSettings& spindle : s.spindles)
@@ -166,4 +166,4 @@ Status check_m_codes(const Interpreter& m) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

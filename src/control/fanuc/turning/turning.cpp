@@ -7,13 +7,13 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning_contour.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/functions/functions.h"
-#include "control/macro_b/blocks.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/dialect/blocks.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// Distances of a first or second line: by plane axis, always radii, whatever letter names the axis.
@@ -49,7 +49,7 @@ Status take_r(const Interpreter& m, double& to) {
 
 /// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
 Status first_of_rough(Interpreter& m, const Call& call) {
-  TurningMemory& kept = nct_of(m).state.turning;
+  TurningMemory& kept = fanuc_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
   const auto d = distances(m);
   if (!d) return fail(d.error());
@@ -67,7 +67,7 @@ Status first_of_rough(Interpreter& m, const Call& call) {
 /// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
 Status first_of_pattern(Interpreter& m) {
   constexpr double most_passes = 9999;
-  TurningMemory& kept = nct_of(m).state.turning;
+  TurningMemory& kept = fanuc_of(m).state.turning;
   const auto d = distances(m);
   if (!d) return fail(d.error());
   if (d->word[0] != nullptr) kept.relief.x = d->value[0];
@@ -82,7 +82,7 @@ Status first_of_pattern(Interpreter& m) {
 /// G76.7 Pmmrraa QΔmin Rd.
 Status first_of_thread(Interpreter& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
-  TurningMemory& kept = nct_of(m).state.turning;
+  TurningMemory& kept = fanuc_of(m).state.turning;
   if (m.has('P')) {
     const auto digits = m.whole('P', 0, 999'999);
     if (!digits) return fail(digits.error());
@@ -121,7 +121,7 @@ Status first_line(Interpreter& m, const Call& call) {
     case 76.7_g: return first_of_thread(m);
     default:
       if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
-      return take_r(m, nct_of(m).state.turning.groove_back);
+      return take_r(m, fanuc_of(m).state.turning.groove_back);
   }
 }
 
@@ -146,7 +146,7 @@ Status possible(const Interpreter& m, const Call& call) {
 
 /// Words of a simple cycle: what is not given stays as in the block before.
 Status take_simple(Interpreter& m, const Call& call) {
-  TurningMemory& kept = nct_of(m).state.turning;
+  TurningMemory& kept = fanuc_of(m).state.turning;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -163,7 +163,7 @@ Status take_simple(Interpreter& m, const Call& call) {
 
 /// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
 Status cut_once(Interpreter& m, const Call& call) {
-  const TurningMemory& kept = nct_of(m).state.turning;
+  const TurningMemory& kept = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   const bool along_first = call.row->arg == 77.7_g;
   KADR_TRY(m.feed_known(call.where));
@@ -175,7 +175,7 @@ Status cut_once(Interpreter& m, const Call& call) {
 
 /// G78.7; the length of the chamfer-out is not known: INFERRED none.
 Status simple_thread(Interpreter& m, const Call& call) {
-  const TurningMemory& kept = nct_of(m).state.turning;
+  const TurningMemory& kept = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
@@ -192,9 +192,9 @@ class FinishingRun final : public RunningValue<FinishingRun> {
     frame.name = name_;
     frame.left = 1;
     frame.caller = m.origin;
-    frame.modal_calls = nct_of(m).state.active_modal_calls;
+    frame.modal_calls = macro_b_of(m).state.active_modal_calls;
     KADR_TRY(m.flow.call_at(m.flow.reader(), first_, frame, m.block->where));
-    nct_of(m).finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
+    fanuc_of(m).finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
     return false;
   }
 
@@ -213,7 +213,7 @@ Status finish(Interpreter& m, const Call& call) {
 }
 
 Result<bool> end_contour(Interpreter& m) {
-  std::vector<Finishing>& all = nct_of(m).finishing;
+  std::vector<Finishing>& all = fanuc_of(m).finishing;
   while (!all.empty() && m.flow.depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
   if (all.empty() || m.flow.depth() != all.back().depth || m.flow.position().offset < all.back().behind) return false;
   const Finishing ended = all.back();
@@ -225,24 +225,24 @@ Result<bool> end_contour(Interpreter& m) {
   return true;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
 
 namespace kadr::functions {
 
 /// G70.7 … G76.7 (19.2). arg: ten times the number without its tenth (707).
 Status turning_cycle(Interpreter& m, const Call& call) {
-  KADR_TRY(nct::possible(m, call));
-  if (nct::is_first_line(m, call.row->arg)) return nct::first_line(m, call);
-  nct_of(m).moved = true;
-  if (call.row->arg == 70.7_g) return nct::finish(m, call);
-  return nct::second_line(m, call);
+  KADR_TRY(fanuc::possible(m, call));
+  if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);
+  macro_b_of(m).moved = true;
+  if (call.row->arg == 70.7_g) return fanuc::finish(m, call);
+  return fanuc::second_line(m, call);
 }
 
 /// G77.7, G78.7, G79.7 (19.1): each block with an axis repeats the cycle, which ends where it began.
 Status turning_simple(Interpreter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;
-  nct::TurningMemory& kept = nct_of(m).state.turning;
+  fanuc::TurningMemory& kept = fanuc_of(m).state.turning;
   if (kept.code != call.row->arg) {
     kept.target = {};
     kept.known = {};
@@ -250,9 +250,9 @@ Status turning_simple(Interpreter& m, const Call& call) {
     kept.code = call.row->arg;
   }
   if (m.block_axes_taken || !m.has_axis_words()) return {};
-  KADR_TRY(nct::possible(m, call));
-  KADR_TRY(nct::take_simple(m, call));
-  return call.row->arg == 78.7_g ? nct::simple_thread(m, call) : nct::cut_once(m, call);
+  KADR_TRY(fanuc::possible(m, call));
+  KADR_TRY(fanuc::take_simple(m, call));
+  return call.row->arg == 78.7_g ? fanuc::simple_thread(m, call) : fanuc::cut_once(m, call);
 }
 
 }  // namespace kadr::functions

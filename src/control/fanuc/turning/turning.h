@@ -17,35 +17,7 @@ struct Call;
 struct CodeRow;
 }  // namespace kadr
 
-namespace kadr::nct {
-
-/// First lines of the compound cycles, kept until they are given again, and the data of the simple cycle in force. mm.
-struct TurningMemory {
-  double depth = 0, back = 0;  // G71.7, G72.7: of a pass, of the retract at 45°
-  Vec2 relief;                 // G73.7: of the first pass, in the plane
-  std::uint32_t passes = 0;
-  double groove_back = 0;  // G74.7, G75.7
-  // G76.7
-  std::uint32_t finishing = 1;
-  double chamfer = 0;     // leads
-  double tool_angle = 0;  // degrees
-  double least = 0;       // depth of a pass
-  double allowance = 0;   // for the finishing passes
-  // simple cycles
-  std::int32_t code = 0;  // 777, 787, 797; 0: none
-  std::array<double, 2> target{};
-  std::array<bool, 2> known{};
-  double taper = 0;
-  double start_angle = 0;
-};
-
-/// A contour that G70.7 carries out block by block: where it ends, where the tool goes back to.
-struct Finishing {
-  std::size_t depth = 0;     // calls open inside it
-  std::uint64_t behind = 0;  // offset in the file after its last block
-  Vec2 start;                // in the plane, programmed
-  Origin origin;             // of G70.7
-};
+namespace kadr::fanuc {
 
 /// After the last block of a contour: back to the start, and on after G70.7.
 ///   returns  true: it has been left
@@ -72,4 +44,4 @@ Status thread_pass(Interpreter& m, const ThreadPass& pass);
 /// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
 Result<double> thread_lead_of(Interpreter& m, const Call& call);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "action/by_kind.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr std::size_t most_pieces = 10'000;
@@ -30,8 +30,9 @@ class DryRun {
         axes_taken_(m.block_axes_taken),
         transform_(m.transform),
         origin_(m.origin),
-        state_(nct_of(m).state),
-        moved_(nct_of(m).moved) {
+        state_(fanuc_of(m).state),
+        macros_(macro_b_of(m).state),
+        moved_(macro_b_of(m).moved) {
     m.batch = &actions;
     m.transform = Transform();
     m.position.work = m.position.programmed;
@@ -47,8 +48,9 @@ class DryRun {
     m_.block_axes_taken = axes_taken_;
     m_.transform = transform_;
     m_.origin = origin_;
-    nct_of(m_).state = state_;
-    nct_of(m_).moved = moved_;
+    fanuc_of(m_).state = state_;
+    macro_b_of(m_).state = macros_;
+    macro_b_of(m_).moved = moved_;
   }
   DryRun(const DryRun&) = delete;
   DryRun& operator=(const DryRun&) = delete;
@@ -65,6 +67,7 @@ class DryRun {
   Transform transform_;
   Origin origin_;
   Volatile state_;
+  macro_b::Volatile macros_;
   bool moved_;
 };
 
@@ -313,4 +316,4 @@ Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "control/interpreter.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// A motion of the contour in the plane, programmed, mm: a line or an arc whose radius changes linearly with the angle.
 struct ContourPiece {
@@ -48,4 +48,4 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 /// One motion of the contour, shifted; lines at rapid where the program says so, all else at the feed in force.
 Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

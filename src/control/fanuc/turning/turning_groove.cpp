@@ -5,12 +5,12 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr double most_steps = 1e6;
@@ -95,7 +95,7 @@ Status groove(Interpreter& m, const Call& call) {
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
   if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: else there is no side to go to
-  job.back = nct_of(m).state.turning.groove_back;
+  job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
   if (std::fabs(job.target.x - job.start.x) / job.peck > most_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(peck), peck, m.value(peck)));
@@ -105,4 +105,4 @@ Status groove(Interpreter& m, const Call& call) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -3,11 +3,11 @@
 #include "control/fanuc/turning/turning_plane.h"
 
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/interpreter.h"
-#include "control/macro_b/blocks.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/dialect/blocks.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 std::size_t axis_of(const Interpreter& m, std::size_t which) { return which == 0 ? m.modal.axes.first : m.modal.axes.second; }
@@ -48,13 +48,13 @@ Result<PlaneTarget> plane_target(Interpreter& m) {
   }
   Axes to;
   AxisMask named = 0;
-  nct_of(m).cartesian_block = true;
+  fanuc_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
-  nct_of(m).cartesian_block = false;
-  nct_of(m).rolled = 0;
+  fanuc_of(m).cartesian_block = false;
+  fanuc_of(m).rolled = 0;
   if (!read) return fail(read.error());
   target.to = {to[m.modal.axes.first], to[m.modal.axes.second]};
   return target;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -13,7 +13,7 @@ class Interpreter;
 struct Word;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// A point of the plane where the tool stands, programmed.
 Vec2 plane_point(const Interpreter& m);
@@ -34,4 +34,4 @@ Result<PlaneTarget> plane_target(Interpreter& m);
 /// Letter of the plane's first (0) or second (1) axis.
 char letter_of(const Interpreter& m, std::size_t which);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

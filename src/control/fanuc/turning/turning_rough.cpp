@@ -5,12 +5,12 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning.h"
 #include "control/fanuc/turning/turning_contour.h"
 #include "control/fanuc/turning/turning_plane.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 constexpr double most_cuts = 1e6;
@@ -211,7 +211,7 @@ class PatternRun final : public RunningValue<PatternRun> {
 
 /// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = nct_of(m).state.turning;
+  const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());
@@ -226,7 +226,7 @@ Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
 }
 
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = nct_of(m).state.turning;
+  const TurningMemory& kept = fanuc_of(m).state.turning;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());
   if (kept.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
@@ -235,4 +235,4 @@ Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// A motion in step with the spindle; nothing overrides it.
@@ -24,8 +24,8 @@ Status cut_thread(Interpreter& m, Vec2 to, double lead, double angle) {
   motion.feed = lead;
   MotionDetail& detail = detail_of(m, motion);
   detail.lead = lead;
-  if (!nct_of(m).state.in_thread) detail.start_angle = angle;
-  nct_of(m).state.in_thread = true;
+  if (!fanuc_of(m).state.in_thread) detail.start_angle = angle;
+  fanuc_of(m).state.in_thread = true;
   return {};
 }
 
@@ -82,7 +82,7 @@ class ThreadRun final : public RunningValue<ThreadRun> {
 }  // namespace
 
 Status thread_pass(Interpreter& m, const ThreadPass& pass) {
-  nct_of(m).state.in_thread = false;
+  fanuc_of(m).state.in_thread = false;
   KADR_TRY(go(m, MotionKind::rapid, pass.from));
   const Vec2 way = pass.to - pass.from;
   double out = std::min(pass.chamfer, std::fabs(way.x));
@@ -123,7 +123,7 @@ Status compound_thread(Interpreter& m, const Call& call) {
   }
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
-  job.data = nct_of(m).state.turning;
+  job.data = fanuc_of(m).state.turning;
   job.start = plane_point(m);
   job.target = target->to;
   job.taper = m.length_value('R');
@@ -142,4 +142,4 @@ Status compound_thread(Interpreter& m, const Call& call) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

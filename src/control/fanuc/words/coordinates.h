@@ -1,17 +1,17 @@
 #pragma once
-// Programmed words → end points; work systems, shifts, planes, surfaces of the NCT control (spec/nct/05, 09, 10, 04 4.5–4.6).
+// Programmed words → end points; work systems, shifts, planes, surfaces (spec/nct/05, 09, 10, 04 4.5–4.6).
 
 #include "action/action.h"
 #include "base/result.h"
 #include "base/vec.h"
-#include "control/fanuc/tables/settings.h"
+#include "control/fanuc/state/settings.h"
 #include "lang/block/block.h"
 
 namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// End point by the block's axis words: G90/G91, operator I, U V W, diameter, polar data, roll-over (5.1–5.6).
 Status target(const Interpreter& m, Axes& to, AxisMask& named);
@@ -62,4 +62,4 @@ int main_axis(const Interpreter& m, int role);
 /// "XY": names of the plane's axes.
 std::string plane_name(const Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -7,7 +7,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// One data line.
 ///   alarms  value_out_of_range (2002), word_missing (2004), parameter_not_writable (2193), data_block
@@ -15,4 +15,4 @@ Status data_line(Interpreter& m);
 /// Two M codes of one exclusive group, or two spindle codes. alarms m_codes_contradict
 Status check_m_codes(const Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -3,12 +3,12 @@
 #include <bit>
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
 /// G16: the first plane axis carries the radius, the second the angle (5.4).
@@ -59,7 +59,7 @@ double coordinate(const Interpreter& m, const Word& w, std::size_t axis) {
 }
 
 bool is_increment(const Interpreter& m, const Word& w) {
-  if (nct_of(m).absolute_block) return false;
+  if (fanuc_of(m).absolute_block) return false;
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
@@ -89,15 +89,15 @@ namespace {
 
 /// Rotary axes that follow from the tool's direction (25.14), the shortest way.
 void take_directed(const Interpreter& m, Axes& to, AxisMask& named) {
-  Nct& nct = nct_of(m);
+  Fanuc& fanuc = fanuc_of(m);
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
-    if ((nct.by_direction >> axis & 1u) == 0) continue;
+    if ((fanuc.by_direction >> axis & 1u) == 0) continue;
     named |= AxisMask{1} << axis;
-    const AxisSettings& settings = nct.settings.axes[axis];
-    to[axis] = nct.directed[axis] - m.frames.origin[axis];
+    const AxisSettings& settings = fanuc.settings.axes[axis];
+    to[axis] = fanuc.directed[axis] - m.frames.origin[axis];
     if (!settings.rolls) continue;
-    nct.travel[axis] = to[axis] - m.position.programmed[axis];
-    nct.rolled |= AxisMask{1} << axis;
+    fanuc.travel[axis] = to[axis] - m.position.programmed[axis];
+    fanuc.rolled |= AxisMask{1} << axis;
     to[axis] = rolled_position(to[axis], settings.period);
   }
 }
@@ -107,10 +107,10 @@ void take_directed(const Interpreter& m, Axes& to, AxisMask& named) {
 Status target(const Interpreter& m, Axes& to, AxisMask& named) {
   to = m.position.programmed;
   named = 0;
-  Nct& nct = nct_of(m);
-  nct.rolled = 0;
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.rolled = 0;
   const PlaneAxes& plane = m.modal.axes;
-  const bool is_polar = m.modal.polar_data && !nct.cartesian_block;
+  const bool is_polar = m.modal.polar_data && !fanuc.cartesian_block;
   const Word* radius = nullptr;
   const Word* angle = nullptr;
   for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {  // each address stands once (blocks.cpp)
@@ -123,16 +123,16 @@ Status target(const Interpreter& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    if ((nct.by_direction >> axis & 1u) != 0) continue;  // its number is that of I, J or K
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // its number is that of I, J or K
     const double v = coordinate(m, w, axis);
-    const AxisSettings& settings = nct.settings.axes[axis];
+    const AxisSettings& settings = fanuc.settings.axes[axis];
     const bool increment = is_increment(m, w);
     named |= 1u << axis;
     if (settings.rolls && (m.def.rotary >> axis & 1u) != 0 && m.modal.surface == PathSurface::plane) {
       const double from = rolled_position(m.position.programmed[axis], settings.period);
-      nct.travel[axis] = roll_travel(settings, from, v, increment);
-      nct.rolled |= 1u << axis;
-      to[axis] = rolled_position(from + nct.travel[axis], settings.period);
+      fanuc.travel[axis] = roll_travel(settings, from, v, increment);
+      fanuc.rolled |= 1u << axis;
+      to[axis] = rolled_position(from + fanuc.travel[axis], settings.period);
     } else {
       to[axis] = increment ? m.position.programmed[axis] + v : v;
     }
@@ -140,9 +140,11 @@ Status target(const Interpreter& m, Axes& to, AxisMask& named) {
   }
   if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
   if (m.has(comma_angle)) KADR_TRY(end_by_angle(m, to, named));
-  if (nct.by_direction != 0) take_directed(m, to, named);
-  if (named != 0) named |= nct.taken_up;
-  return not_following(m, named);
+  if (fanuc.by_direction != 0) take_directed(m, to, named);
+  if (named != 0) named |= fanuc.taken_up;
+  if ((named & fanuc.following) == 0) [[likely]]
+    return {};
+  return m.dialect->may_move(m, named);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

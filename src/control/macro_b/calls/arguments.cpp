@@ -5,7 +5,7 @@
 #include "control/interpreter.h"
 #include "control/macro_b/calls/calls.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 /// By letter, type 1.
@@ -58,4 +58,4 @@ Status arguments_of(const Interpreter& m, std::uint32_t caller, Locals& to) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

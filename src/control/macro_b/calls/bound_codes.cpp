@@ -4,10 +4,10 @@
 
 #include "base/tolerance.h"
 #include "control/interpreter.h"
-#include "control/macro_b/blocks.h"
 #include "control/macro_b/calls/calls.h"
+#include "control/macro_b/dialect/blocks.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr int letter_programs = 9030;  // O9030 … O9034: A, B, C, S, T
@@ -35,7 +35,7 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
     if (frame.called_by == address && (frame.called_code == code || code < 0)) return false;
     others = others || frame.called_by != 'G' || address != 'G';
   }
-  return !others || nct_of(m).settings.calls_inside_calls;
+  return !others || macro_b_of(m).settings.calls_inside_calls;
 }
 
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
@@ -43,7 +43,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   if (w.written == 'M' && &w != first)
     return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N before it
   CallRequest request;
-  const auto place = nct_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
+  const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
   request.place = *place;
   request.name = static_cast<std::uint32_t>(program);
@@ -53,38 +53,38 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   Locals arguments;
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
-  Nct& nct = nct_of(m);
-  nct.keep_all();  // a negative parameter: G66 or G66.1 (23.3.4)
-  nct.state.modal_calls.resize(nct.state.active_modal_calls);
-  nct.state.modal_calls.push_back(
-      {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, arguments});
-  ++nct.state.active_modal_calls;
-  return nct.settings.modal_each_block ? call_modal(m, arguments) : Status();
+  MacroB& macros = macro_b_of(m);
+  macros.keep_all();  // a negative parameter: G66 or G66.1 (23.3.4)
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);
+  macros.state.modal_calls.push_back(
+      {request.place.reader, request.place.start, 1, request.name, macros.settings.modal_each_block, w.written, w.code, arguments});
+  ++macros.state.active_modal_calls;
+  return macros.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
 /// Takes the word out of the block; the subprogram follows after the block.
 void pend(Interpreter& m, Word& w, int program) {
-  nct_of(m).pending.push_back({program, w.written, w.code, w.where});
+  macro_b_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;
 }
 
 /// A, B, C, S, T and the four ASCII letters: the value goes to a variable, a subprogram follows (23.3.7, 23.3.8).
 bool letter_calls(Interpreter& m, Word& w) {
-  const Settings& s = nct_of(m).settings;
+  const Settings& s = macro_b_of(m).settings;
   if (w.written > 'Z') return false;
   const std::size_t nth = letters_in_order.find(w.written);
   if (nth != std::string_view::npos && s.letters_call[nth]) {
     if (!may_call(m, w.written, -1)) return false;
-    nct_of(m).variables.keep_common(m.journal, letter_variables + static_cast<int>(nth));
-    nct_of(m).variables.set_common(letter_variables + static_cast<int>(nth), w.value);
+    macro_b_of(m).variables.keep_common(m.journal, letter_variables + static_cast<int>(nth));
+    macro_b_of(m).variables.set_common(letter_variables + static_cast<int>(nth), w.value);
     pend(m, w, letter_programs + static_cast<int>(nth));
     return true;
   }
   for (std::size_t i = 0; i < s.ascii.size(); ++i) {
     if (s.ascii[i] != w.written || s.ascii_programs[i] == 0 || !may_call(m, w.written, -1)) continue;
-    nct_of(m).variables.keep_common(m.journal, ascii_variables + static_cast<int>(i));
-    nct_of(m).variables.set_common(ascii_variables + static_cast<int>(i), w.value);
+    macro_b_of(m).variables.keep_common(m.journal, ascii_variables + static_cast<int>(i));
+    macro_b_of(m).variables.set_common(ascii_variables + static_cast<int>(i), w.value);
     pend(m, w, s.ascii_programs[i]);
     return true;
   }
@@ -94,7 +94,7 @@ bool letter_calls(Interpreter& m, Word& w) {
 }  // namespace
 
 Result<bool> call_by_code(Interpreter& m) {
-  const Settings& s = nct_of(m).settings;
+  const Settings& s = macro_b_of(m).settings;
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
@@ -112,17 +112,17 @@ Result<bool> call_by_code(Interpreter& m) {
     if (w.written != 'M') (void)letter_calls(m, w);
     else if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
   }
-  if (!nct_of(m).pending.empty()) m.note_addresses();
+  if (!macro_b_of(m).pending.empty()) m.note_addresses();
   return false;
 }
 
 /// The last one first: so the others run before it. INFERRED: in the order of writing.
 Status call_pending(Interpreter& m) {
-  Nct& nct = nct_of(m);
-  for (; !nct.pending.empty(); nct.pending.pop_back()) {
-    const PendingCall& pending = nct.pending.back();
+  MacroB& macros = macro_b_of(m);
+  for (; !macros.pending.empty(); macros.pending.pop_back()) {
+    const PendingCall& pending = macros.pending.back();
     CallRequest request;
-    const auto place = nct.programs.system(m, static_cast<std::uint32_t>(pending.program), pending.where);
+    const auto place = macros.programs.system(m, static_cast<std::uint32_t>(pending.program), pending.where);
     if (!place) return fail(place.error());
     request.place = *place;
     request.name = static_cast<std::uint32_t>(pending.program);
@@ -133,4 +133,4 @@ Status call_pending(Interpreter& m) {
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

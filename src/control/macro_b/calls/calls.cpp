@@ -10,30 +10,20 @@
 #include "base/tolerance.h"
 #include "control/functions/behind_fault.h"
 #include "control/functions/functions.h"
-#include "control/macro_b/blocks.h"
+#include "control/macro_b/dialect/blocks.h"
 #include "control/macro_b/statements/messages.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr std::uint32_t most_repeats = 99'999'999;
-
-/// L of a call; missing: 1.
-Result<std::uint32_t> repeats_of(const Interpreter& m) {
-  const Word* const l = m.word('L');
-  if (l == nullptr) return 1u;
-  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
-  if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
-  if (!(times >= 1 && times <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
-  return static_cast<std::uint32_t>(times);
-}
 
 /// The program that P or <name> of the block names.
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
     if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: a file name with G65 only
-    const auto place = nct_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
+    const auto place = macro_b_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
     request.place = *place;
     return request;
@@ -49,7 +39,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
     *number %= four_digits;
   }
   request.name = *number;
-  const auto place = nct_of(m).programs.by_number(m, *number, p->where);
+  const auto place = macro_b_of(m).programs.by_number(m, *number, p->where);
   if (!place) return fail(place.error());
   request.place = *place;
   return request;
@@ -58,13 +48,23 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
 std::uint32_t index_of(const Interpreter& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
 /// What belonged to a call that is over.
-void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
-  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
-  if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
-  nct.state.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.state.modal_calls.size()));
+void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
+  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level))
+    macros.variables.close_level();
+  if (!macros.repeated_arguments.empty() && macros.repeated_arguments.back().first == depth) macros.repeated_arguments.pop_back();
+  macros.state.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(macros.state.modal_calls.size()));
 }
 
 }  // namespace
+
+Result<std::uint32_t> repeats_of(const Interpreter& m) {
+  const Word* const l = m.word('L');
+  if (l == nullptr) return 1u;
+  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
+  if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
+  if (!(times >= 1 && times <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
+  return static_cast<std::uint32_t>(times);
+}
 
 void leave_call(Interpreter& m) {
   const CallFrame* const top = m.flow.innermost();
@@ -72,31 +72,31 @@ void leave_call(Interpreter& m) {
   const CallFrame frame = *top;
   const std::size_t depth = m.flow.depth();
   m.flow.abandon(std::nullopt);
-  close_call(nct_of(m), frame, depth);
-  if (frame.kind == CallFrame::Kind::interrupt) nct_of(m).end_interrupt(m, true);
+  close_call(macro_b_of(m), frame, depth);
+  if (frame.kind == CallFrame::Kind::interrupt) macro_b_of(m).end_interrupt(m, true);
 }
 
 Status call(Interpreter& m, const CallRequest& request, const Locals& arguments, Span where) {
-  Nct& nct = nct_of(m);
+  MacroB& macros = macro_b_of(m);
   CallFrame frame;
   frame.kind = request.macro ? CallFrame::Kind::macro : CallFrame::Kind::subprogram;
   frame.name = request.name;
   frame.left = request.times;
   frame.caller = m.origin;
-  frame.modal_calls = nct.state.active_modal_calls;
+  frame.modal_calls = macros.state.active_modal_calls;
   frame.called_by = request.called_by;
   frame.called_code = request.called_code;
   KADR_TRY(m.flow.call_at(request.place.reader, request.place.start, frame, where));
-  nct.state.words.o = request.name;
+  macros.state.words.o = request.name;
   if (!request.macro) return {};
-  nct.variables.open_level(arguments);
-  if (request.times > 1) nct.repeated_arguments.emplace_back(m.flow.depth(), arguments);
+  macros.variables.open_level(arguments);
+  if (request.times > 1) macros.repeated_arguments.emplace_back(m.flow.depth(), arguments);
   return {};
 }
 
 Status call_modal(Interpreter& m, const Locals& arguments) {
-  Nct& nct = nct_of(m);
-  const ModalCall& modal = nct.state.modal_calls[nct.state.active_modal_calls - 1u];
+  MacroB& macros = macro_b_of(m);
+  const ModalCall& modal = macros.state.modal_calls[macros.state.active_modal_calls - 1u];
   CallRequest request;
   request.place = {modal.reader, modal.start};
   request.name = modal.name;
@@ -105,12 +105,12 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
   request.called_by = modal.called_by;
   request.called_code = modal.called_code;
   KADR_TRY(call(m, request, arguments, m.block->where));
-  --nct.state.active_modal_calls;  // inside it only the calls programmed before it act
+  --macros.state.active_modal_calls;  // inside it only the calls programmed before it act
   return {};
 }
 
 Status return_from(Interpreter& m, const Call& code) {
-  Nct& nct = nct_of(m);
+  MacroB& macros = macro_b_of(m);
   const Word* const p = m.word('P');
   if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
     return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
@@ -139,101 +139,73 @@ Status return_from(Interpreter& m, const Call& code) {
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
   if (!*left) {  // once more
-    if (opened_level && !m.def.behaviour.repeats_keep_locals) nct.variables.locals() = nct.repeated_arguments.back().second;
+    if (opened_level && !m.def.behaviour.repeats_keep_locals) macros.variables.locals() = macros.repeated_arguments.back().second;
     return {};
   }
   const CallFrame& frame = **left;
-  close_call(nct, frame, depth);
-  if (frame.kind == CallFrame::Kind::interrupt) nct.end_interrupt(m, frame.return_to < 0);
+  close_call(macros, frame, depth);
+  if (frame.kind == CallFrame::Kind::interrupt) macros.end_interrupt(m, frame.return_to < 0);
   if (frame.return_to >= 0) return go_to_block(m, frame.return_to, p != nullptr ? p->where : code.where);
   return {};
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b
 
 namespace kadr::functions {
 
-using nct::CallRequest;
+using macro_b::CallRequest;
 
 /// G65 P L arguments, G65 <file> (23.3.1).
 Status macro_call(Interpreter& m, const Call& call) {
-  auto request = nct::named_program(m, call, true);
+  auto request = macro_b::named_program(m, call, true);
   if (!request) return fail(request.error());
-  const auto times = nct::repeats_of(m);
+  const auto times = macro_b::repeats_of(m);
   if (!times) return fail(times.error());
   request->times = *times;
   request->macro = true;
   Locals arguments;
-  KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
-  return nct::call(m, *request, arguments, call.where);
+  KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
+  return macro_b::call(m, *request, arguments, call.where);
 }
 
 /// G66 P L arguments: after each movement; G66.1: with each block, this one too (23.3.2, 23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t most_modal_calls = 16;
-  auto request = nct::named_program(m, call, false);
+  auto request = macro_b::named_program(m, call, false);
   if (!request) return fail(request.error());
-  const auto times = nct::repeats_of(m);
+  const auto times = macro_b::repeats_of(m);
   if (!times) return fail(times.error());
   Locals arguments;
-  KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
-  nct::Nct& nct = nct_of(m);
-  if (nct.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
-  nct.state.modal_calls.resize(nct.state.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
-  nct.state.modal_calls.push_back(
+  KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
+  macro_b::MacroB& macros = macro_b_of(m);
+  if (macros.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
+  macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
-  ++nct.state.active_modal_calls;
-  return call.row->arg == 66.1_g ? nct::call_modal(m, arguments) : Status();
+  ++macros.state.active_modal_calls;
+  return call.row->arg == 66.1_g ? macro_b::call_modal(m, arguments) : Status();
 }
 
 /// G67: the last modal call is over.
 Status macro_modal_off(Interpreter& m, const Call& call) {
-  nct::Nct& nct = nct_of(m);
-  if (!nct.state.modal_calls.empty()) nct.state.modal_calls.pop_back();
-  nct.state.active_modal_calls =
-      std::min<std::uint8_t>(nct.state.active_modal_calls, static_cast<std::uint8_t>(nct.state.modal_calls.size()));
+  macro_b::MacroB& macros = macro_b_of(m);
+  if (!macros.state.modal_calls.empty()) macros.state.modal_calls.pop_back();
+  macros.state.active_modal_calls =
+      std::min<std::uint8_t>(macros.state.active_modal_calls, static_cast<std::uint8_t>(macros.state.modal_calls.size()));
   (void)call;
   return {};
 }
 
 /// M98 P L, M98 <file> L (14.4.2): the locals stay.
 Status call_program(Interpreter& m, const Call& call) {
-  auto request = nct::named_program(m, call, true);
+  auto request = macro_b::named_program(m, call, true);
   if (!request) return fail(request.error());
-  const auto times = nct::repeats_of(m);
+  const auto times = macro_b::repeats_of(m);
   if (!times) return fail(times.error());
   if (m.has('L')) request->times = *times;
-  return nct::call(m, *request, {}, call.where);
+  return macro_b::call(m, *request, {}, call.where);
 }
 
-/// M97 P L (spec/haas 3.1): block P of the same program, back at M99; the locals stay.
-Status call_local(Interpreter& m, const Call& call) {
-  const Word* const p = m.word('P');
-  if (p == nullptr) return fail(alarm(AlarmId::call_without_program, call.where, call.row->code));
-  const auto times = nct::repeats_of(m);
-  if (!times) return fail(times.error());
-  const auto start = nct::block_numbered(m, p->value, p->where);
-  if (!start) return fail(start.error());
-  CallRequest request;
-  request.place = {m.flow.reader(), *start};
-  request.name = static_cast<std::uint32_t>(nct_of(m).state.words.o);
-  request.times = *times;
-  return nct::call(m, request, {}, call.where);
-}
-
-/// M96 P Q (spec/haas 3.4): to block P while input Q is 0. INFERRED: an input that the set-up does not give is 0.
-Status jump_by_input(Interpreter& m, const Call& call) {
-  for (const char letter : {'P', 'Q'})
-    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  constexpr double most_inputs = 63;
-  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is no length
-  if (!(input >= 0 && input <= most_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
-  const auto& inputs = nct_of(m).plc_in;
-  const auto number = static_cast<std::size_t>(input);
-  if (number < inputs.size() && inputs[number] != 0) return {};
-  return nct::go_to_block_again(m, m.value('P'), m.where('P'));
-}
-
-Status return_program(Interpreter& m, const Call& call) { return nct::return_from(m, call); }
+Status return_program(Interpreter& m, const Call& call) { return macro_b::return_from(m, call); }
 
 }  // namespace kadr::functions

@@ -2,11 +2,11 @@
 // Macro and subprogram calls: arguments, levels, modal calls, codes and addresses bound to programs (spec/nct/23 23.3, 14.4).
 
 #include "base/result.h"
-#include "control/macro_b/calls/programs.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/macro_b.h"
+#include "control/macro_b/programs/programs.h"
 #include "lang/block/block.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// A call that is about to be made.
 struct CallRequest {
@@ -23,6 +23,8 @@ struct CallRequest {
 Status call(Interpreter& m, const CallRequest& request, const Locals& arguments, Span where);
 /// Called after a block that moved, or with a block's words, by the innermost modal call that acts.
 Status call_modal(Interpreter& m, const Locals& arguments);
+/// L of a call; missing: 1. alarms word_not_integer, value_out_of_range
+Result<std::uint32_t> repeats_of(const Interpreter& m);
 /// The block's words as arguments (23.3, "Argument assignment"). `skip`: index of the word that calls.
 ///   alarms  illegal_address (2017)
 Status arguments_of(const Interpreter& m, std::uint32_t skip, Locals& to);
@@ -36,4 +38,4 @@ Result<bool> call_by_code(Interpreter& m);
 /// The subprogram that a word of this block stands for, after the block (23.3.6–23.3.8).
 Status call_pending(Interpreter& m);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

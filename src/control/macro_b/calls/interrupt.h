@@ -9,7 +9,7 @@ class Interpreter;
 struct Call;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// With N1758 #4 MCD the codes of N1759 and N1760 do what M96 and M97 do.
 ///   returns  true: it was such a code
@@ -20,4 +20,4 @@ Result<bool> interrupt_code(Interpreter& m, const Call& call);
 ///   returns  true: it was called; at the start of a block: instead of the block, which follows the macro
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

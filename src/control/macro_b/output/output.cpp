@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "control/interpreter.h"
+#include "control/macro_b/macro_b.h"
 #include "control/macro_b/output/print.h"
-#include "control/nct/nct.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ std::string program_path(const Interpreter& m) {
     std::error_code error;  // no working directory: the path as it is
     return fs::absolute(path, error).lexically_normal();
   };
-  const fs::path main = whole(m.flow.main_file()), root = whole(nct_of(m).output.root() + "/").parent_path();
+  const fs::path main = whole(m.flow.main_file()), root = whole(macro_b_of(m).output.root() + "/").parent_path();
   const fs::path from_root = main.lexically_relative(root);
   const bool inside = !from_root.empty() && *from_root.begin() != "..";
   return whole(m.flow.file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
@@ -76,16 +76,16 @@ Status print(Interpreter& m, const Statement& s, PrintKind kind) {
     return fail(alarm);
   }
   if (kind == PrintKind::decimal) {
-    const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
-    return placed(nct_of(m).output.print(decimal(pieces->pieces, values->values(), fill), kind), s.where);
+    const PrintFill fill = macro_b_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
+    return placed(macro_b_of(m).output.print(decimal(pieces->pieces, values->values(), fill), kind), s.where);
   }
   const auto bytes = binary(pieces->pieces, values->values());
   if (!bytes) return placed(fail(bytes.error()), s.where);
-  return placed(nct_of(m).output.print(*bytes, kind), s.where);
+  return placed(macro_b_of(m).output.print(*bytes, kind), s.where);
 }
 
 Status open_file_of(Interpreter& m, const Statement& s, double mode) {
-  OutputFile& output = nct_of(m).output;
+  OutputFile& output = macro_b_of(m).output;
   if (m.block->file_name.end != 0) {
     Span place = m.block->file_name;
     const std::string name = m.flow.shown(m.block->text_of(m.block->file_name), place);
@@ -103,7 +103,7 @@ Status open_file_of(Interpreter& m, const Statement& s, double mode) {
 Status output(Interpreter& m, const Statement& s) {
   if (s.kind == StatementKind::print_decimal) return print(m, s, PrintKind::decimal);
   if (s.kind == StatementKind::print_binary) return print(m, s, PrintKind::binary);
-  OutputFile& output = nct_of(m).output;
+  OutputFile& output = macro_b_of(m).output;
   if (s.kind == StatementKind::close_file) return placed(output.close_file(), s.where);
   const auto number = value_or_zero(m, s.value);
   if (!number) return fail(number.error());
@@ -118,8 +118,8 @@ Status output(Interpreter& m, const Statement& s) {
 Result<std::string> embedded_values(Interpreter& m, const std::string& text, Span) {
   auto values = std::make_unique<Values>(m);
   const PrintText pieces = parse_message(text, [&](std::string_view rest) { return values->read(rest); });
-  const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
+  const PrintFill fill = macro_b_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
   return joined(pieces.pieces, values->values(), fill);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -10,10 +10,10 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 Status output(Interpreter& m, const Statement& s);
 /// A message with `#v[cd]` replaced by values and `\n` by ends of line (23.1.8).
 Result<std::string> embedded_values(Interpreter& m, const std::string& text, Span where);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -11,7 +11,7 @@
 #include "base/ascii.h"
 #include "lang/text/encoding.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 using files::FileMode;
 using files::is_good_part;
@@ -231,4 +231,4 @@ void OutputFile::abort() {
   state_ = State::closed;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

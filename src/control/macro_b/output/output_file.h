@@ -13,7 +13,7 @@
 #include "control/files/file_writer.h"
 #include "control/macro_b/output/print.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 using files::OutputOptions;
 using files::OutputWriting;
@@ -102,4 +102,4 @@ class OutputFile {
   std::string program_;  // of POPEN
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -12,7 +12,7 @@
 #include "base/ascii.h"
 #include "lang/text/encoding.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr int most_digits = 15;          // 0 < c + d < 16
@@ -210,4 +210,4 @@ Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues va
   return bytes.append(end_of_line);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -12,7 +12,7 @@
 
 #include "base/result.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// Fixed characters, or the value of a variable.
 struct PrintPiece {
@@ -74,4 +74,4 @@ std::string decimal(const std::vector<PrintPiece>& pieces, PrintValues values, P
 ///   alarms   value_limit (value): it does not fit into 32 bits (inferred)
 Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues values);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -1,4 +1,4 @@
-// Loops that never end, found without running them for long (spec/nct/23 23.2.8, 23.2.11). For control/nct/memory.
+// Loops that never end, found without running them for long (spec/nct/23 23.2.8, 23.2.11). For control/macro_b/memory.
 
 #include "control/macro_b/statements/endless.h"
 
@@ -6,9 +6,9 @@
 #include <cstring>
 
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/macro_b.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 struct Moment {
   std::uint64_t blocks = 0;  // carried out
@@ -48,29 +48,29 @@ bool same(const ModalWords& a, const ModalWords& b) {
 }
 
 void take(const Interpreter& m, Moment& to) {
-  const Nct& nct = nct_of(m);
+  const MacroB& macros = macro_b_of(m);
   to.blocks = m.flow.blocks();
   to.frames = m.flow.frames();
-  to.levels = nct.variables.levels();
-  for (int n = first_common; n <= last_common; ++n) to.commons[static_cast<std::size_t>(n)] = nct.variables.common(n);
-  to.repeated_arguments = nct.repeated_arguments;
+  to.levels = macros.variables.levels();
+  for (int n = first_common; n <= last_common; ++n) to.commons[static_cast<std::size_t>(n)] = macros.variables.common(n);
+  to.repeated_arguments = macros.repeated_arguments;
   to.modal_arguments.clear();
-  for (const ModalCall& call : nct.state.modal_calls) to.modal_arguments.push_back(call.arguments);
+  for (const ModalCall& call : macros.state.modal_calls) to.modal_arguments.push_back(call.arguments);
   to.rows = m.modal.rows;
-  to.active_modal_calls = nct.state.active_modal_calls;
-  to.finishing = nct.finishing.size();
-  to.parameters = nct.parameters.version();
-  to.readings = nct.endless.readings();
-  to.changes = nct.endless.changes();
+  to.active_modal_calls = macros.state.active_modal_calls;
+  to.finishing = macros.open_contours();
+  to.parameters = macros.parameters.version();
+  to.readings = macros.endless.readings();
+  to.changes = macros.endless.changes();
   to.position = m.position;
-  to.words = nct.state.words;
-  to.now_ms = nct.now_ms;
-  to.cutting_ms = nct.cutting_ms;
-  to.parts_done = nct.state.parts_done;
+  to.words = macros.state.words;
+  to.now_ms = macros.now_ms;
+  to.cutting_ms = macros.cutting_ms;
+  to.parts_done = macros.state.parts_done;
 }
 
 bool same_variables(const Interpreter& m, const Moment& then) {
-  const MacroVariables& now = nct_of(m).variables;
+  const MacroVariables& now = macro_b_of(m).variables;
   if (now.levels().size() != then.levels.size()) return false;
   for (std::size_t i = then.levels.size(); i-- > 0;)
     if (!same(now.levels()[i], then.levels[i])) return false;
@@ -82,33 +82,33 @@ bool same_variables(const Interpreter& m, const Moment& then) {
 }
 
 bool same_calls(const Interpreter& m, const Moment& then) {
-  const Nct& nct = nct_of(m);
+  const MacroB& macros = macro_b_of(m);
   const auto& frames = m.flow.frames();
   if (!std::equal(frames.begin(), frames.end(), then.frames.begin(), then.frames.end(),
                   [](const CallFrame& a, const CallFrame& b) { return same(a, b); }))
     return false;
-  if (!std::equal(nct.repeated_arguments.begin(), nct.repeated_arguments.end(), then.repeated_arguments.begin(),
+  if (!std::equal(macros.repeated_arguments.begin(), macros.repeated_arguments.end(), then.repeated_arguments.begin(),
                   then.repeated_arguments.end(),
                   [](const auto& a, const auto& b) { return a.first == b.first && same(a.second, b.second); }))
     return false;
-  return std::equal(nct.state.modal_calls.begin(), nct.state.modal_calls.end(), then.modal_arguments.begin(), then.modal_arguments.end(),
-                    [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
+  return std::equal(macros.state.modal_calls.begin(), macros.state.modal_calls.end(), then.modal_arguments.begin(),
+                    then.modal_arguments.end(), [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
 /// What system variables show, as far as a program changes it.
 bool same_surroundings(const Interpreter& m, const Moment& then) {
-  const Nct& nct = nct_of(m);
+  const MacroB& macros = macro_b_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
-  return nct.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
-         same(nct.state.words, then.words) && nct.now_ms == then.now_ms && nct.cutting_ms == then.cutting_ms &&
-         nct.state.parts_done == then.parts_done;
+  return macros.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
+         same(macros.state.words, then.words) && macros.now_ms == then.now_ms && macros.cutting_ms == then.cutting_ms &&
+         macros.state.parts_done == then.parts_done;
 }
 
 bool same(const Interpreter& m, const Moment& then) {
-  const Nct& nct = nct_of(m);
-  return same_variables(m, then) && m.modal.rows == then.rows && nct.state.active_modal_calls == then.active_modal_calls &&
-         nct.finishing.size() == then.finishing && nct.parameters.version() == then.parameters && same_calls(m, then) &&
-         (nct.endless.readings() == then.readings || same_surroundings(m, then));
+  const MacroB& macros = macro_b_of(m);
+  return same_variables(m, then) && m.modal.rows == then.rows && macros.state.active_modal_calls == then.active_modal_calls &&
+         macros.open_contours() == then.finishing && macros.parameters.version() == then.parameters && same_calls(m, then) &&
+         (macros.endless.readings() == then.readings || same_surroundings(m, then));
 }
 
 /// The machine's logic, its operator or another channel may end the loop.
@@ -176,4 +176,4 @@ Endless::Verdict Endless::look_closely(const Interpreter& m, Watch& w) {
   return Verdict::go;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

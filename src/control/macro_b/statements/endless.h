@@ -20,7 +20,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 struct Moment;  // what decides a pass
 
@@ -85,4 +85,4 @@ class Endless {
   std::uint64_t readings_ = 0, changes_ = 0;
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

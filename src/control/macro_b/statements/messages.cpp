@@ -7,12 +7,12 @@
 
 #include <cmath>
 
+#include "control/macro_b/macro_b.h"
 #include "control/macro_b/output/output.h"
-#include "control/nct/nct.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr int stop_base = 5000;
@@ -46,7 +46,7 @@ Status question(Interpreter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);
   if (!text) return fail(text.error());
-  nct_of(m).answer = number < 200 ? 1 : 2;
+  macro_b_of(m).answer = number < 200 ? 1 : 2;
   m.emit(Message{std::move(*text), number, true});
   return {};
 }
@@ -68,4 +68,4 @@ Status message(Interpreter& m, const Statement& s) {
   }
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -8,7 +8,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// #3000=n(text) and its like.
 ///   alarms  program_alarm (code, number, text), message_number
@@ -19,4 +19,4 @@ Status go_to_block(Interpreter& m, double number, Span where);
 /// The same for M99 P of a main program, which makes another pass where it goes back (14.4.4).
 Status go_to_block_again(Interpreter& m, double number, Span where);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

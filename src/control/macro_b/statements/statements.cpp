@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "control/macro_b/blocks.h"
+#include "control/macro_b/dialect/blocks.h"
+#include "control/macro_b/macro_b.h"
 #include "control/macro_b/output/output.h"
 #include "control/macro_b/statements/messages.h"
 #include "control/macro_b/variables/further_variables.h"
 #include "control/macro_b/variables/system_variables.h"
-#include "control/nct/nct.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 Result<double> value_of(Interpreter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
@@ -25,10 +25,10 @@ Result<double> target_of(Interpreter& m, const Statement& s) {
 
 /// An alarm of the words behind the assignment takes it back too.
 void keep_target(Interpreter& m, double target) {
-  Nct& nct = nct_of(m);
+  MacroB& macros = macro_b_of(m);
   const auto n = static_cast<int>(target);
-  if (n >= first_common && n <= last_common) nct.variables.keep_common(m.journal, n);
-  else if (n >= 1 && n <= static_cast<int>(most_locals)) m.journal.keep(nct.variables.locals()[static_cast<std::size_t>(n)]);
+  if (n >= first_common && n <= last_common) macros.variables.keep_common(m.journal, n);
+  else if (n >= 1 && n <= static_cast<int>(most_locals)) m.journal.keep(macros.variables.locals()[static_cast<std::size_t>(n)]);
 }
 
 Status assign(Interpreter& m, const Statement& s) {
@@ -47,7 +47,7 @@ Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, wher
 /// A jump back that would be made for ever is none.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
-    switch (nct_of(m).endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
+    switch (macro_b_of(m).endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
       case Endless::Verdict::go: break;
       case Endless::Verdict::leave: return {};
       case Endless::Verdict::endless: return fail(alarm(AlarmId::endless_program, where, double(m.flow.repeated())));
@@ -140,4 +140,4 @@ Result<bool> run_statement(Interpreter& m) {
   return !(s.words_follow && *condition);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -10,7 +10,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// Remembers what was saved last, so that a block's changes are the difference.
 class Changes {
@@ -26,4 +26,4 @@ class Changes {
   bool all_ = true;  // the first time
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 struct Clock {
@@ -35,4 +35,4 @@ double time_number(const std::string& clock, double ms) {
   return static_cast<double>(now / 3600 * 10000 + now / 60 % 60 * 100 + now % 60);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/macro_b.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr double ms_of_hour = 3'600'000;
@@ -31,7 +31,7 @@ Status name_variables(Interpreter& m, const Statement& statement) {
     more = comma != std::string_view::npos;
     const auto named = m.def.grammar.given_names->number_of(names.substr(0, comma));
     if (!named) return fail(alarm(AlarmId::too_many_words, statement.where, double{VariableNames::most}));
-    nct_of(m).variable_names[*named] = number;
+    macro_b_of(m).variable_names[*named] = number;
     if (more) names.remove_prefix(comma + 1);
   }
   return {};
@@ -39,7 +39,7 @@ Status name_variables(Interpreter& m, const Statement& statement) {
 
 Result<double> number_meant(const Interpreter& m, double number, Span where) {
   if (!VariableNames::is_named(number) || m.def.grammar.given_names == nullptr) return number;
-  const auto& names = nct_of(m).variable_names;
+  const auto& names = macro_b_of(m).variable_names;
   if (const auto found = names.find(number); found != names.end()) return found->second;
   return fail(alarm(AlarmId::variable_unknown, where, std::string_view(m.def.grammar.given_names->name_of(number))));
 }
@@ -51,15 +51,15 @@ std::optional<FurtherVariable> further_variable(const VariableRow& row, std::uin
 }
 
 double read_further(const Interpreter& m, FurtherVariable variable) {
-  const MacroVariables& variables = nct_of(m).variables;
+  const MacroVariables& variables = macro_b_of(m).variables;
   return variable.own ? variables.further(variable.number) : variables.common(static_cast<int>(variable.number));
 }
 
 void write_further(Interpreter& m, FurtherVariable variable, double value) {
-  Nct& nct = nct_of(m);
-  nct.endless.note_change();
-  if (variable.own) nct.variables.set_further(variable.number, value);
-  else nct.variables.set_common(static_cast<int>(variable.number), value);
+  MacroB& macros = macro_b_of(m);
+  macros.endless.note_change();
+  if (variable.own) macros.variables.set_further(variable.number, value);
+  else macros.variables.set_common(static_cast<int>(variable.number), value);
 }
 
 double cutting_unit(const VariableRow& row) { return row.arg == 1 ? ms_of_hour : 1; }
@@ -75,8 +75,8 @@ double timer(const Interpreter& m, const VariableRow& row) {
   switch (static_cast<TimerOf>(row.arg)) {
     case TimerOf::power_on:
     case TimerOf::cycle_start:
-    case TimerOf::this_part: return nct_of(m).now_ms / ms_of_second;
-    case TimerOf::feed: return nct_of(m).cutting_ms / ms_of_second;
+    case TimerOf::this_part: return macro_b_of(m).now_ms / ms_of_second;
+    case TimerOf::feed: return macro_b_of(m).cutting_ms / ms_of_second;
     default: return 0;
   }
 }
@@ -89,4 +89,4 @@ double operator_switch(const Interpreter& m, const VariableRow& row) {
   }
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -13,7 +13,7 @@ class Interpreter;
 struct Statement;
 }  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// SETVN n[NAME,NAME]: names of #n, #n+1 …
 ///   alarms  variable_unknown
@@ -39,4 +39,4 @@ double timer(const Interpreter& m, const VariableRow& row);
 /// #3028, #3030 to #3033 (spec/haas 2.4): block delete and optional stop as the set-up has them, 1 or 0; the others are 0 in a run.
 double operator_switch(const Interpreter& m, const VariableRow& row);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -3,9 +3,9 @@
 #include "control/macro_b/variables/machine_bits.h"
 
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/macro_b.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 double bits_to_word(const std::array<double, 32>& bits) {
   std::uint32_t word = 0;
@@ -21,7 +21,7 @@ double mirror_bits(const Interpreter& m) {
   return bits;
 }
 
-double search_bits(const Nct& n, int bit) {
+double search_bits(const MacroB& n, int bit) {
   constexpr const char* names[] = {"BSEARCH", "TEST", "MCHLOCK"};
   unsigned bits = 0;
   for (unsigned i = 0; i < 3; ++i)
@@ -29,4 +29,4 @@ double search_bits(const Nct& n, int bit) {
   return bit < 0 ? bits : bits >> bit & 1U;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

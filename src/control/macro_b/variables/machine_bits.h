@@ -7,13 +7,13 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
-class Nct;
+namespace kadr::macro_b {
+class MacroB;
 
 double bits_to_word(const std::array<double, 32>& bits);
 /// A bit an axis that is mirrored, by its control-wide number.
 double mirror_bits(const Interpreter& m);
 /// Of #_CNTBS (23.1.11): all three as a mask, or one.
-double search_bits(const Nct& n, int bit);
+double search_bits(const MacroB& n, int bit);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

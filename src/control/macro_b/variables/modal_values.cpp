@@ -4,11 +4,10 @@
 
 #include <string>
 
-#include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
-#include "control/nct/nct.h"
+#include "control/macro_b/macro_b.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr int family_step = 1000;
@@ -17,7 +16,7 @@ constexpr int extended_zero = 187;  // P of G54.1
 }  // namespace
 
 double modal_group(const Interpreter& m, int family, std::uint32_t group) {
-  const Interrupted& interrupted = nct_of(m).interrupted;
+  const Interrupted& interrupted = macro_b_of(m).interrupted;
   const Modal& modal = family == 2 && interrupted.active ? interrupted.modal : m.modal;
   const std::string name = std::to_string(group);
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
@@ -30,8 +29,8 @@ double modal_group(const Interpreter& m, int family, std::uint32_t group) {
 
 double modal_word(const Interpreter& m, int arg) {
   const int family = arg / family_step;
-  const Interrupted& interrupted = nct_of(m).interrupted;
-  const ModalWords& w = family == 2 && interrupted.active ? interrupted.words : nct_of(m).state.words;
+  const Interrupted& interrupted = macro_b_of(m).interrupted;
+  const ModalWords& w = family == 2 && interrupted.active ? interrupted.words : macro_b_of(m).state.words;
   switch (arg % family_step) {
     case 'A': return w.aux[0];
     case 'B': return w.aux[1];
@@ -50,4 +49,4 @@ double modal_word(const Interpreter& m, int arg) {
   }
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

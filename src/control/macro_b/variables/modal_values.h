@@ -8,11 +8,11 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// Code of a group: 100·decimal + whole part; 0: none.
 double modal_group(const Interpreter& m, int family, std::uint32_t group);
 /// A word by its letter; `arg` = 1000·family + letter (controls/nct.toml).
 double modal_word(const Interpreter& m, int arg);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -1,5 +1,5 @@
-// The parameters of the control: what the set-up gives, PRM reads (nct 24.2) and G10 L52 writes (24.1). For control/nct/nct; tested by
-// tests/control/macro_b/parameters_test.cpp.
+// The parameters of the control: what the set-up gives, PRM reads (nct 24.2) and G10 L52 writes (24.1). For control/macro_b/macro_b; tested
+// by tests/control/macro_b/parameters_test.cpp.
 
 #include "control/macro_b/variables/parameters.h"
 
@@ -9,7 +9,7 @@
 
 #include "base/ascii.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 constexpr double most_number = 9999;  // 24
@@ -266,10 +266,10 @@ Status ParameterStore::write(const Write& w) {
   if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, w.n->where, w.n->value));
   const ParameterRow& of = row(id);
   if (of.when != ParameterClass::run_time) return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(of.name)));
-  const auto index = nct::index_of(w, of.scope, context_.channel);
+  const auto index = macro_b::index_of(w, of.scope, context_.channel);
   if (!index) return fail(index.error());
   if (of.scope == ParameterScope::axis && !has_axis(*index)) return fail(beyond('P', *w.p));
-  const auto bit = nct::bit_of(w, of.type);
+  const auto bit = macro_b::bit_of(w, of.type);
   if (!bit) return fail(bit.error());
   if (!w.r) return fail(missing(w, 'R'));
   const std::size_t at = slot(id, *index);
@@ -341,4 +341,4 @@ Parameters ParameterStore::written() const {
   return all;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

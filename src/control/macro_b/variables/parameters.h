@@ -16,7 +16,7 @@
 #include "config/setup.h"
 #include "control/state/journal.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// A row of the control's table of parameters. `none` reads as 0, as a bit that is off, as an empty text.
 enum class ParameterId : std::int16_t { none = -1 };
@@ -148,4 +148,4 @@ class ParameterStore {
   std::string error_;
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

@@ -1,20 +1,28 @@
 #pragma once
-// System variables of the NCT control by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2).
+// System variables by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2).
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "base/span.h"
-#include "base/vec.h"
+#include "config/control_def.h"
 
 namespace kadr {
 class Interpreter;
-}
+struct Ending;
+}  // namespace kadr
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
-/// Of the tool as it is taken into account now, on each axis, mm.
-Axes length_in_force(const Interpreter& m);
+/// A number found in the control's table.
+struct FoundVariable {
+  const VariableRow* row = nullptr;
+  std::uint32_t index = 0;   // from the row's first index on
+  std::uint32_t family = 1;  // p of #_WZPp[n]
+  std::uint32_t number = 0;
+};
 
 /// Value of #number, vacant where it is empty.
 ///   alarms  illegal_address… variable_unknown, variable_write_only
@@ -28,7 +36,9 @@ Status set_start_value(Interpreter& m, double number, double value);
 Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where);
 /// Number of "ALM" or "ABSIO[3]"; -1: unknown.
 double number_of_symbol(const Interpreter& m, const std::string& name);
+/// Variables that hold something, and those that are asked for ("#5061", "#_ALM").
+void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch);
 /// PRM[number, bit]/[index]; vacant: left out.
 Result<double> read_parameter(Interpreter& m, double number, double bit, double index, Span where);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

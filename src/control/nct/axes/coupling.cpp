@@ -19,7 +19,7 @@ int axis_named(const Interpreter& m, const std::string& name) {
 }
 
 double master_number(const Interpreter& m, std::size_t axis) {
-  const ParameterStore& store = nct_of(m).parameters;
+  const ParameterStore& store = macro_b_of(m).parameters;
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
@@ -30,7 +30,7 @@ std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) { r
 bool has_master(const Interpreter& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
 
 bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
-  const ParameterStore& store = nct_of(m).parameters;
+  const ParameterStore& store = macro_b_of(m).parameters;
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
@@ -58,14 +58,14 @@ void sort(std::vector<Follower>& followers) {
 void add(Interpreter& m, std::size_t axis, std::size_t master, double sign) {
   Couplings& c = nct_of(m).couplings;
   c.followers.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(master), sign});
-  c.axes |= AxisMask{1} << axis;
+  fanuc_of(m).following |= AxisMask{1} << axis;
   sort(c.followers);
   follow_from_here(m);
 }
 
 /// The signed way of a follower whose master rolls over, and its place then.
 void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
-  const AxisSettings& settings = nct_of(m).settings.axes[follower.axis];
+  const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
   double& work = m.position.work[follower.axis];
   const double from = work;
@@ -125,10 +125,10 @@ void couple_axis(Interpreter& m, const std::string& name, bool on) {
   if (!on && is_far_axis(m, number)) return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, false);
   if (!on && !bit_of(m, axis, psn)) {
     std::erase_if(c.followers, [&](const Follower& follower) { return follower.axis == axis; });
-    c.axes &= ~(AxisMask{1} << axis);
+    fanuc_of(m).following &= ~(AxisMask{1} << axis);
   }
-  if (!on || (c.axes >> axis & 1u) != 0) return;
-  if (is_far_axis(m, number) && !nct_of(m).settings.axes[axis].rolls)
+  if (!on || (fanuc_of(m).following >> axis & 1u) != 0) return;
+  if (is_far_axis(m, number) && !fanuc_of(m).settings.axes[axis].rolls)
     return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, true);
   const auto master = master_of(m, axis);
   if (!master || follows(c, *master, axis)) {
@@ -145,7 +145,8 @@ void link_far(Interpreter& m, const FarAxis& axis, bool on) {
   if (on) c.far.push_back(axis);
   if (axis.link != AxisLink::follows) return;
   const AxisMask bit = AxisMask{1} << axis.axis;
-  c.axes = on ? c.axes | bit : c.axes & ~bit;
+  AxisMask& following = fanuc_of(m).following;
+  following = on ? following | bit : following & ~bit;
 }
 
 void Nct::drop_far(Interpreter& m, const FarAxis& axis) {
@@ -169,7 +170,7 @@ bool Nct::may_exchange(const Interpreter& m, std::size_t axis) const { return ma
 void Nct::exchange_far(std::size_t axis, double machine, bool on) { drives.asked.push_back({axis, AxisLink::exchanged, on, machine}); }
 
 Status not_following(const Interpreter& m, AxisMask named) {
-  const AxisMask wrong = named & nct_of(m).couplings.axes;
+  const AxisMask wrong = named & fanuc_of(m).following;
   if (wrong == 0) [[likely]]
     return {};
   const auto axis = static_cast<std::size_t>(__builtin_ctz(wrong));

@@ -16,12 +16,11 @@ class Interpreter;
 
 namespace kadr::nct {
 
-/// The axes that follow now; machine = lead + sign · machine of the master.
+/// The axes that follow now (fanuc::Memory::following: which, far ones too); machine = lead + sign · machine of the master.
 struct Couplings {
   std::vector<Follower> followers;  // each after its master
   std::vector<FarAxis> far;         // that follow axes of other channels, or are exchanged with them
   Axes lead{};                      // by axis
-  AxisMask axes = 0;                // that follow, far ones too
 };
 
 /// The axis of the channel with that number, other than `axis`.

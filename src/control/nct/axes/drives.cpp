@@ -22,25 +22,25 @@ bool is_main(int role) { return role >= 1 && role <= 3; }  // X, Y, Z
 bool is_free_axis(const Interpreter& m, std::size_t axis) {
   const Nct& nct = nct_of(m);
   const int number = static_cast<int>(axis);
-  const FiveAxis& five = nct.settings.five_axis;
+  const FiveAxis& five = fanuc_of(m).settings.five_axis;
   const bool turns_tool = five.group != MachineGroup::none;
   bool coupled = false;
   for (const Follower& f : nct.couplings.followers) coupled = coupled || f.axis == axis || f.master == axis;
   for (const FarAxis& f : nct.couplings.far) coupled = coupled || (f.link == AxisLink::follows && f.axis == axis);
-  const bool rolls = nct.settings.axes[axis].rolls && (m.def.rotary >> axis & 1U) != 0;
+  const bool rolls = fanuc_of(m).settings.axes[axis].rolls && (m.def.rotary >> axis & 1U) != 0;
   return !coupled && !rolls &&
-         !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(nct.settings.axes[axis].role)));
+         !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
 }
 
 /// That N2104 of the axis names.
 std::optional<std::size_t> other_of(const Interpreter& m, std::size_t axis) {
-  const ParameterStore& store = nct_of(m).parameters;
+  const ParameterStore& store = macro_b_of(m).parameters;
   return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
 }
 
 /// N2105 #0 MMI: after the exchange the axis goes the other way round.
 bool goes_other_way(const Interpreter& m, std::size_t axis) {
-  const ParameterStore& store = nct_of(m).parameters;
+  const ParameterStore& store = macro_b_of(m).parameters;
   constexpr int mmi = 0;
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
 }
@@ -111,11 +111,11 @@ bool carry_out(Interpreter& m, const AskedOfAxis& asked) {
 
 bool may_be_exchanged(const Interpreter& m, std::size_t axis) {
   const Drives& d = nct_of(m).drives;
-  return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && d.now.of(axis) == axis;
+  return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && fanuc_of(m).driven.of(axis) == axis;
 }
 
 void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) {
-  const ParameterStore& store = nct_of(m).parameters;
+  const ParameterStore& store = macro_b_of(m).parameters;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if (m.axis_names[a] != name) continue;
     const double other = store.value(store.named("2104"), m.def.axis_numbers[a]);
@@ -128,7 +128,7 @@ void carry_out_asked(Interpreter& m) {
   Drives& d = nct_of(m).drives;
   for (const AskedOfAxis& asked : std::exchange(d.asked, {}))
     if (!carry_out(m, asked)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[asked.axis])));
-  d.now = drives_of(m, d);
+  fanuc_of(m).driven = drives_of(m, d);
   m.refresh_frames();
   m.position.work = m.frames.work_of(m.position.machine);
   m.position.programmed = m.transform.to_programmed(m.position.work);
@@ -137,7 +137,7 @@ void carry_out_asked(Interpreter& m) {
 
 void end_drives(Interpreter& m) {
   Drives& d = nct_of(m).drives;
-  if (d.now.is_own && d.parked == 0 && d.far == 0) return;
+  if (fanuc_of(m).driven.is_own && d.parked == 0 && d.far == 0) return;
   while (d.parked != 0) unpark(m, static_cast<std::size_t>(__builtin_ctz(d.parked)));
   d = {};
   carry_out_asked(m);

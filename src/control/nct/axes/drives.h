@@ -23,8 +23,8 @@ struct AskedOfAxis {
   std::optional<double> machine{};  // exchanged with an axis of another channel: where that stands
 };
 
+/// What follows from the masks, N2104 and N2105: fanuc::Memory::driven.
 struct Drives {
-  AxisDrives now;          // that follow from the two masks, N2104 and N2105
   AxisMask exchanged = 0;  // axes that have initiated it
   AxisMask mirrored = 0;
   AxisMask parked = 0;

@@ -20,7 +20,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
 
 /// Place of the axis that a parameter names, in the channel.
 Result<std::size_t> axis_of(const Interpreter& m, const Call& call, const char* parameter) {
-  const auto& store = nct_of(m).parameters;
+  const auto& store = macro_b_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
   for (std::size_t a = 0; a < m.axis_count && !name.empty(); ++a)
     if (m.axis_names[a] == name) return a;
@@ -29,11 +29,11 @@ Result<std::size_t> axis_of(const Interpreter& m, const Call& call, const char* 
 
 /// Spindle of N1801: by its name in the set-up, else "S2" is spindle 2 and "S" the main one (INFERRED).
 Result<int> master_of(const Interpreter& m, const Call& call, const std::string& name) {
-  for (const auto& [number, named] : nct_of(m).spindle_names)
+  for (const auto& [number, named] : fanuc_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
-  if (name == "S") return nct_of(m).state.main_spindle;
+  if (name == "S") return fanuc_of(m).state.main_spindle;
   const int number = name.size() > 1 && name[0] == 'S' ? static_cast<int>(std::strtol(name.c_str() + 1, nullptr, 10)) : 0;
-  if (number >= 1 && number <= static_cast<int>(nct::most_spindles)) return number;
+  if (number >= 1 && number <= static_cast<int>(fanuc::most_spindles)) return number;
   constexpr double parameter = 1801;
   return wrong_parameter(call, parameter);
 }
@@ -124,7 +124,7 @@ namespace nct {
 
 /// At N1805 each (0: at rapid), straight. INFERRED: of several feeds the one that no axis exceeds; at rapid where none has one.
 Status withdraw(Interpreter& m) {
-  const auto& store = nct_of(m).parameters;
+  const auto& store = macro_b_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};
   Axes to = m.position.machine;
   AxisMask named = 0;
@@ -146,7 +146,7 @@ Status withdraw(Interpreter& m) {
 void disengage(Interpreter& m) {
   if (!nct_of(m).state.gear.on) return;
   nct_of(m).state.gear = {};
-  m.emit(Uncouple{nct_of(m).parameters.text(nct_of(m).parameters.named("1802"))});
+  m.emit(Uncouple{macro_b_of(m).parameters.text(macro_b_of(m).parameters.named("1802"))});
 }
 
 }  // namespace nct

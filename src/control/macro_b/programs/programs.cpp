@@ -1,7 +1,7 @@
 // Programs by number and by name in the program memory: folders on the disk (spec/nct/14 14.4.1, 14.4.2). For control/macro_b/calls/calls,
-// control/nct/memory.
+// control/macro_b/memory.
 
-#include "control/macro_b/calls/programs.h"
+#include "control/macro_b/programs/programs.h"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 #include "control/interpreter.h"
 #include "lang/text/utf16.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,7 +153,7 @@ std::string program_name(std::uint32_t number) {
 
 std::uint32_t number_of_file(const std::string& path) {
   std::string stem = fs::path(path).stem().string();
-  stem.resize(std::min(stem.size(), stem.find(' ')));  // "O9999 (nct)", the control's own
+  stem.resize(std::min(stem.size(), stem.find(' ')));  // "O9999 (macros)", the control's own
   if (stem.size() < 2 || stem.size() > 9 || (stem[0] != 'O' && stem[0] != 'o')) return 0;
   if (stem.find_first_not_of("0123456789", 1) != std::string::npos) return 0;
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
@@ -246,4 +246,4 @@ Result<ProgramPlace> Programs::system(Interpreter& m, std::uint32_t number, Span
   return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

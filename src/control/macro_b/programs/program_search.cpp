@@ -9,10 +9,10 @@
 
 #include "base/ascii.h"
 #include "control/interpreter.h"
-#include "control/macro_b/calls/programs.h"
+#include "control/macro_b/programs/programs.h"
 #include "lang/text/utf16.h"
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::st
   return std::optional<ProgramPlace>();
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

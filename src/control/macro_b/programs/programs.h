@@ -14,7 +14,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
+namespace kadr::macro_b {
 
 /// Where a called program begins.
 struct ProgramPlace {
@@ -58,4 +58,4 @@ std::string program_name(std::uint32_t number);
 /// Number of a program by its file's name: O and at most eight digits; 0 otherwise (23.1.13).
 std::uint32_t number_of_file(const std::string& path);
 
-}  // namespace kadr::nct
+}  // namespace kadr::macro_b

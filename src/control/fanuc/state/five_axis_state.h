@@ -8,7 +8,7 @@
 
 #include "kinematics/five_axis.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// Group 8, beyond G43, G44, G49.
 enum class ToolLead : std::uint8_t {
@@ -51,4 +51,4 @@ struct FiveAxisState {
   double radius = 0, corner = 0;       // of D (25.17)
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -1,18 +1,18 @@
 #pragma once
-// What the parameters say, in the form the interpreter works with; read anew after a parameter was written (spec/nct, the
-// chapters' parameter tables).
+// What the parameters say of axes, frames, spindles, cycles, in the form the interpreter works with; read anew after a parameter was
+// written (spec/nct, the chapters' parameter tables). Of macros: control/macro_b/variables/settings.h.
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "action/action.h"
 #include "base/vec.h"
+#include "control/macro_b/variables/settings.h"
 #include "kinematics/five_axis.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 inline constexpr std::size_t most_spindles = 16;
 
@@ -40,15 +40,7 @@ struct SpindleSettings {
   int closing_code = 0;                 // N0823
 };
 
-/// A run of codes bound to programs: start + k·step → program + k.
-struct CodeRun {
-  double start = 0;
-  double step = 1;
-  int program = 0;
-  int count = 0;
-  bool modal = false;  // a negative start (23.3.4)
-};
-
+/// What the parameters say of axes, spindles, cycles, five axes.
 struct Settings {
   std::array<AxisSettings, max_axes> axes;                  // by index in the channel
   std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
@@ -67,7 +59,6 @@ struct Settings {
   bool radius_unlimited = false;        // N1339 is 0
   bool arc_without_data_stops = false;  // spec/fanuc 3.2: 3403#5
   bool angles_from_minus = false;       // spec/fanuc 5.3: 6004#0
-  bool common_kept = false;             // spec/fanuc 2.5: 6001#6
   bool offsets_are_diameters = false;   // spec/haas 2.4: setting 40
   double return_rise = 0;               // spec/haas 8.3: setting 52
   bool taps_rigid = false;              // spec/fanuc 10.4: 5200#0
@@ -89,32 +80,14 @@ struct Settings {
   bool turning_offsets = false;         // N1416 #2 TOL
   ContourCheck contour_check;           // N1403 … N1405
   bool skip_breaks_contour = true;      // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
-  // macros
-  int protect_low = 0, protect_high = 0;  // N1702, N1703
-  int shared_100 = 0, shared_500 = 0;     // N1700, N1701
-  std::vector<CodeRun> g_macros, m_macros, m_programs;
-  bool binds_codes = false;                                                                                   // any of these
-  std::array<bool, 5> letters_call{};                                                                         // N1746: A, B, C, S, T
-  std::array<char, 4> ascii{};                                                                                // N1747 …
-  std::array<int, 4> ascii_programs{};                                                                        // N1751 …
-  bool modal_each_block = false;                                                                              // N1755 #0 MEQ
-  bool calls_inside_calls = false;                                                                            // N1755 #1 ENC
-  bool without_length = false;                                                                                // N1755 #6 TLC
-  bool in_frame = false;                                                                                      // N1755 #5 PCS
-  bool lists_8000 = false, lists_9000 = false;                                                                // N1756
-  bool print_bare = false;                                                                                    // N1757 #0 PNT
-  bool interrupts = false, interrupt_keeps_locals = false, interrupt_at_end = false, interrupt_edge = false;  // N1758 #0–#3
-  bool interrupt_own_codes = false, interrupt_in_system = false;                                              // #4, #5
-  int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
-  // M codes, tools, spindles
+  // positions as system variables show them
+  bool without_length = false;  // N1755 #6 TLC
+  bool in_frame = false;        // N1755 #5 PCS
+  // M codes, spindles
   std::array<std::pair<int, int>, 16> m_groups{};  // N1341…, N1357…
-  int waiting_low = 0, waiting_high = 0;           // N2201, N2202
   int part_code = 0;                               // N2305
-  bool life_counts_on_t = false;                   // N2901 #1 TLC
+  int offset_numbers = 999;                        // N1400: greatest number of H, D; 0: no limit
   bool change_on_m6 = true;                        // N1338 #0 M06: in block search; INFERRED: of no effect outside it
-  int offset_by_tool = 0;                          // N2923
-  int place_code = 0;                              // N2924
-  int user_columns = 20;                           // N2903
   int default_spindle = 0;                         // N0604
   double surface_speed = 0;                        // N0686
   int css_axis = 0;                                // N0687
@@ -141,15 +114,8 @@ struct Settings {
   double accuracy = 0;                                                         // N3103
 };
 
-/// Where parameters come from. `index`: axis, spindle or channel number from 1; 0: the own channel, or none.
-struct ParameterSource {
-  std::function<double(const char* name, int index)> value;
-  std::function<bool(const char* name, const char* bit, int index)> bit;
-  std::function<char(const char* name, int index)> letter;  // 0: none
-};
-
 /// `axis_numbers`: control-wide numbers of the channel's axes; `axis_names`: X, Y, Z, … decide the roles that N0103 leaves open.
-Settings read_settings(const ParameterSource& source, const std::vector<std::string>& axis_names,
+Settings read_settings(const macro_b::ParameterSource& source, const std::vector<std::string>& axis_names,
                        const std::array<std::uint8_t, max_axes>& axis_numbers);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

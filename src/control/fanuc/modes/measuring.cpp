@@ -1,17 +1,17 @@
 // G31 and G37: the rest of the way is deleted by a probe (spec/nct/21).
 
-#include "control/fanuc/measuring.h"
+#include "control/fanuc/modes/measuring.h"
 
 #include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/tables/table_variables.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 #include "control/functions/probe_unstated.h"
-#include "control/macro_b/variables/system_variables.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -60,11 +60,11 @@ Result<int> input_of(const Interpreter& m) {
 
 /// N3019 watches the lag of the axis meanwhile (21.2). INFERRED: 0 is no limit; the lag is the one that the set-up states.
 Status servo_follows(const Interpreter& m, const Call& call, AxisMask named) {
-  const nct::ParameterStore& store = nct_of(m).parameters;
+  const macro_b::ParameterStore& store = macro_b_of(m).parameters;
   const auto limit = store.named("3019");
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const double most = store.value(limit, m.def.axis_numbers[a]);
-    if ((named >> a & 1u) != 0 && most > 0 && nct_of(m).servo_lag[a] > most)
+    if ((named >> a & 1u) != 0 && most > 0 && fanuc_of(m).servo_lag[a] > most)
       return fail(alarm(AlarmId::probe_servo_error, call.where, std::string_view(m.axis_names[a])));
   }
   return {};
@@ -79,7 +79,7 @@ Status torque_possible(const Interpreter& m, const Call& call, AxisMask named) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1u) != 0 && ++count == 2)
       return fail(alarm(AlarmId::probe_torque_axis, call.where, std::string_view(m.axis_names[a])));
-  if (!nct_of(m).settings.torque_known) return fail(alarm(AlarmId::probe_torque_unknown, call.where));
+  if (!fanuc_of(m).settings.torque_known) return fail(alarm(AlarmId::probe_torque_unknown, call.where));
   return servo_follows(m, call, named);
 }
 
@@ -100,17 +100,17 @@ Status probe_motion(Interpreter& m, const Axes& to, AxisMask named, double feed,
   KADR_TRY(m.straight(MotionKind::probe, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   if (feed > 0) motion.feed = feed;
-  MotionDetail& detail = nct::detail_of(m, motion);
+  MotionDetail& detail = fanuc::detail_of(m, motion);
   detail.input = input;
   if (input == torque_input) detail.torque = m.value('Q') / full_torque * 100;
   m.needs_probe = true;
-  nct_of(m).stops_reading = true;
+  macro_b_of(m).stops_reading = true;
   return {};
 }
 
 /// N3004 and N3005 (21.3): both positive, the rapid distance the greater. INFERRED: else their number is out of its limits.
 Status distances_fit(const Interpreter& m, const Call& call) {
-  const nct::Settings& s = nct_of(m).settings;
+  const fanuc::Settings& s = fanuc_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
   if (!(s.length_alarm > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'N', alarm_distance));
   if (!(s.length_rapid > s.length_alarm)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'N', rapid_distance));
@@ -155,17 +155,17 @@ Status measure(Interpreter& m, const Call& call) {
   Axes to;
   KADR_TRY(m.target(to, named));
   if (*input == torque_input) KADR_TRY(torque_possible(m, call, named));
-  const nct::Settings& s = nct_of(m).settings;
+  const fanuc::Settings& s = fanuc_of(m).settings;
   const auto feed = measuring_feed(m, s.measure_parameter_feed, s.measure_feed, call.where);
   if (!feed) return fail(feed.error());
-  nct_of(m).measurement = {};
+  fanuc_of(m).measurement = {};
   m.probe_where = call.where;
   return probe_motion(m, to, named, *feed, *input);
 }
 
 /// G37 (21.3): at rapid to N3004 before the expected place, at feed to the signal or N3005 beyond it.
 Status measure_length(Interpreter& m, const Call& call) {
-  const nct::Settings& s = nct_of(m).settings;
+  const fanuc::Settings& s = fanuc_of(m).settings;
   KADR_TRY(state_allows(m, call));
   if (m.modal.length_sign == 0 || m.modal.length_number == 0) return fail(alarm(AlarmId::word_missing, call.where, 'H', call.row->code));
   KADR_TRY(distances_fit(m, call));
@@ -180,7 +180,7 @@ Status measure_length(Interpreter& m, const Call& call) {
   const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: from where the axis comes
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
-  nct_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
+  fanuc_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
   m.probe_where = call.where;
   to[*axis] = expected - side * s.length_alarm;
   return probe_motion(m, to, named, *feed, 1);  // INFERRED: input 1
@@ -188,7 +188,7 @@ Status measure_length(Interpreter& m, const Call& call) {
 
 }  // namespace functions
 
-namespace nct {
+namespace fanuc {
 namespace {
 
 /// q − Q goes into the register that H called (TMW, TCA). INFERRED: it acts from the next H on.
@@ -197,33 +197,32 @@ Status correct_length(Interpreter& m, const Measurement& of, double there) {
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
-  double& corrected = nct_of(m).settings.length_wear ? offset.length_wear : offset.length;
+  double& corrected = fanuc_of(m).settings.length_wear ? offset.length_wear : offset.length;
   const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table of a diameter axis holds diameters
-  corrected += nct_of(m).settings.length_adds ? entered : -entered;
-  nct_of(m).changed_offsets.push_back(of.offset);
+  corrected += fanuc_of(m).settings.length_adds ? entered : -entered;
+  fanuc_of(m).changed_offsets.push_back(of.offset);
   return {};
 }
 
 }  // namespace
 
 Status take_answer(Interpreter& m, const ProbeAnswer& answer) {
-  Nct& nct = nct_of(m);
-  nct.endless.note_change();
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.endless.note_change();
   m.needs_probe = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];
   const Axes machine = m.frames.machine_of(m.position.work);
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.machine[a] = machine[a];
   m.position.programmed = m.transform.to_programmed(m.position.work);
-  follow_from_here(m);
-  nct.probe_position = m.position.work;
-  nct.probe_length = length_in_force(m);
-  nct.probe_machine = m.position.machine;
-  const Measurement measurement = std::exchange(nct.measurement, {});
+  fanuc.probe_position = m.position.work;
+  fanuc.probe_length = length_in_force(m);
+  fanuc.probe_machine = m.position.machine;
+  const Measurement measurement = std::exchange(fanuc.measurement, {});
   const bool touched = made_contact(m, answer);
   if (!measurement.length) return {};
   if (touched) return correct_length(m, measurement, m.position.work[measurement.axis]);
   return fail(alarm(AlarmId::probe_window, m.probe_where, m.position.work[measurement.axis], measurement.expected));  // INFERRED
 }
 
-}  // namespace nct
+}  // namespace fanuc
 }  // namespace kadr

@@ -1,10 +1,10 @@
-// Modes and small functions: polar data, smoothing, dwell, feed control, threads (spec/nct/04, 05, 06, 08).
+// Modes and small functions: polar data, smoothing, dwell, feed control, threads, auxiliary functions (spec/nct/04, 05, 06, 08, 13.2).
 
 #include <cmath>
 
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr::functions {
 
@@ -26,7 +26,7 @@ Status look_ahead(Interpreter& m, const Call& call) {
 
 /// M29 S (spec/fanuc 10.4): G84, G74 turn the spindle with the axis until G80.
 Status rigid_tapping(Interpreter& m, const Call&) {
-  nct_of(m).state.rigid_tap = true;
+  fanuc_of(m).state.rigid_tap = true;
   return {};
 }
 
@@ -43,10 +43,10 @@ Status smoothing(Interpreter& m, const Call& call) {
   if (!q) return fail(q.error());
   if (*q >= 2 && m.modal.feed_mode != FeedMode::per_minute) return fail(alarm(AlarmId::not_together, call.where, call.row->code, "G95"));
   m.modal.smoothing = static_cast<std::uint8_t>(*q);
-  nct_of(m).state.smoothed = 0;
+  fanuc_of(m).state.smoothed = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const char letter = m.block->words[i].address;
-    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) nct_of(m).state.smoothed |= AxisMask{1} << m.def.address(letter).axis;
+    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) fanuc_of(m).state.smoothed |= AxisMask{1} << m.def.address(letter).axis;
   }
   return {};
 }
@@ -61,14 +61,14 @@ Status dwell_or_turns(Interpreter& m, const Call& call) {
       m.block_exact = true;
       return {};
     }
-    const auto seconds = letter == 'P' ? nct::dwell_by_digits(m) : Result<double>(m.value(letter));
+    const auto seconds = letter == 'P' ? fanuc::dwell_by_digits(m) : Result<double>(m.value(letter));
     if (!seconds) return fail(seconds.error());
     if (!(*seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, *seconds));
     m.emit(Dwell{*seconds});
     return {};
   }
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto seconds = nct::dwell_seconds(m, m.value('P'), m.where('P'));
+  const auto seconds = fanuc::dwell_seconds(m, m.value('P'), m.where('P'));
   if (!seconds) return fail(seconds.error());
   m.emit(Dwell{*seconds});
   return {};
@@ -96,36 +96,44 @@ Status thread(Interpreter& m, const Call& call) {
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
-  const double lead = nct::take_lead(m);
+  const double lead = fanuc::take_lead(m);
   if (named == 0) return {};
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
-  const bool first = !nct_of(m).state.in_thread;
+  const bool first = !fanuc_of(m).state.in_thread;
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = motion.no_hold = true;
   motion.unit = FeedUnit::mm_per_rev;
   motion.feed = lead;
-  MotionDetail& detail = nct::detail_of(m, motion);
+  MotionDetail& detail = fanuc::detail_of(m, motion);
   detail.lead = lead;
   if (first) detail.start_angle = m.value('Q');
-  nct_of(m).state.in_thread = true;
+  fanuc_of(m).state.in_thread = true;
+  return {};
+}
+
+/// A, B, C, U, V, W as auxiliary functions (13.2).
+Status auxiliary_word(Interpreter& m, const Call& call) {
+  const std::uint8_t number = m.def.address(call.word->address).number;
+  macro_b_of(m).state.words.aux[number - 1u] = call.word->value;
+  m.emit(AuxiliaryFunction{call.word->address, call.word->value});
   return {};
 }
 
 /// G10 L…: by L (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
-Status set_tables(Interpreter& m, const Call& call) { return nct::set_tables(m, call); }
+Status set_tables(Interpreter& m, const Call& call) { return fanuc::set_tables(m, call); }
 Status set_tables_end(Interpreter&, const Call&) { return {}; }
 
 }  // namespace kadr::functions
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 
 /// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
 double take_lead(Interpreter& m) {
-  if (m.has('E')) nct_of(m).state.thread_lead = mm_per_inch / m.value('E');
-  else if (m.has('F')) nct_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
-  if (nct_of(m).state.thread_lead > 0) return nct_of(m).state.thread_lead;
+  if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
+  else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
+  if (fanuc_of(m).state.thread_lead > 0) return fanuc_of(m).state.thread_lead;
   return m.modal.feed_known ? m.modal.feed : 0;
 }
 
@@ -140,11 +148,11 @@ Result<double> dwell_by_digits(Interpreter& m) {
 
 Result<double> dwell_seconds(Interpreter& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
-  if (m.modal.feed_mode != FeedMode::per_revolution || nct_of(m).settings.dwell_seconds) return p;
-  const double rpm = nct_of(m).spindle_part > 0 ? nct_of(m).spindle_rpm(m) : 0;
+  if (m.modal.feed_mode != FeedMode::per_revolution || fanuc_of(m).settings.dwell_seconds) return p;
+  const double rpm = fanuc_of(m).spindle_part > 0 ? fanuc_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
   if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
-  return p * 60 / (rpm * nct_of(m).spindle_part);  // INFERRED (8): revolutions as the spindle makes them, its override included
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): revolutions as the spindle makes them, its override included
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

@@ -1,58 +1,37 @@
-// Blocks of the NCT control around the common plan: statements, what calls macros instead of being carried out, data lines, what happens
-// after a block (spec/nct/23 23.3, 23.5). For the rest of control.
+// Blocks of words around the common plan: data lines, calls, what is looked at before they are planned (spec/nct/23 23.3, 24.1, 12.4;
+// spec/fanuc 1.2, 1.3, 2.1). For control/fanuc/dialect/dialect.
 
-#include "control/macro_b/blocks.h"
+#include "control/fanuc/dialect/blocks.h"
 
 #include <bit>
 #include <cmath>
 
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/data_lines.h"
 #include "control/functions/functions.h"
-#include "control/macro_b/calls/calls.h"
-#include "control/macro_b/calls/interrupt.h"
+#include "control/macro_b/dialect/blocks.h"
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
-
-/// Words that an earlier run of the same block took away are there again.
-void give_back(Interpreter& m) {
-  if (!m.block->altered) return;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
-    if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
-  m.block->altered = false;
-  m.note_addresses();
-}
 
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
 Status take_bare_words(Interpreter& m) {
-  Nct& nct = nct_of(m);
-  nct.plane_axes = 0;
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.plane_axes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
-    nct.plane_axes |= 1u << static_cast<unsigned>(m.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    fanuc.plane_axes |= 1u << static_cast<unsigned>(m.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
     if (!w.bare) continue;
     if (!m.has_code({Function::select_plane})) return fail(alarm(AlarmId::number_missing, w.where, w.written));
     w.address = 0;
     m.block->altered = true;
   }
   if (m.block->altered) m.note_addresses();
-  return {};
-}
-
-/// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
-Status one_g(const Interpreter& m) {
-  bool found = false;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address != 'G') continue;
-    if (found) return fail(alarm(AlarmId::illegal_address, w.where, 'G'));
-    found = true;
-  }
   return {};
 }
 
@@ -72,7 +51,7 @@ void count_increments(Interpreter& m) {
     if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
     if (format.counted == 0 && w.written != 'F') continue;
     const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
-    const bool as_length = w.written != 'F' || (m.def.behaviour.feed_counts_increments && !nct_of(m).settings.feed_whole);
+    const bool as_length = w.written != 'F' || (m.def.behaviour.feed_counts_increments && !fanuc_of(m).settings.feed_whole);
     const int least = as_length ? 3 : (m.def.behaviour.feed_counts_increments || !turns) ? 0 : 2;
     const int finer = !inch || !length ? 0 : as_length ? 1 : m.def.behaviour.feed_counts_increments ? 0 : 2;
     const int decimals = least + finer;
@@ -126,7 +105,7 @@ Status check_words(const Interpreter& m) {
 
 /// S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
 Status check_points(const Interpreter& m) {
-  const std::uint64_t concerned = nct_of(m).without_point;
+  const std::uint64_t concerned = fanuc_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -159,7 +138,7 @@ Status one_meaning_of_p(const Interpreter& m) {
 
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
 Status take_spindle_words(Interpreter& m) {
-  nct_of(m).spindle_by_p = 0;
+  fanuc_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
   const Word* first = nullptr;
   bool codes = false;
@@ -177,98 +156,34 @@ Status take_spindle_words(Interpreter& m) {
   if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
   const auto number = m.whole('P', 1, most_spindles);
   if (!number) return fail(number.error());
-  nct_of(m).spindle_by_p = static_cast<int>(*number);
+  fanuc_of(m).spindle_by_p = static_cast<int>(*number);
   p->address = 0;
   m.block->altered = true;
   m.note_addresses();
   return {};
 }
 
-bool has_words(const Interpreter& m) { return m.block->word_count != 0; }
-
-/// G66.1: the block's words are arguments (23.3.3).
-Result<bool> call_with_block(Interpreter& m) {
-  Nct& nct = nct_of(m);
-  if (nct.state.active_modal_calls == 0 || !nct.state.modal_calls[nct.state.active_modal_calls - 1u].each_block) return false;
-  if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
-  Locals arguments;
-  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is one: no code calls here
-  KADR_TRY(call_modal(m, arguments));
-  return true;
-}
-
-/// What #4101 … give (23.1.14).
-void note_words(Interpreter& m) {
-  ModalWords& words = nct_of(m).state.words;
-  if (m.block->has_number) words.n = m.block->number;
-  const auto take = [&](char letter, double& to) {
-    if (const Word* const w = m.word(letter); w != nullptr) to = w->value;
-  };
-  take('D', words.d);
-  take('E', words.e);
-  take('F', words.f);
-  take('H', words.h);
-  take('M', words.m);
-  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)  // S2=700 too (11.1)
-    if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) words.s = w.value;
-  take('T', words.t);
-}
-
-/// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
-bool hidden(const Interpreter& m) {
-  const std::uint32_t number = number_of_file(m.flow.file());
-  const Settings& s = nct_of(m).settings;
-  return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
-}
-
-bool may_stop(const Interpreter& m) {
-  constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
-  const Nct& nct = nct_of(m);
-  return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
-}
-
-/// Single block: a stop after NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
-void stop_single_block(Interpreter& m, bool was_hidden) {
-  if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
-  const bool returned = m.has_code({Function::return_program});
-  const bool macro = returned || !nct_of(m).pending.empty() ||
-                     m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
-  if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
-  m.emit(Stop{false, StopReason::single_block});
-}
-
 }  // namespace
 
-bool stops_each_block(const Interpreter& m) { return may_stop(m) && !hidden(m); }
-
-Status check_values(Interpreter& m) {
-  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
-    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
-  return m.check_ranges();
-}
-
 Result<bool> before_plan(Interpreter& m) {
-  Nct& nct = nct_of(m);
-  nct.moved = nct.stops_reading = nct.holds_vector = false;
-  nct.taken_up = nct.by_direction = 0;
-  nct.uncompensated = nct.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
-  if (nct.single_block) nct.was_hidden = hidden(m);
-  nct.pending.clear();
-  give_back(m);
-  if (nct.state.data_mode != DataMode::none) {
-    nct.keep_all();
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.holds_vector = false;
+  fanuc.taken_up = fanuc.by_direction = 0;
+  fanuc.uncompensated = fanuc.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
+  begin_words(m);
+  if (macro_b_of(m).state.data_mode != DataMode::none) {
+    fanuc.keep_all();
     KADR_TRY(check_values(m));
     KADR_TRY(data_line(m));
     return true;
   }
-  if (const auto called = call_with_block(m); !called || *called) return called;
-  if (const auto called = call_by_code(m); !called || *called) return called;
+  if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
       !looks_closer) {                                                           // known to be right from the pass before …
     if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed
     if (!m.block->calls_macro) note_words(m);
-    else if (m.block->has_number) nct.state.words.n = m.block->number;
+    else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
     return false;
   }
   if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
@@ -282,7 +197,7 @@ Result<bool> before_plan(Interpreter& m) {
   m.block->calls_macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
   if (m.block->calls_macro) {
     KADR_TRY(one_g(m));
-    if (m.block->has_number) nct.state.words.n = m.block->number;
+    if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
     m.block->checked = m.block->letters;
     return false;
   }
@@ -305,19 +220,9 @@ Result<bool> before_plan(Interpreter& m) {
 }
 
 Status after_block(Interpreter& m) {
-  Nct& nct = nct_of(m);
-  if (nct.state.side_step != SideStep::none) end_side_block(m);
+  if (fanuc_of(m).state.side_step != SideStep::none) end_side_block(m);
   KADR_TRY(check_drilling(m));
-  if (nct.single_block) stop_single_block(m, nct.was_hidden);
-  KADR_TRY(call_pending(m));
-  if (nct.moved && nct.state.active_modal_calls != 0) {
-    const ModalCall& modal = nct.state.modal_calls[nct.state.active_modal_calls - 1u];
-    if (!modal.each_block) {
-      const Locals arguments = modal.arguments;
-      KADR_TRY(call_modal(m, arguments));
-    }
-  }
-  return {};
+  return end_words(m);
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

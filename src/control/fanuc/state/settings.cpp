@@ -1,15 +1,15 @@
-// What the parameters say, in the form the interpreter works with. For control/nct/memory, control/fanuc/words/coordinates.
+// What the parameters say, in the form the interpreter works with. For control/fanuc/fanuc.
 
-#include "control/fanuc/tables/settings.h"
+#include "control/fanuc/state/settings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace kadr::nct {
+namespace kadr::fanuc {
 namespace {
 
-int whole(double v) { return std::fabs(v) < 1e9 ? static_cast<int>(std::lround(v)) : 0; }
+using macro_b::ParameterSource;
 
 /// N0103; a parameter of 0 leaves the axis named X, Y or Z its usual role (2.1: basic configuration).
 int role_of(const std::string& name, int parameter) {
@@ -24,7 +24,7 @@ void read_axes(Settings& s, const ParameterSource& p, const std::vector<std::str
     const int n = numbers[a];
     axis.diameter = p.bit("0106", "0", n);
     axis.switches_by_code = p.bit("0106", "5", n);
-    axis.role = role_of(names[a], whole(p.value("0103", n)));
+    axis.role = role_of(names[a], macro_b::whole_parameter(p.value("0103", n)));
     axis.rolls = p.bit("0107", "0", n);
     axis.shortest = p.bit("0107", "1", n);
     axis.by_sign = p.bit("0107", "2", n);
@@ -43,67 +43,12 @@ void read_spindles(Settings& s, const ParameterSource& p) {
     spindle.orients = p.bit("0607", "1", n);
     spindle.indexes = p.bit("0607", "2", n);
     spindle.index_negative = p.bit("0607", "7", n);
-    spindle.m_low = whole(p.value("0689", n));
-    spindle.m_high = whole(p.value("0690", n));
-    spindle.index_from = whole(p.value("0820", n));
-    spindle.index_count = whole(p.value("0821", n));
+    spindle.m_low = macro_b::whole_parameter(p.value("0689", n));
+    spindle.m_high = macro_b::whole_parameter(p.value("0690", n));
+    spindle.index_from = macro_b::whole_parameter(p.value("0820", n));
+    spindle.index_count = macro_b::whole_parameter(p.value("0821", n));
     spindle.index_angle = p.value("0822", n);
-    spindle.closing_code = whole(p.value("0823", n));
-  }
-}
-
-/// Individual codes: value → program + k; 0: none; 1000 means G0 (23.3.4).
-void single_codes(std::vector<CodeRun>& runs, const ParameterSource& p, int from, int count, int program) {
-  for (int k = 0; k < count; ++k) {
-    const double value = p.value(std::to_string(from + k).c_str(), 0);
-    if (value == 0) continue;
-    const double code = std::fabs(value) == 1000 ? 0 : std::fabs(value);
-    runs.push_back({code, 1, program + k, 1, value < 0});
-  }
-}
-
-void code_block(std::vector<CodeRun>& runs, const ParameterSource& p, int from, double step) {
-  const double start = p.value(std::to_string(from).c_str(), 0);
-  const int count = whole(p.value(std::to_string(from + 2).c_str(), 0));
-  if (count > 0) runs.push_back({std::fabs(start), step, whole(p.value(std::to_string(from + 1).c_str(), 0)), count, start < 0});
-}
-
-void read_macros(Settings& s, const ParameterSource& p) {
-  s.shared_100 = whole(p.value("1700", 0));
-  s.shared_500 = whole(p.value("1701", 0));
-  s.protect_low = whole(p.value("1702", 0));
-  s.protect_high = whole(p.value("1703", 0));
-  single_codes(s.g_macros, p, 1704, 10, 9010);
-  code_block(s.g_macros, p, 1714, 1);
-  code_block(s.g_macros, p, 1717, 0.1);
-  single_codes(s.m_programs, p, 1720, 10, 9000);
-  code_block(s.m_programs, p, 1730, 1);
-  single_codes(s.m_macros, p, 1733, 10, 9020);
-  code_block(s.m_macros, p, 1743, 1);
-  for (std::size_t i = 0; i < 5; ++i) s.letters_call[i] = p.bit("1746", std::to_string(i).c_str(), 0);
-  s.binds_codes = !s.g_macros.empty() || !s.m_macros.empty() || !s.m_programs.empty();
-  for (const bool calls : s.letters_call) s.binds_codes = s.binds_codes || calls;
-  for (std::size_t i = 0; i < 4; ++i) {
-    s.ascii[i] = p.letter(std::to_string(1747 + i).c_str(), 0);
-    s.ascii_programs[i] = whole(p.value(std::to_string(1751 + i).c_str(), 0));
-    s.binds_codes = s.binds_codes || s.ascii[i] != 0;
-  }
-  s.modal_each_block = p.bit("1755", "0", 0);
-  s.calls_inside_calls = p.bit("1755", "1", 0);
-  s.without_length = p.bit("1755", "6", 0);
-  s.in_frame = p.bit("1755", "5", 0);
-  s.lists_8000 = p.bit("1756", "0", 0);
-  s.lists_9000 = p.bit("1756", "1", 0);
-  s.print_bare = p.bit("1757", "0", 0);
-  s.interrupts = p.bit("1758", "0", 0);
-  s.interrupt_keeps_locals = p.bit("1758", "1", 0);
-  s.interrupt_at_end = p.bit("1758", "2", 0);
-  s.interrupt_edge = p.bit("1758", "3", 0);
-  s.interrupt_own_codes = p.bit("1758", "4", 0);
-  s.interrupt_in_system = p.bit("1758", "5", 0);
-  if (s.interrupt_own_codes) {
-    s.interrupt_on = whole(p.value("1759", 0));
-    s.interrupt_off = whole(p.value("1760", 0));
+    spindle.closing_code = macro_b::whole_parameter(p.value("0823", n));
   }
 }
 
@@ -117,10 +62,10 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.rotation_usual = p.value("rotation_usual", 0);
   s.holes_exact = p.value("holes_exact", 0) != 0;
   s.length_of_tool = p.value("length_of_tool", 0) != 0;
-  s.shift_direction = whole(p.value("shift_direction", 0));
+  s.shift_direction = macro_b::whole_parameter(p.value("shift_direction", 0));
   if (s.shift_direction == 1 || s.shift_direction == 3) s.shift_negative = true;
   if (s.shift_direction >= 2) s.shift_second = true;
-  s.shift_is_global = whole(p.value("coordinates_of", 0)) == 1;
+  s.shift_is_global = macro_b::whole_parameter(p.value("coordinates_of", 0)) == 1;
   constexpr const char* mirrored[] = {"mirror_first", "mirror_second", "mirror_third", "mirror_fourth"};
   for (unsigned i = 0; i < 4; ++i)
     if (p.value(mirrored[i], 0) != 0) s.mirrored |= 1U << i;
@@ -134,7 +79,8 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   s.length_of_block = p.value("length_of_block", 0) != 0;
   s.arc_without_data_stops = p.value("arc_needs_data", 0) != 0;
   s.angles_from_minus = p.value("angles_from_minus", 0) != 0;
-  s.common_kept = p.value("common_kept", 0) != 0;
+  s.without_length = p.bit("1755", "6", 0);
+  s.in_frame = p.bit("1755", "5", 0);
   s.offsets_are_diameters = p.value("offsets_are_diameters", 0) != 0;
   s.taps_rigid = p.value("taps_rigid", 0) != 0;
   s.shift_negative = p.value("shift_negative", 0) != 0;
@@ -158,26 +104,20 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   s.turning_offsets = p.bit("1416", "2", 0);
   s.contour_check.interference = p.bit("1403", "0", 0);
   s.contour_check.always_alarm = p.bit("1403", "1", 0);
-  s.contour_check.further = static_cast<std::uint8_t>(std::clamp(whole(p.value("1404", 0)), 0, 8));
+  s.contour_check.further = static_cast<std::uint8_t>(std::clamp(macro_b::whole_parameter(p.value("1404", 0)), 0, 8));
   s.contour_check.least_step = std::max(p.value("1405", 0), 0.0);
   s.skip_breaks_contour = !p.bit("1337", "4", 0);
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {
   for (std::size_t i = 0; i < 16; ++i)
-    s.m_groups[i] = {whole(p.value(std::to_string(1341 + i).c_str(), 0)), whole(p.value(std::to_string(1357 + i).c_str(), 0))};
-  s.waiting_low = whole(p.value("2201", 0));
-  s.waiting_high = whole(p.value("2202", 0));
-  s.part_code = whole(p.value("2305", 0));
+    s.m_groups[i] = {macro_b::whole_parameter(p.value(std::to_string(1341 + i).c_str(), 0)),
+                     macro_b::whole_parameter(p.value(std::to_string(1357 + i).c_str(), 0))};
+  s.part_code = macro_b::whole_parameter(p.value("2305", 0));
   s.change_on_m6 = p.bit("1338", "0", 0);
-  s.life_counts_on_t = p.bit("2901", "1", 0);
-  s.offset_by_tool = whole(p.value("2923", 0));
-  s.place_code = whole(p.value("2924", 0));
-  const int columns = whole(p.value("2903", 0));
-  s.user_columns = columns > 0 && columns <= 20 ? columns : 20;
-  s.default_spindle = whole(p.value("0604", 0));
+  s.default_spindle = macro_b::whole_parameter(p.value("0604", 0));
   s.surface_speed = p.value("0686", 0);
-  s.css_axis = whole(p.value("0687", 0));
+  s.css_axis = macro_b::whole_parameter(p.value("0687", 0));
   s.css_least = p.value("0688", 0);
 }
 
@@ -222,10 +162,11 @@ Vec3 joint_direction(int code, double inclination) {
 void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std::uint8_t, max_axes>& numbers, std::size_t count) {
   const auto joint = [&](int number, const char* reversed) {
     RotaryJoint j;
-    const int axis = whole(p.value(std::to_string(number).c_str(), 0));
+    const int axis = macro_b::whole_parameter(p.value(std::to_string(number).c_str(), 0));
     for (std::size_t a = 0; a < count && axis > 0; ++a)
       if (numbers[a] == axis) j.axis = static_cast<int>(a);
-    j.direction = joint_direction(whole(p.value(std::to_string(number + 1).c_str(), 0)), p.value(std::to_string(number + 2).c_str(), 0));
+    j.direction = joint_direction(macro_b::whole_parameter(p.value(std::to_string(number + 1).c_str(), 0)),
+                                  p.value(std::to_string(number + 2).c_str(), 0));
     j.sense = p.bit("3212", reversed, 0) ? -1 : 1;
     return j;
   };
@@ -234,12 +175,12 @@ void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std:
     return Vec3{at(0), at(1), at(2)};
   };
   FiveAxis& f = s.five_axis;
-  const int group = whole(p.value("3200", 0));
+  const int group = macro_b::whole_parameter(p.value("3200", 0));
   f.first = joint(3204, "RD1");
   f.second = joint(3208, "RD2");
   const bool has_axes = f.first.axis >= 0 && f.second.axis >= 0 && f.first.axis != f.second.axis;
   f.group = group >= 1 && group <= 3 && has_axes ? static_cast<MachineGroup>(group) : MachineGroup::none;
-  const int tool = whole(p.value("3201", 0));
+  const int tool = macro_b::whole_parameter(p.value("3201", 0));
   f.tool = joint_direction(tool == 1 || tool == 2 ? tool : 3, 0);
   f.table = vector(3213);
   if (f.group == MachineGroup::table_table) f.second_table = vector(3216);
@@ -256,7 +197,6 @@ Settings read_settings(const ParameterSource& source, const std::vector<std::str
   Settings s;
   read_axes(s, source, axis_names, axis_numbers);
   read_spindles(s, source);
-  read_macros(s, source);
   read_interpretation(s, source);
   read_machine(s, source);
   read_cycles(s, source);
@@ -264,4 +204,4 @@ Settings read_settings(const ParameterSource& source, const std::vector<std::str
   return s;
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc

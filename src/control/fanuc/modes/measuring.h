@@ -11,16 +11,7 @@ namespace kadr {
 class Interpreter;
 }
 
-namespace kadr::nct {
-
-/// What the probe motion under way is for; its answer finishes it.
-struct Measurement {
-  bool length = false;       // G37: an offset is corrected
-  std::size_t axis = 0;      // along which
-  double expected = 0;       // mm, work coordinate of the signal
-  double window = 0;         // mm, N3005: how far from it the signal may come
-  std::uint32_t offset = 0;  // number of the register
-};
+namespace kadr::fanuc {
 
 /// The machine's answer: the next block starts where the motion stopped, #5061 … keep the place of the signal (21.1); after G37
 /// the offset is corrected (21.3).
@@ -28,4 +19,4 @@ struct Measurement {
 ///   law     no signal is no alarm of G31: the place is the end point
 Status take_answer(Interpreter& m, const ProbeAnswer& answer);
 
-}  // namespace kadr::nct
+}  // namespace kadr::fanuc
