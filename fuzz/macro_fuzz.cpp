@@ -11,7 +11,7 @@
 
 #include "config/control_file.h"
 #include "config/machine_axes.h"
-#include "control/nct/output/print.h"
+#include "control/macro_b/output/print.h"
 #include "lang/block/lexer.h"
 #include "lang/expression/expression.h"
 #include "require.h"
@@ -122,7 +122,7 @@ bool same(const Read& a, const Read& b) {
 }
 
 void check_print(const Block& block) {
-  using namespace kadr::nct;
+  using namespace kadr::macro_b;
   const kadr::Statement& s = block.statement;
   if (s.kind != kadr::StatementKind::print_binary && s.kind != kadr::StatementKind::print_decimal) return;
   const PrintKind kind = s.kind == kadr::StatementKind::print_binary ? PrintKind::binary : PrintKind::decimal;

@@ -1,4 +1,4 @@
-// For the outputs of a command (out/trace/result_file, cli/outputs) and of a program (control/nct/output/output_file);
+// For the outputs of a command (out/trace/result_file, cli/outputs) and of a program (control/macro_b/output/output_file);
 // tests/base/file_id_test.cpp.
 
 #include "base/file_id.h"

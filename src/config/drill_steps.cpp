@@ -1,5 +1,5 @@
-// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/nct carries it out, kadr explain tells it.
-// For control/nct/drilling/drilling_run, out/text/cycle_text.
+// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/fanuc carries it out, kadr explain tells it.
+// For control/fanuc/drilling/drilling_run, out/text/cycle_text.
 
 #include "config/drill_steps.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/nct carries it out, kadr explain tells it.
+// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/fanuc carries it out, kadr explain tells it.
 
 #include <array>
 #include <cstdint>

@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,9 @@ class BlockContext : public ControlState, public RunMemory {
   /// The state as the block found it, where it is kept for an alarm.
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_kept_; }
+  bool keeps_flow_place() const { return flow_before_.has_value(); }
+  /// What a block may change by its plan alone: a dialect may know better.
+  BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- where the program is
 
@@ -122,6 +126,7 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_kept_ = false;
+  std::optional<Flow::Place> flow_before_;  // where the program was, where a block has more than one item that jumps
   ShapeFacts* shape_ = nullptr;  // of the current block
 };
 

@@ -29,7 +29,7 @@ Result<bool> BlockDialect::takes_block(Interpreter& m) {
   return false;
 }
 std::int16_t BlockDialect::motion_row(const BlockContext& m) const { return m.modal.motion_row; }
-BlockChanges BlockDialect::changes_of(const Interpreter& m, const Plan& plan) const { return m.changes_of_block(plan); }
+BlockChanges BlockDialect::changes_of(const BlockContext& m, const Plan& plan) const { return m.changes_of_block(plan); }
 void BlockDialect::before_function(Emitter&, Function) {}
 void BlockDialect::after_code(Interpreter&, const CodeRow&, std::int32_t) {}
 Status BlockDialect::after_block(Interpreter&) { return {}; }

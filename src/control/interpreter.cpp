@@ -28,12 +28,12 @@ namespace {
 
 /// Before the block that was read: it is to be held there, and read again then. Notes its line otherwise, where lines are noted.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
-  const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.flow.in_body();
+  const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.program().in_body();
   if (asks && (*m.holds_before)(m.origin)) {
     m.flow.unread(*before);
     return true;
   }
-  if (m.line_marks != nullptr) m.line_marks->note(m.flow.in_body() ? std::uint16_t{1} : m.origin.file, m.origin.line);
+  if (m.line_marks != nullptr) m.line_marks->note(m.program().in_body() ? std::uint16_t{1} : m.origin.file, m.origin.line);
   return false;
 }
 
@@ -372,7 +372,7 @@ Status Interpreter::plan() {
   return {};
 }
 
-BlockChanges Interpreter::changes_of_block(const Plan& plan) const {
+BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
   if (!plan.moves_only || modal.polar || !transform.identity) return BlockChanges::anything;
   return modal.motion == MotionMode::cycle ? BlockChanges::cycle : BlockChanges::position;
 }

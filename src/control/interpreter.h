@@ -87,7 +87,6 @@ class Interpreter final : public Emitter {
   bool carry_out_call(std::uint8_t word);
   /// The same of where the program goes on.
   void keep_flow_place() { flow_before_ = flow.place(); }
-  bool keeps_flow_place() const { return flow_before_.has_value(); }
   /// A block does not begin again, a cycle does not go on: the program is over.
   void stop_cycles();
 
@@ -95,7 +94,6 @@ class Interpreter final : public Emitter {
 
   /// The words' ranges, and assignments that act with them.
   Status take_words();
-  BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- what the functions work on
 
@@ -104,7 +102,6 @@ class Interpreter final : public Emitter {
 
   Block first_block;            // before the first one is read, and in the middle of which a snapshot was taken
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
-  std::function<void(const Origin&, bool)>* on_block = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
   std::uint64_t most_unseen = 0;  // blocks that run() carries out without being looked at, where lines are noted
@@ -188,7 +185,6 @@ class Interpreter final : public Emitter {
   MotionRun motion_run_;
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
-  std::optional<Flow::Place> flow_before_;             // kept where a block has more than one item that jumps
   mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks

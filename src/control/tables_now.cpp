@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "config/setup_names.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 namespace {
@@ -34,7 +34,7 @@ void add_work_systems(const BlockContext& m, Setup& tables) {
 
 }  // namespace
 
-Setup tables_of(const Interpreter& m) {
+Setup tables_of(const Emitter& m) {
   if (const MachineSide* const side = m.dialect->machine_side()) return side->run_state(m).tables;
   Setup tables;
   if (m.dialect->add_tables(m, tables)) return tables;

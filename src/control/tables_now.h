@@ -5,10 +5,10 @@
 
 namespace kadr {
 
-class Interpreter;
+class Emitter;
 
 /// Those that a program can write (G10 and its like), as a set-up would give them: offsets and work zeros that are not 0; of a control with
 /// parameters these and its tool tables too. No variables.
-Setup tables_of(const Interpreter& m);
+Setup tables_of(const Emitter& m);
 
 }  // namespace kadr

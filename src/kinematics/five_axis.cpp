@@ -1,5 +1,5 @@
 // Two rotary axes and three linear ones: where the tool is in the part, and the ways back. For kinematics/part_space,
-// control/nct/five_axis; tests/kinematics/five_axis_test.cpp.
+// control/fanuc/five_axis; tests/kinematics/five_axis_test.cpp.
 
 #include "kinematics/five_axis.h"
 

@@ -1,4 +1,4 @@
-// Work coordinates, the part and the machine's axes, with all that chapter 25 puts between them. For control/nct/five_axis, out/trace;
+// Work coordinates, the part and the machine's axes, with all that chapter 25 puts between them. For control/fanuc/five_axis, out/trace;
 // tested by tests/kinematics/part_space_test.cpp.
 
 #include "kinematics/part_space.h"

@@ -1,4 +1,4 @@
-// Ways of the tool that lead its tip: planes, cones, cutting points, pivots. For control/nct/five_axis; tests/kinematics/tip_ways_test.cpp.
+// Ways of the tool that lead its tip: planes, cones, cutting points, pivots. For control/fanuc/five_axis; tests/kinematics/tip_ways_test.cpp.
 
 #include "kinematics/tip_ways.h"
 

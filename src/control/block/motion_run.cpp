@@ -15,7 +15,7 @@ namespace {
 bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
 /// Nothing but a motion's own words decides what it does.
-bool only_words_count(const Interpreter& m) {
+bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
                            modal.feeds_of_axes == 0 && modal.feed_mode != FeedMode::inverse_time;
@@ -103,7 +103,7 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
   return motion;
 }
 
-void MotionRun::note(const Interpreter& m) {
+void MotionRun::note(const Emitter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off) return end();  // soonest seen, and mostly for long
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
@@ -117,7 +117,7 @@ void MotionRun::note(const Interpreter& m) {
   if (!form.calls || !stays_after_call(m)) end();
 }
 
-void MotionRun::begin(const Interpreter& m, const Form& form) {
+void MotionRun::begin(const Emitter& m, const Form& form) {
   on_ = false;
   const auto* const mode = std::find(std::begin(mode_made), std::end(mode_made), m.modal.motion);
   const std::int16_t row = m.modal.motion_row;

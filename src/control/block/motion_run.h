@@ -17,6 +17,7 @@
 namespace kadr {
 
 class BlockContext;
+class Emitter;
 class Interpreter;
 
 class MotionRun {
@@ -25,7 +26,7 @@ class MotionRun {
   void end() { on_ = false, known_ = 0; }
   /// The interpreter's block has gone the general way: it may be the first of a run, or the first of its motion code in one; or leave the
   /// run as it is; or end it.
-  void note(const Interpreter& m);
+  void note(const Emitter& m);
   /// Carries the interpreter's block out, if it goes on the run.
   ///   returns  false: it must go the general way; nothing has changed
   bool take(Interpreter& m);
@@ -64,7 +65,7 @@ class MotionRun {
     std::array<Slot, 3> center;  // by axis
     std::array<Slot, most_words> slots;
   };
-  void begin(const Interpreter& m, const Form& form);
+  void begin(const Emitter& m, const Form& form);
   const Form& form_of(const BlockContext& m, const Block& block);
   bool make(const BlockContext& m, const Block& block, Form& form) const;
   bool add_code(const BlockContext& m, const Word& word, Form& form) const;

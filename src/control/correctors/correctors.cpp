@@ -8,7 +8,7 @@
 #include "base/tolerance.h"
 #include "control/correctors/pocket.h"
 #include "control/functions/functions.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 
 namespace kadr {
 
@@ -86,7 +86,7 @@ Correctors::Correctors(const BlockContext& m, const Setup& setup) {
 
 Correctors& correctors_of(const BlockContext& m) { return static_cast<Correctors&>(*m.dialect); }
 
-BlockChanges Correctors::changes_of(const Interpreter& m, const Plan& plan) const {
+BlockChanges Correctors::changes_of(const BlockContext& m, const Plan& plan) const {
   return m.has('L') ? BlockChanges::anything : Dialect::changes_of(m, plan);
 }
 

@@ -32,7 +32,7 @@ class Correctors final : public Dialect, public Memory {
  public:
   Correctors(const BlockContext& m, const Setup& setup);
 
-  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
   void keep(BlockContext& m) override;
   void begin_block(Emitter& m) override;
   void take_back(BlockContext& m) override;

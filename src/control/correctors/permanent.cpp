@@ -8,7 +8,7 @@ namespace kadr {
 Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;
-  m.call_text = m.flow.shown(m.block->text, m.call_where);
+  m.call_text = m.program().shown(m.block->text, m.call_where);
   KADR_TRY(m.flow.call_body(cycle, 1, m.origin, call.where));
   for (const auto& [letter, parameter] : cycle.parameters)
     if (m.has(letter)) m.variables.set_parameter(parameter, m.value(letter));

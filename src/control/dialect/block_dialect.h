@@ -55,7 +55,7 @@ class BlockDialect {
   virtual Result<bool> takes_block(Interpreter& m);
   /// Row of the motion code that axis words alone would carry out; -1: none.
   virtual std::int16_t motion_row(const BlockContext& m) const;
-  virtual BlockChanges changes_of(const Interpreter& m, const Plan& plan) const;
+  virtual BlockChanges changes_of(const BlockContext& m, const Plan& plan) const;
   /// Before and after each function of the block; `code` is the tenth of the word's number, -1: none.
   virtual void before_function(Emitter& m, Function function);
   virtual void after_code(Interpreter& m, const CodeRow& row, std::int32_t code);

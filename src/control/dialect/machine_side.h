@@ -34,7 +34,7 @@ class MachineSide {
   virtual void convert_spindle(int number, bool to_axis) = 0;
   /// ms since the start of the run, and ms at feed since the last call.
   virtual void set_time(double now_ms, double cut_ms) = 0;
-  virtual RunState run_state(const Interpreter& m) const = 0;
+  virtual RunState run_state(const Emitter& m) const = 0;
   virtual SearchRules search_rules() const = 0;
   /// Waiting codes have no effect.
   virtual bool waiting_suspended() const = 0;

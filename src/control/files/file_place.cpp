@@ -1,4 +1,4 @@
-// The program memory on the disk: what a path means, and opening it. For file_writer.cpp; tests/control/nct/output_file_test.cpp.
+// The program memory on the disk: what a path means, and opening it. For file_writer.cpp; tests/control/macro_b/output_file_test.cpp.
 
 #include "control/files/file_place.h"
 

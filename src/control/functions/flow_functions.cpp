@@ -9,7 +9,7 @@ namespace {
 
 /// End of the program: nothing may be open; the control's end-of-program codes come into force.
 Status end_program(Interpreter& m, Span where) {
-  if (m.flow.depth() != 0) {
+  if (m.program().depth() != 0) {
     const CallFrame& top = m.flow.frames().back();
     if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
     if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
@@ -30,7 +30,7 @@ Status end_program(Interpreter& m, Span where) {
 }
 
 Status leave_subprogram(Interpreter& m, Span where) {
-  shorten_behind_fault(m);
+  shorten_behind_fault(m.report, m.flow);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
   if (!*left) return {};
@@ -72,7 +72,7 @@ Status call_subprogram(Interpreter& m, const Call& call) {
 
 /// M99: back to the caller; in the main program: from its beginning again (spec/mach3 1).
 Status subprogram_return(Interpreter& m, const Call& call) {
-  if (m.flow.depth() == 0) return m.begin_again(call.where);
+  if (m.program().depth() == 0) return m.begin_again(call.where);
   return leave_subprogram(m, call.where);
 }
 
@@ -87,7 +87,7 @@ Status repeat_word(Interpreter& m, const Call& call) {
 }
 
 Status repetition_end(Interpreter& m, const Call& call) {
-  shorten_behind_fault(m);
+  shorten_behind_fault(m.report, m.flow);
   return m.flow.end_repetition(call.where);
 }
 

@@ -66,7 +66,7 @@ bool Grbl::start(Interpreter& m, const Setup&) {
 void Grbl::started(Emitter&) { before_ = state; }
 
 /// `$J=`: a straight motion at its own F, in mm/min; the modes are left as they are (9).
-Status Grbl::jog(Interpreter& m) {
+Status Grbl::jog(Emitter& m) {
   std::optional<Alarm> parted;  // no arc is a jog
   state.singles.follow(m, state.length);
   const auto jog = check(m, *this, true, parted);
@@ -121,7 +121,7 @@ void Grbl::begin_block(Emitter&) {
 
 void Grbl::take_back(BlockContext&) { state = before_; }
 
-BlockChanges Grbl::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
+BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return BlockChanges::anything; }
 
 /// After G80 there is none.
 std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }

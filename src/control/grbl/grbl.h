@@ -41,7 +41,7 @@ class Grbl final : public Dialect {
   Result<bool> takes_block(Interpreter& m) override;
   void begin_block(Emitter& m) override;
   void take_back(BlockContext& m) override;
-  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
   std::int16_t motion_row(const BlockContext& m) const override;
   bool end_program(Interpreter& m) override;
   Status after_block(Interpreter& m) override;
@@ -57,7 +57,7 @@ class Grbl final : public Dialect {
   CheckedBlock checked;  // of the block being carried out
 
  private:
-  Status jog(Interpreter& m);
+  Status jog(Emitter& m);
   void watch_speed(Emitter& m);
   State before_;
   double told_speed_ = 0;    // of the last warning

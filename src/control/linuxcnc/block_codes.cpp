@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/code_literals.h"
-#include "control/interpreter.h"
+#include "control/block_context.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {

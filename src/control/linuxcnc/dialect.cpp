@@ -317,7 +317,7 @@ std::int32_t LinuxCnc::code_in_force(const BlockContext& m, std::size_t group) c
   return index == 0 || m.modal.rows[index] < 0 ? -1 : m.def.codes[static_cast<std::size_t>(m.modal.rows[index])].tenth;
 }
 
-BlockChanges LinuxCnc::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
+BlockChanges LinuxCnc::changes_of(const BlockContext&, const Plan&) const { return BlockChanges::anything; }
 
 void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   if (row.letter != 'G' || row.group == 0) return;

@@ -10,7 +10,7 @@
 
 #include "control/flow/program_file.h"
 #include "control/functions/functions.h"
-#include "control/block_context.h"
+#include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/o_lines.h"
 #include "control/linuxcnc/sub_files.h"
@@ -165,7 +165,7 @@ Status OLines::end_sub() {
 
 Result<OLines::Place> OLines::find_sub() {
   if (const PassedSub& known = flow_.passed(label_); known.known) return place_of(known.reader, known.at);
-  if (const auto reader = file_of_label(m_, text())) {
+  if (const auto reader = file_of_label(m_.flow, control_, text())) {
     for (const OLine& each : flow_.of(m_, *reader).lines)
       if (each.word == OWord::sub && label_of(each) == label_) return found_at(*reader, each);
     return end_of_file_seeking(true);

@@ -119,7 +119,7 @@ class LinuxCnc final : public Dialect {
   Result<bool> statement(Interpreter& m) override;
   Result<bool> takes_block(Interpreter& m) override;
   std::int16_t motion_row(const BlockContext& m) const override;
-  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
   void begin_block(Emitter& m) override;
   void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
   Status after_block(Interpreter& m) override;

@@ -54,7 +54,7 @@ Status OLines::behind_end(std::initializer_list<OWord> ends) {
 }
 
 Position OLines::behind(const Mark& of) {
-  const OFile& all = of.reader == m_.flow.reader() ? *file_ : flow_.of(m_, of.reader);
+  const OFile& all = of.reader == m_.program().reader() ? *file_ : flow_.of(m_, of.reader);
   const auto found = all.by_offset.find(of.at.offset);
   return found == all.by_offset.end() ? of.at : all.lines[static_cast<std::size_t>(found->second)].behind;
 }

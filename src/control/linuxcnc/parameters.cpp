@@ -9,7 +9,7 @@
 #include "base/ascii.h"
 #include "base/code_literals.h"
 #include "base/units.h"
-#include "control/interpreter.h"
+#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "lang/expression/element_symbols.h"
 

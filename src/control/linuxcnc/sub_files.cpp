@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "control/interpreter.h"
+#include "control/flow/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -24,17 +24,17 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-std::optional<std::uint16_t> file_of_label(Interpreter& m, const std::string& label) {
+std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label) {
   if (label.find_first_of("/\\") != std::string::npos || label.starts_with('.')) return std::nullopt;
-  const fs::path memory = m.flow.limits().files;
-  std::vector<fs::path> folders = {fs::path(m.flow.main_file()).parent_path(), memory};
+  const fs::path memory = flow.limits().files;
+  std::vector<fs::path> folders = {fs::path(flow.main_file()).parent_path(), memory};
   const std::size_t own = folders.size();
-  for (const std::string& folder : linuxcnc_of(m).machine.subprogram_folders) folders.push_back(memory / folder);
+  for (const std::string& folder : control.machine.subprogram_folders) folders.push_back(memory / folder);
   for (std::size_t i = 0; i < folders.size(); ++i) {
     std::error_code error;
     const fs::path path = folders[i] / (label + ".ngc");
     if (!fs::is_regular_file(path, error) || !lies_in(path, i < own ? folders[i] : memory)) continue;
-    if (const auto reader = m.flow.open_program(path.string())) return reader;
+    if (const auto reader = flow.open_program(path.string())) return reader;
   }
   return std::nullopt;
 }

@@ -6,13 +6,15 @@
 #include <string>
 
 namespace kadr {
-class Interpreter;
+class Flow;
 }
 
 namespace kadr::linuxcnc {
 
+class LinuxCnc;
+
 /// In the program's folder, in the program memory, then in the folders of the ini file that lie in it; nothing outside of them.
-///   returns  number of the file, as the interpreter counts those that it reads
-std::optional<std::uint16_t> file_of_label(Interpreter& m, const std::string& label);
+///   returns  number of the file, as `flow` counts those that it reads
+std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label);
 
 }  // namespace kadr::linuxcnc

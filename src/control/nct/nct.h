@@ -1,82 +1,54 @@
 #pragma once
-// The dialect of the NCT control (spec/nct): what it does that no row can say. One object a channel; its memory is a value (memory.h).
+// The dialect of the NCT control (spec/nct): what it does that no row can say, and no other control. One object a channel; its memory is a
+// value (memory.h). `settings` and `state` are this level's own; those of the family are fanuc_of(m).settings and fanuc_of(m).state.
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "config/setup.h"
-#include "control/dialect.h"
+#include "control/fanuc/fanuc.h"
 #include "control/nct/memory.h"
-#include "control/nct/output/output_file.h"
-#include "control/nct/variables/parameters.h"
-#include "control/variables/macro_variables.h"
-
-namespace kadr {
-class BlockContext;
-class Emitter;
-class Interpreter;
-struct Call;
-struct CallFrame;
-}  // namespace kadr
 
 namespace kadr::nct {
 
-class Nct : public Dialect, public MachineSide, public Memory {
+using namespace fanuc;  // an Nct is a Fanuc, and speaks its language
+
+class Nct : public Fanuc, public nct::Memory {
  public:
+  using nct::Memory::settings;
+  using nct::Memory::state;
+
   Nct(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
   ~Nct() override;
 
-  // ---- parameters and what follows from them
-  /// Parameters have changed: what follows from them is worked out anew.
-  void refresh_settings(BlockContext& m);
-  Status parameter_line(BlockContext& m);
-
   // ---- start and end
-  /// Power-on state, then what the set-up says.
-  bool start(Interpreter& m, const Setup& setup) override;
-  /// Variables, plane, diameter of the set-up, after its modal codes.
   void take_setup(Emitter& m, const Setup& setup) override;
-  /// What the program has set is as at power-on (3.4).
-  void reset_program(Interpreter& m);
-  /// Whole state for the last line of a trace, in the form of a set-up.
-  RunState run_state(const Interpreter& m) const override;
+  void started(Emitter& m) override;
+  bool lose_power(Interpreter& m) override;
+  RunState run_state(const Emitter& m) const override;
 
   // ---- what an alarm takes back
-  /// A word block begins.
-  void begin_block(Emitter& m) override;
-  /// It may change more than where the tool is.
-  void keep_all();
+  void keep_all() override;
   void take_back(BlockContext& m) override;
+  void taken_back(Emitter& m) override;
 
   // ---- snapshot
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
   // ---- tools
-  Result<std::uint32_t> offset_of_tool(char letter) const;
-  Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where);
-  Status tool_line(Emitter& m);
-  void close_data() { state.data_mode = DataMode::none; }
-
-  // ---- spindles
-  SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
-  const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
-  /// Speed of the main spindle now, rev/min; 0 if it stands.
-  double spindle_rpm(const Emitter& m) const;
-  /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
-  SurfaceSpeed surface_speed(const BlockContext& m) const override;
-  void tell_surface_speed(Emitter& m) const;
-  double css_rpm(const Emitter& m) const;
-
-  /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
-  void end_interrupt(Emitter& m, bool restore);
+  Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const override;
+  Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) override;
+  Status tool_line(Emitter& m) override;
+  /// Of the channel's default spindle (N0604; 12.3.2): 10, 20, …
+  int spindle_magazine() const { return ToolManagement::main_spindle * std::max(Fanuc::settings.default_spindle, 1); }
+  std::uint64_t common_version() const override { return tools.tables_version() + Fanuc::common_version(); }
+  void take_common(BlockContext& m, const Dialect& from) override;
+  bool take_touched_tables() override;
+  std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
+  Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
   // ---- what the machine tells (machine_side.cpp)
-  MachineSide* machine_side() override { return this; }
-  void set_signal(const std::string& name, double value) override;
-  void set_answer(double to) override { answer = to; }
-  void synchronise(int slave, int master) override;
   void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) override;
   const std::vector<FarAxis>& far_axes() const override { return couplings.far; }
   void drop_far(Emitter& m, const FarAxis& axis) override;
@@ -84,116 +56,40 @@ class Nct : public Dialect, public MachineSide, public Memory {
   bool may_exchange(const BlockContext& m, std::size_t axis) const override;
   void exchange_far(std::size_t axis, double machine, bool on) override;
   bool is_parked(std::size_t axis) const override { return (drives.parked >> axis & 1U) != 0; }
-  bool rolls_over(std::size_t axis) const override { return settings.axes[axis].rolls; }
-  void convert_spindle(int number, bool to_axis) override;
   void set_time(double at_ms, double cut_ms) override;
-  const WrittenFiles& files_written() const override { return output.files(); }
   bool waiting_suspended() const override;
-  SearchRules search_rules() const override;
 
-  // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
-  bool starts_code_by_code() const override { return true; }
-  void started(Emitter& m) override;
-  bool end_program(Interpreter& m) override;
-  bool lose_power(Interpreter& m) override;
-  void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
-  StateChanges take_changes(Interpreter& m) override;
-  /// Of the channel's default spindle (N0604; 12.3.2): 10, 20, …
-  int spindle_magazine() const { return ToolManagement::main_spindle * std::max(settings.default_spindle, 1); }
-  std::uint64_t common_version() const override { return tools.tables_version() + parameters.version(); }
-  void take_common(BlockContext& m, const Dialect& from) override;
-  bool has_unfinished() const override { return !finishing.empty() || !drives.asked.empty(); }
+  // ---- what the interpreter asks (dialect.cpp)
+  bool has_unfinished() const override { return Fanuc::has_unfinished() || !drives.asked.empty(); }
   Result<bool> finish(Interpreter& m) override;
-  bool reads_clock(const Block& block) const override;
-  void note_skip_mark(Emitter& m) override;
-  bool watches_blocks() const override { return state.interrupt_program.has_value(); }
-  bool in_interrupt() const override { return interrupted.active; }
-  Result<bool> interrupt(Interpreter& m, BlockMoment moment) override;
-  bool takes_data() const override { return state.data_mode != DataMode::none; }
-  Result<bool> statement(Interpreter& m) override;
-  Result<bool> takes_block(Interpreter& m) override;
-  std::int16_t motion_row(const BlockContext& m) const override;
-  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
-  void before_function(Emitter& m, Function function) override;
-  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
-  Status after_block(Interpreter& m) override;
-  void keep(BlockContext&) override { keep_all(); }
-  void taken_back(Emitter& m) override;
-  void note_fault(Interpreter& m, bool may_have_steered) override { endless.note_fault(m, may_have_steered); }
-  void begin_again() override { endless.forget(); }
-  bool leave_call(Interpreter& m) override;
-  Status target(const BlockContext& m, Axes& to, AxisMask& named) const override;
-  bool shapes_lines(const BlockContext& m) const override;
-  Status straight(Emitter& m, const Call& call, MotionKind kind) override;
-  bool only_shifts(const BlockContext& m) const override;
-  Status arc(Emitter& m, const Call& call, Turn turn) override;
-  Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
-  bool lines_follow(const BlockContext& m) const override;
-  AxisMask rolling_axes(const BlockContext& m) const override;
-  ArcRule arc_rule(const BlockContext& m) const override;
-  void note_line(BlockContext& m) override;
+  bool lines_follow(const BlockContext& m) const override { return drives.parked == 0 && Fanuc::lines_follow(m); }
   Status may_move(const BlockContext& m, AxisMask named) const override;
   void note_motion(Emitter& m, Motion& motion) override;
-  double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;
-  void note_feed(BlockContext&) override { state.thread_lead = 0; }
-  bool keeps_both_feeds() const override { return true; }  // 6.2.1
-  void refresh_frames(Emitter& m) override;
-  Axes shift_of_origin(const BlockContext& m) const override;
-  bool zero_may_move() const override { return true; }
-  void roll(const BlockContext& m, Axes& positions) const override;
   Status take_answer(Emitter& m, const ProbeAnswer& at) override;
   Status machine_code(Interpreter& m, const Call& call) override;
-  Result<double> read_variable(Emitter& m, double number, Span where) const override;
-  Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
-  Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
-  MacroVariables variables;
-  ParameterStore parameters;
-  OutputFile output;
+ protected:
+  void read_parameters(BlockContext& m) override;
+  void end_gear(Emitter& m) override;
+  bool keeps_group(int group) const override;
 
  private:
-  /// What keep_all() has kept; tables, variables and MotionMemory stand in the interpreter's journal.
-  struct Before {
-    bool all = false;
-    Volatile state;
-    std::size_t levels = 1, repeated_arguments = 0;
-  };
-  void take_reference_points(BlockContext& m);
-  void mirror_by_settings(BlockContext& m) const;
-
-  Before before_;
-  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up states by themselves
-  std::vector<double> clocks_;             // numbers of the clock variables
+  Volatile before_;  // what keep_all() has kept
 };
 
-/// Groups of the offset table: N1400, else what the variables have room for (15.1).
-std::uint32_t most_offsets(const BlockContext& m);
-/// Axes that the machine makes of spindles (11.8), as far as the set-up's events say that it does.
-void find_spindle_axes(BlockContext& m, const Setup& setup);
-/// A warning where one of these axes moves while it turns as a spindle.
-void watch_spindle_axes(Emitter& m, AxisMask named);
-/// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
-double take_lead(BlockContext& m);
-/// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
-Result<double> dwell_seconds(Emitter& m, double p, Span where);
-/// P of a dwell by its digits: milliseconds; with a point seconds, or an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
-Result<double> dwell_by_digits(BlockContext& m);
-/// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
-Status machine_code(Interpreter& m, const Call& call);
-/// A code of a spindle (indexing, closing the loop), or any other one for the machine's logic.
-Status spindle_machine_code(Emitter& m, int code, Span where);
+/// Its part of a snapshot.
+struct NctState : FanucState {
+  explicit NctState(const Nct& of);
+
+  nct::Memory own;
+};
+
 /// The gearbox, if it is on, stops (20.1).
 void disengage(Emitter& m);
 /// The tool leaves the teeth (20.1.4), while the gearbox is on.
 Status withdraw(Emitter& m);
 /// A tool's life may be counted in time (12.3.1).
 void watch_tool_time(Emitter& m);
-/// The block has a word for a spindle.
-bool has_spindle_word(const BlockContext& m);
-/// Variables that hold something, and those that are asked for ("#5061", "#_ALM").
-void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch);
-/// G10 L… (set_tables.cpp).
-Status set_tables(Emitter& m, const Call& call);
 
 }  // namespace kadr::nct
 

@@ -1,4 +1,4 @@
-// The record mark % and the label skip (spec/fanuc 1.1). For lang/block/block_reader, control/nct/program_search; tested by
+// The record mark % and the label skip (spec/fanuc 1.1). For lang/block/block_reader, control/macro_b/programs/program_search; tested by
 // tests/cases/fanuc/programs.cases.
 
 #include "lang/block/program_frame.h"

@@ -248,7 +248,7 @@ Status StatementReader::file_of_program() {
   return {};
 }
 
-/// DPRNT[…]: the text is kept; control/nct reads it.
+/// DPRNT[…]: the text is kept; control/macro_b reads it.
 Status StatementReader::print(Keyword keyword, std::size_t begin) {
   cursor_.skip_blanks();
   if (cursor_.peek() != '[') return syntax(cursor_.at);

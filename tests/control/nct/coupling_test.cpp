@@ -1,4 +1,4 @@
-// control/nct/spindles/gearbox, coupling: what no trace of a case shows: the helix of a gearbox, errors of the set-up, warnings. NCT 20.
+// control/nct/axes/gearbox, coupling: what no trace of a case shows: the helix of a gearbox, errors of the set-up, warnings. NCT 20.
 
 #include <cmath>
 

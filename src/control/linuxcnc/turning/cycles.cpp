@@ -10,7 +10,7 @@
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "control/functions/functions.h"
-#include "control/emitter.h"
+#include "control/interpreter.h"
 #include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/motions.h"

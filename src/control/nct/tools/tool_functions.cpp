@@ -1,4 +1,4 @@
-// T, M6, data lines of tools, auxiliary functions (spec/nct/12, 13.2); parameter lines (24.1).
+// T, M6, data lines of tools (spec/nct/12).
 
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
@@ -12,7 +12,7 @@ ToolPlace place_of(const nct::ToolCall& call) {
 
 /// What was prepared comes into the spindle.
 void change(Emitter& m, nct::CountUse count) {
-  nct_of(m).endless.note_change();
+  macro_b_of(m).endless.note_change();
   m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
   const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
   m.modal.tool = now.tool;
@@ -53,19 +53,14 @@ Status exchange_tool(Emitter& m, const Call&) {
   return {};
 }
 
-/// A, B, C, U, V, W as auxiliary functions (13.2).
-Status auxiliary_word(Emitter& m, const Call& call) {
-  const std::uint8_t number = m.def.address(call.word->address).number;
-  nct_of(m).state.words.aux[number - 1u] = call.word->value;
-  m.emit(AuxiliaryFunction{call.word->address, call.word->value});
-  return {};
-}
-
 }  // namespace functions
 
 namespace nct {
 
-Result<std::uint32_t> Nct::offset_of_tool(char letter) const {
+/// N2923 means that of the tool in the spindle (12.5.1).
+Result<std::uint32_t> Nct::offset_meant(char letter, std::uint32_t number) const {
+  const int by_tool = settings.offset_by_tool;
+  if (by_tool == 0 || number != static_cast<std::uint32_t>(by_tool)) return number;
   const OffsetNumbers numbers = tools.offset_numbers(spindle_magazine());
   return static_cast<std::uint32_t>(letter == 'H' ? numbers.h : numbers.d);
 }
@@ -75,7 +70,7 @@ Status Nct::open_tool_data(BlockContext& m, std::uint32_t l, double p, Span wher
   const auto kind = data_kind(l, p);
   if (!kind) return fail(alarm(AlarmId::value_out_of_range, m.has('P') ? m.where('P') : where, 'P', p));
   data_input.begin(*kind);
-  state.data_mode = DataMode::tools;
+  MacroB::state.data_mode = DataMode::tools;
   return {};
 }
 
@@ -92,26 +87,6 @@ Status Nct::tool_line(Emitter& m) {
   }
   KADR_TRY(data_input.block({words, m.block->where}, tools));
   watch_tool_time(m);
-  return {};
-}
-
-Status Nct::parameter_line(BlockContext& m) {
-  ParameterStore::Write write;
-  write.block = m.block->where;
-  if (m.block->has_number) write.n = ParameterStore::Word{double(m.block->number), m.block->number_where};
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address == 0) continue;
-    const ParameterStore::Word word{w.value, w.where};
-    if (w.written == 'P') write.p = word;
-    else if (w.written == 'Q') write.q = word;
-    else if (w.written == 'R') write.r = word, write.increment = w.incremental;
-    else if (w.written == 'N' && !write.n) write.n = word;
-    else return fail(alarm(AlarmId::data_block, w.where, m.block->text_of(w.where)));
-  }
-  if (m.block->word_count == 0 && !m.block->has_number) return {};
-  KADR_TRY(parameters.write(write));
-  refresh_settings(m);
   return {};
 }
 

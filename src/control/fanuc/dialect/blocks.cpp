@@ -1,0 +1,228 @@
+// Blocks of words around the common plan: data lines, calls, what is looked at before they are planned (spec/nct/23 23.3, 24.1, 12.4;
+// spec/fanuc 1.2, 1.3, 2.1). For control/fanuc/dialect/dialect.
+
+#include "control/fanuc/dialect/blocks.h"
+
+#include <bit>
+#include <cmath>
+
+#include "base/code_literals.h"
+#include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/geometry/sides.h"
+#include "control/fanuc/words/data_lines.h"
+#include "control/functions/functions.h"
+#include "control/macro_b/dialect/blocks.h"
+
+namespace kadr::fanuc {
+namespace {
+
+/// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
+Status take_bare_words(BlockContext& m) {
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.plane_axes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    fanuc.plane_axes |= 1u << static_cast<unsigned>(m.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    if (!w.bare) continue;
+    if (!m.has_code({Function::select_plane})) return fail(alarm(AlarmId::number_missing, w.where, w.written));
+    w.address = 0;
+    m.block->altered = true;
+  }
+  if (m.block->altered) m.note_addresses();
+  return {};
+}
+
+/// Numbers without a point count in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is whole
+/// (spec/fanuc 1.3).
+void count_increments(BlockContext& m) {
+  const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
+  const bool turns = m.has_code({Function::feed_per_revolution}) ||
+                     (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    const WordFormat& format = m.def.grammar.word(w.written);
+    if (w.expression && format.counted != 0 && m.def.behaviour.rounds_words && !m.has_code({Function::macro_call, Function::macro_modal})) {
+      const double parts = inch && (w.written < 'A' || w.written > 'C') ? 10'000 : 1000;
+      w.value = std::round(w.value * parts) / parts;
+    }
+    if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
+    if (format.counted == 0 && w.written != 'F') continue;
+    const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
+    const bool as_length = w.written != 'F' || (m.def.behaviour.feed_counts_increments && !fanuc_of(m).settings.feed_whole);
+    const int least = as_length ? 3 : (m.def.behaviour.feed_counts_increments || !turns) ? 0 : 2;
+    const int finer = !inch || !length ? 0 : as_length ? 1 : m.def.behaviour.feed_counts_increments ? 0 : 2;
+    const int decimals = least + finer;
+    if (decimals == w.counted) continue;
+    w.value *= std::pow(10.0, int{w.counted} - decimals);
+    w.counted = static_cast<std::uint8_t>(decimals);
+    m.block->altered = true;
+  }
+}
+
+/// Of two words of an address, of two codes of a group, the one written last counts (spec/fanuc 1.2, 2.1).
+void drop_repeated(BlockContext& m) {
+  const auto group_of = [&](const Word& w) {
+    const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
+    return row < 0 ? 0 : int{m.def.codes[static_cast<std::size_t>(row)].group};
+  };
+  for (std::uint32_t i = 1; i < m.block->word_count; ++i) {
+    const Word& last = m.block->words[i];
+    if (last.address == 0) continue;
+    const bool is_code = (m.letters.codes & letter_bit(last.address)) != 0;
+    const int group = is_code ? group_of(last) : 0;
+    if (is_code && group == 0) continue;
+    for (std::uint32_t k = 0; k < i; ++k) {
+      Word& before = m.block->words[k];
+      if (before.address != last.address || (is_code && group_of(before) != group)) continue;
+      before.address = 0;
+      m.block->altered = true;
+    }
+  }
+  if (m.block->altered) m.note_addresses();
+}
+
+/// One word an address, however it is spelled; at most so many M codes as the control allows, one of each exclusive group (nct 13.1).
+Status check_words(const BlockContext& m) {
+  std::uint64_t seen = 0;
+  std::size_t m_codes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    if (w.address == 'M') ++m_codes;
+    if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
+    if ((m.letters.codes & letter_bit(w.address)) != 0) continue;
+    if ((seen & letter_bit(w.address)) != 0) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    seen |= letter_bit(w.address);
+  }
+  if (m_codes < 2) return {};
+  const std::uint32_t most = m.def.behaviour.m_codes_of_block;
+  if (m_codes > most) return fail(alarm(AlarmId::too_many_m_codes, m.block->where, double(m_codes), double(most)));
+  return check_m_codes(m);
+}
+
+/// S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
+Status check_points(const BlockContext& m) {
+  const std::uint64_t concerned = fanuc_of(m).without_point;
+  if ((m.block->letters & concerned) == 0) return {};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.has_point && w.address != 0 && (letter_bit(w.address) & concerned) != 0)
+      return fail(alarm(AlarmId::point_not_allowed, w.where, w.address));
+  }
+  return {};
+}
+
+/// P has one meaning in a block (8, 10.2.2, 14.4.2).
+Status one_meaning_of_p(const BlockContext& m) {
+  if (!m.has('P')) return {};
+  const CodeRow* first = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.code < 0 || w.address == 0 ? -1 : m.def.row_of(w.address, w.code);
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    const Function f = row.function;
+    const bool takes = f == Function::dwell_or_turns || f == Function::work_system_extended || f == Function::call_program ||
+                       f == Function::return_program || f == Function::interrupt_on || f == Function::set_tables ||
+                       f == Function::dynamic_zero || (f == Function::tool_lead && row.arg != 43.1_g) ||
+                       (f == Function::reference_return && row.arg == 2);
+    if (!takes) continue;
+    if (first != nullptr) return fail(alarm(AlarmId::not_together, w.where, first->code, row.code));
+    first = &row;
+  }
+  return {};
+}
+
+/// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
+Status take_spindle_words(BlockContext& m) {
+  fanuc_of(m).spindle_by_p = 0;
+  if ((m.block->letters & m.letters.spindles) == 0) return {};
+  const Word* first = nullptr;
+  bool codes = false;
+  Word* p = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    codes = codes || w.address == 'G' || w.address == 'M';
+    if (w.address == 'P') p = &w;
+    if (m.def.address(w.address).function != Function::spindle_word) continue;
+    if (first != nullptr) return fail(alarm(AlarmId::one_spindle, w.where, m.block->text_of(first->where), m.block->text_of(w.where)));
+    first = &w;
+  }
+  if (first == nullptr || p == nullptr || codes) return {};
+  if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
+  const auto number = m.whole('P', 1, most_spindles);
+  if (!number) return fail(number.error());
+  fanuc_of(m).spindle_by_p = static_cast<int>(*number);
+  p->address = 0;
+  m.block->altered = true;
+  m.note_addresses();
+  return {};
+}
+
+}  // namespace
+
+Result<bool> before_plan(Interpreter& m) {
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.holds_vector = false;
+  fanuc.taken_up = fanuc.by_direction = 0;
+  fanuc.uncompensated = fanuc.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
+  begin_words(m);
+  if (macro_b_of(m).state.data_mode != DataMode::none) {
+    fanuc.keep_all();
+    KADR_TRY(check_values(m));
+    KADR_TRY(data_line(m));
+    return true;
+  }
+  if (const auto called = call_with_words(m); !called || *called) return called;
+  const bool looks_closer = watches_words(m) || watches_codes(m);
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
+      !looks_closer) {                                                           // known to be right from the pass before …
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed
+    if (!m.block->calls_macro) note_words(m);
+    else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
+    return false;
+  }
+  if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
+    KADR_TRY(check_points(m));
+    KADR_TRY(check_values(m));
+    note_words(m);
+    m.block->calls_macro = false;
+    m.block->checked = m.block->letters;
+    return false;
+  }
+  m.block->calls_macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
+  if (m.block->calls_macro) {
+    KADR_TRY(one_g(m));
+    if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
+    m.block->checked = m.block->letters;
+    return false;
+  }
+  KADR_TRY(check_points(m));
+  if (m.def.behaviour.last_word_counts) drop_repeated(m);
+  if (!m.def.grammar.least_increments.empty()) count_increments(m);
+  KADR_TRY(check_values(m));
+  KADR_TRY(take_bare_words(m));
+  KADR_TRY(five_axis_block(m));
+  KADR_TRY(check_words(m));
+  KADR_TRY(take_spindle_words(m));
+  KADR_TRY(one_meaning_of_p(m));
+  KADR_TRY(check_increment_of_r(m));
+  const bool plain =
+      !m.block->altered && !looks_closer && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+  m.block->checked = plain ? m.block->letters : 0;
+  if (ShapeFacts* const shape = m.shape(); shape != nullptr) shape->words_right = plain;
+  note_words(m);
+  return false;
+}
+
+Status after_block(Interpreter& m) {
+  if (fanuc_of(m).state.side_step != SideStep::none) end_side_block(m);
+  KADR_TRY(check_drilling(m));
+  return end_words(m);
+}
+
+}  // namespace kadr::fanuc

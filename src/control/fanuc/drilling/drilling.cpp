@@ -1,0 +1,378 @@
+// Drilling cycles G73 … G89 (spec/nct/18): what is kept while the mode is on, and what other functions ask about it. For the rest of
+// control; tested by tests/control/fanuc/drilling_test.cpp.
+
+#include "control/fanuc/drilling/drilling.h"
+
+#include <cmath>
+
+#include "base/code_literals.h"
+#include "base/tolerance.h"
+#include "config/drill_steps.h"
+#include "control/fanuc/drilling/drilling_run.h"
+#include "control/fanuc/drilling/pattern.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/frames/transformations.h"
+#include "control/fanuc/geometry/automatic_geometry.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr double most_pecks = 1e6;
+constexpr double most_holes = 99'999'999;
+
+/// The cycle's row in force, or -1.
+std::int16_t cycle_row(const BlockContext& m) {
+  const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
+  return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
+}
+
+/// A code of group 1 moves by itself; beside a cycle it is done and the cycle is not (18.0, INFERRED).
+bool moves_by_code(const BlockContext& m) {
+  return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
+}
+
+/// X, Y, Z by number: the direction in which the plane drills.
+int drilling_direction(const BlockContext& m) {
+  if (m.def.behaviour.drills_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
+}
+
+bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
+  const int role = fanuc_of(m).settings.axes[axis].role;
+  return role == direction || role == direction + 4;
+}
+
+/// The words along the drilling direction: at most one.
+///   alarms  not_together: main and parallel axis both (18.0 leaves it open), address_twice
+Result<const Word*> bottom_word(const BlockContext& m) {
+  const int direction = drilling_direction(m);
+  const Word* found = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t axis = m.def.address(w.address).axis;
+    if (!has_direction(m, axis, direction)) continue;
+    if (found != nullptr && m.def.address(found->address).axis == axis) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    if (found != nullptr) return fail(alarm(AlarmId::not_together, w.where, m.block->text_of(found->where), m.block->text_of(w.where)));
+    found = &w;
+  }
+  return found;
+}
+
+/// The axis of the bottom's address; none: the one that drills already, or INFERRED the main axis. -1: the channel has none.
+int drilling_axis(const BlockContext& m, const Word* bottom) {
+  if (bottom != nullptr) return m.def.address(bottom->address).axis;
+  const int direction = drilling_direction(m);
+  if (const std::size_t axis = fanuc_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
+    return static_cast<int>(axis);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (fanuc_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
+  return -1;
+}
+
+/// One block with a cycle: its words are kept, its levels found, operation 1 done, the rest begun.
+class Drilling {
+ public:
+  Drilling(Emitter& m, const Call& call)
+      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(fanuc_of(m).state.drilling) {
+    const bool rigid = fanuc_of(m).state.rigid_tap || fanuc_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
+    if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
+    if (code_ == only_back) code_ = 87_g;
+  }
+
+  Status run() {
+    KADR_TRY(possible());
+    const auto bottom = bottom_word(m_);
+    if (!bottom) return fail(bottom.error());
+    const int axis = drilling_axis(m_, *bottom);
+    if (axis < 0) return fail(alarm(AlarmId::plane_illegal, call_.where));
+    const AxisMask drills = AxisMask{1} << axis;
+    if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
+    KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
+    const bool by_level = m_.def.behaviour.drills_by_level;             // spec/fanuc 10.1
+    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: not carried out
+    KADR_TRY(remember(*bottom));
+    double passes = 1;
+    const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
+    if (m_.has(repeats)) {
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is no length
+      if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
+      if (!(passes >= 0 && passes <= most_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
+    }
+    if (passes == 0 || m_.has_code({Function::hole_pattern})) return {};
+    KADR_TRY(over_hole(m_, kept_.axis));
+    return start({}, static_cast<std::uint32_t>(passes));
+  }
+
+  /// The cycle in force at each of these points of the plane, programmed, mm (spec/haas 8.5).
+  Status at_points(std::vector<Vec2> points) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    return start(std::move(points), count);
+  }
+
+ private:
+  Status start(std::vector<Vec2> points, std::uint32_t passes) {
+    DrillingRun::Job job;
+    job.passes = passes;
+    job.points = std::move(points);
+    KADR_TRY(levels(job));
+    KADR_TRY(data(job));
+    KADR_TRY(m_.feed_known(call_.where));
+    KADR_TRY(within_reach(job));
+    macro_b_of(m_).moved = true;
+    m_.running = std::make_unique<DrillingRun>(job);
+    return {};
+  }
+
+  bool is_tap() const { return code_ == 84.2_g || code_ == 84.3_g; }
+  bool shifts() const { return code_ == 76_g || (code_ == 87_g && (spindle().orients || by_q())); }
+  bool by_q() const { return m_.def.behaviour.shifts_by_q; }
+  bool has_percent() const { return code_ == 85_g || code_ == 89_g || is_tap(); }
+  const SpindleSettings& spindle() const {
+    return fanuc_of(m_).settings.spindles[static_cast<std::size_t>(fanuc_of(m_).state.current_spindle)];
+  }
+  std::string_view code_text() const { return call_.row->code; }
+
+  Status possible() const {
+    if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
+    if (code_ == 76_g && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
+    if (is_tap() && !spindle().indexes && !m_.def.behaviour.drills_by_level)
+      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(fanuc_of(m_).state.current_spindle)));
+    if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
+    for (const char letter : {'I', 'J', 'K'})
+      if (m_.has(letter) && !belongs(letter)) return fail(alarm(AlarmId::illegal_address, m_.where(letter), letter));
+    return {};
+  }
+
+  /// G17: I J, G18: K I, G19: J K; I also where it is a percentage.
+  bool belongs(char letter) const {
+    if (letter == 'I' && has_percent()) return true;
+    if (m_.def.behaviour.drills_by_level) return true;
+    switch (m_.modal.plane) {
+      case Plane::zx: return letter != 'J';
+      case Plane::yz: return letter != 'I';
+      default: return letter != 'K';
+    }
+  }
+
+  /// The mode is switched on, or another axis drills: its initial point; R and bottom must be given (18.0).
+  Status begin(std::size_t axis, const Word* bottom) {
+    const bool fresh = !drilling_on(m_);
+    if (!fresh && axis == kept_.axis) return {};
+    if (bottom == nullptr || !m_.has('R')) return fail(alarm(AlarmId::cycle_data_missing, call_.where));
+    if (fresh) kept_ = {};
+    kept_.axis = axis;
+    kept_.initial = before_new_length()[axis];
+    return {};
+  }
+
+  /// Where the tool stood before a new length of this block: that acts in operation 3 only.
+  Axes before_new_length() const {
+    Placement frames = m_.frames;
+    frames.length = m_.state_before().modal.lengths;
+    return m_.transform.to_programmed(frames.work_of(m_.position.machine));
+  }
+
+  Status remember(const Word* bottom) {
+    if (bottom != nullptr) {
+      kept_.bottom = coordinate(m_, *bottom, kept_.axis);
+      kept_.bottom_added = is_increment(m_, *bottom);
+    }
+    if (const Word* const r = m_.word('R'); r != nullptr) {  // always a radius (5.3)
+      kept_.level = m_.length_value('R');
+      kept_.level_added = !m_.modal.absolute || r->incremental;
+    }
+    const bool percent = has_percent() && !m_.def.behaviour.drills_by_level;
+    if (m_.has('I') && percent) KADR_TRY(positive('I', m_.value('I'), kept_.percent));
+    if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
+    if (m_.has('J')) kept_.shift.y = m_.length_value('J');
+    if (m_.has('K') && !m_.def.behaviour.repeats_by_k) kept_.shift.z = m_.length_value('K');
+    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: its sign is ignored
+    else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
+    if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
+    if (m_.has('P') && m_.def.behaviour.dwell_in_milliseconds) {
+      const auto seconds = dwell_by_digits(m_);
+      if (!seconds) return fail(seconds.error());
+      KADR_TRY(not_negative('P', *seconds, kept_.dwell));
+    } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
+      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P of G4
+    return {};
+  }
+
+  Status positive(char letter, double value, double& to) const {
+    if (!(value > 0)) return fail(alarm(AlarmId::value_out_of_range, m_.where(letter), letter, value));
+    to = value;
+    return {};
+  }
+
+  Status not_negative(char letter, double value, double& to) const {
+    if (!(value >= 0)) return fail(alarm(AlarmId::value_out_of_range, m_.where(letter), letter, value));
+    to = value;
+    return {};
+  }
+
+  Status levels(DrillingRun::Job& job) const {
+    job.axis = kept_.axis;
+    job.initial = kept_.initial;
+    job.level = kept_.level_added ? kept_.initial + kept_.level : kept_.level;
+    job.bottom = kept_.bottom_added ? job.level + kept_.bottom : kept_.bottom;
+    job.to_initial = m_.modal.retract_initial;
+    for (const double level : {job.level, job.bottom, job.initial})
+      if (!(std::fabs(level) <= farthest))
+        return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[kept_.axis]), level));
+    return {};
+  }
+
+  /// What is missing comes from the parameters; INFERRED: a percentage of 0 there is not set and means 100.
+  Status data(DrillingRun::Job& job) const {
+    const Settings& s = fanuc_of(m_).settings;
+    const auto percent = [](double value) { return value > 0 ? value : 100; };
+    job.code = code_;
+    job.peck = kept_.peck;
+    job.dwell = kept_.dwell;
+    const double clearance = code_ == 73_g ? s.return_g73 : code_ == 83_g ? s.clearance_g83 : s.tap_normal ? s.tap_clearance : s.tap_back;
+    job.clearance = kept_.clearance >= 0 ? kept_.clearance : clearance;
+    const double given = kept_.percent > 0 ? kept_.percent : percent(is_tap() ? s.tap_extraction : s.extraction);
+    job.out_percent = is_tap() && !s.tap_override ? 100 : given;
+    job.between_percent = s.tap_return_override ? percent(s.tap_return) : 100;
+    job.pecks_to_level = s.tap_normal;
+    job.orients_tap = s.tap_orients;
+    job.back_boring = code_ == 87_g && shifts();
+    if (shifts()) {
+      const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
+      const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
+      job.shift = {values[first], values[(first + 1) % 3]};
+      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: 00 +X, 01 -X, 10 +Y, 11 -Y
+        const double way = s.shift_negative ? -job.peck : job.peck;
+        job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
+      }
+    }
+    if (m_.def.behaviour.pecks_by_ijk && kept_.shift.x > 0 && (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
+      job.peck = kept_.shift.x;
+      job.less = std::max(kept_.shift.y, 0.0);
+      job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
+      if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
+        return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
+    }
+    if (m_.def.behaviour.pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0)) job.clear_after = std::max(kept_.shift.z, 0.0);
+    job.rise = code_ == 83_g ? s.return_rise : 0;
+    if ((code_ == 73_g || code_ == 83_g) && !(job.peck > 0))
+      return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
+    const double depth = std::fabs(job.level - job.bottom) * std::fabs(m_.transform.scale[job.axis]);
+    if (job.peck > 0 && depth / job.peck > most_pecks)
+      return fail(alarm(AlarmId::value_out_of_range, m_.has('Q') ? m_.where('Q') : call_.where, 'Q', job.peck));
+    return {};
+  }
+
+  /// Nothing may fail once the cycle has begun: every corner of the first hole, and where the increments of L lead.
+  Status within_reach(const DrillingRun::Job& job) const {
+    const Axes& first = m_.position.programmed;
+    for (const double level : {job.initial, job.level, job.bottom}) {
+      Axes hole = first;
+      hole[kept_.axis] = level;
+      const Axes work = m_.transform.to_work(hole);
+      for (std::size_t a = 0; a < m_.axis_count; ++a)
+        if (!(std::fabs(work[a]) <= farthest))
+          return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[a]), work[a]));
+    }
+    Axes second;
+    AxisMask named = 0;
+    if (job.passes == 1 || m_.modal.polar_data) return {};
+    KADR_TRY(hole_position(m_, kept_.axis, second, named));
+    fanuc_of(m_).rolled = 0;
+    for (std::size_t a = 0; a < m_.axis_count; ++a) {
+      const double last = first[a] + (second[a] - first[a]) * (job.passes - 1);
+      if ((named >> a & 1u) != 0 && !(std::fabs(last) <= farthest))
+        return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[a]), last));
+    }
+    return {};
+  }
+
+  Emitter& m_;
+  const Call& call_;
+  std::int32_t code_;
+  DrillingMemory& kept_;
+};
+
+/// G73, G74, G76 are free where the lathe's codes are used; G83.1, G84.1, G86.1 only there (N1503 CSM).
+Status known(const BlockContext& m, const Call& call) {
+  const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
+  const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
+  const bool lathe = fanuc_of(m).settings.lathe_codes;
+  if (alias ? lathe : !(replaced && lathe)) return {};
+  return fail(
+      alarm(AlarmId::code_unknown, call.where, call.word != nullptr ? m.block->text_of(call.where) : std::string_view(call.row->code)));
+}
+
+}  // namespace
+
+bool drilling_on(const BlockContext& m) { return cycle_row(m) >= 0; }
+
+std::int16_t motion_row(const BlockContext& m) {
+  const std::int16_t row = cycle_row(m);
+  return row < 0 || m.has_code({Function::drilling_off}) ? m.modal.motion_row : row;
+}
+
+int drills_along(const BlockContext& m) {
+  const bool coded = m.has_code({Function::drilling});
+  if (!coded && (!drilling_on(m) || m.block_axes_taken || m.has_code({Function::drilling_off}))) return -1;
+  if (!m.has_axis_words() || moves_by_code(m)) return -1;
+  const auto bottom = bottom_word(m);
+  return bottom ? drilling_axis(m, *bottom) : -1;
+}
+
+void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
+  if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
+    macro_b_of(m).state.parts_done += 1;  // 13.1
+  note_mirror_code(m, row);
+  if (row.group != fanuc_of(m).motion_group) return;
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)
+  if (drilling_on(m)) m.run_modes({Function::drilling_off});
+}
+
+Status check_drilling(const Emitter& m) {
+  const auto* const run = dynamic_cast<const DrillingRun*>(m.running.get());
+  return run == nullptr ? Status() : run->check(m);
+}
+
+Status check_increment_of_r(const BlockContext& m) {
+  const Word* const r = m.word('R');
+  if (r == nullptr || !r->incremental || drilling_on(m) ||
+      m.has_code({Function::drilling, Function::set_tables, Function::plane_rotation_on}))
+    return {};  // 5.1
+  return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
+}
+
+}  // namespace kadr::fanuc
+
+namespace kadr::functions {
+
+/// G73 … G89 (18), phase `positioning`: operation 1 now; the rest follows the block's functions, action by action.
+Status drilling(Emitter& m, const Call& call) {
+  KADR_TRY(fanuc::known(m, call));
+  if (fanuc::moves_by_code(m)) return {};
+  return fanuc::Drilling(m, call).run();
+}
+
+/// G80 (18.1.4), or a code of group 1: the data are deleted, G98 is in force.
+Status drilling_off(Interpreter& m, const Call&) {
+  if (!fanuc::drilling_on(m)) return {};
+  fanuc_of(m).state.drilling = {};
+  fanuc_of(m).state.rigid_tap = false;
+  if (!m.has_code({Function::retract_level})) m.run_modes({Function::retract_initial});
+  return {};
+}
+
+/// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, from where the tool stands.
+Status hole_pattern(Emitter& m, const Call& call) {
+  const std::int16_t row = fanuc::motion_row(m);
+  if (!fanuc::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));
+  auto points = fanuc::pattern_points(m, call);
+  if (!points) return fail(points.error());
+  const Call cycle{&m.def.codes[static_cast<std::size_t>(row)], nullptr, call.where};
+  return fanuc::Drilling(m, cycle).at_points(std::move(*points));
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,158 @@
+#pragma once
+// What Fanuc, Haas and NCT share beyond macros (spec/fanuc, spec/nct): drilling and turning cycles, reference return, frames, five axes,
+// spindles, measuring. One object a channel; its memory is a value (memory.h). `settings` and `state` are this level's own; those of macros
+// are macro_b_of(m).settings and macro_b_of(m).state. What only the NCT has, it asks by the virtual functions below.
+
+#include <memory>
+#include <string>
+
+#include "control/fanuc/state/memory.h"
+#include "control/macro_b/macro_b.h"
+
+namespace kadr::fanuc {
+
+using namespace macro_b;  // a Fanuc is a MacroB, and speaks its language
+
+class Fanuc : public MacroB, public fanuc::Memory {
+ public:
+  using fanuc::Memory::settings;
+  using fanuc::Memory::state;
+
+  Fanuc(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+  ~Fanuc() override;
+
+  // ---- start and end
+  /// Power-on state, then what the set-up says.
+  bool start(Interpreter& m, const Setup& setup) override;
+  /// Variables, plane, diameter of the set-up, after its modal codes.
+  void take_setup(Emitter& m, const Setup& setup) override;
+  bool end_program(Interpreter& m) override;
+  bool lose_power(Interpreter& m) override;
+  /// Whole state for the last line of a trace, in the form of a set-up.
+  RunState run_state(const Emitter& m) const override;
+
+  // ---- what an alarm takes back
+  void begin_block(Emitter& m) override;
+  void keep_all() override;
+  void take_back(BlockContext& m) override;
+
+  // ---- snapshot
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(BlockContext& m, const DialectState& from) override;
+
+  // ---- spindles
+  SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
+  const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
+  /// Speed of the main spindle now, rev/min; 0 if it stands.
+  double spindle_rpm(const Emitter& m) const;
+  /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
+  SurfaceSpeed surface_speed(const BlockContext& m) const override;
+  void tell_surface_speed(Emitter& m) const;
+  double css_rpm(const Emitter& m) const;
+
+  // ---- what the machine tells
+  void synchronise(int slave, int master) override;
+  bool rolls_over(std::size_t axis) const override { return settings.axes[axis].rolls; }
+  void convert_spindle(int number, bool to_axis) override;
+  SearchRules search_rules() const override;
+
+  // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
+  bool has_unfinished() const override { return !finishing.empty(); }
+  Result<bool> finish(Interpreter& m) override;
+  void note_skip_mark(Emitter& m) override;
+  Result<bool> takes_block(Interpreter& m) override;
+  std::int16_t motion_row(const BlockContext& m) const override;
+  BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
+  void before_function(Emitter& m, Function function) override;
+  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
+  Status after_block(Interpreter& m) override;
+  Status target(const BlockContext& m, Axes& to, AxisMask& named) const override;
+  bool shapes_lines(const BlockContext& m) const override;
+  Status straight(Emitter& m, const Call& call, MotionKind kind) override;
+  bool only_shifts(const BlockContext& m) const override;
+  Status arc(Emitter& m, const Call& call, Turn turn) override;
+  Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
+  bool lines_follow(const BlockContext& m) const override;
+  AxisMask rolling_axes(const BlockContext& m) const override;
+  ArcRule arc_rule(const BlockContext& m) const override;
+  void note_line(BlockContext& m) override;
+  void note_motion(Emitter& m, Motion& motion) override;
+  double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;
+  void note_feed(BlockContext&) override { state.thread_lead = 0; }
+  bool keeps_both_feeds() const override { return true; }  // 6.2.1
+  void refresh_frames(Emitter& m) override;
+  Axes shift_of_origin(const BlockContext& m) const override;
+  bool zero_may_move() const override { return true; }
+  void roll(const BlockContext& m, Axes& positions) const override;
+  Status take_answer(Emitter& m, const ProbeAnswer& at) override;
+  Status machine_code(Interpreter& m, const Call& call) override;
+  /// A code of a spindle (indexing, closing the loop), or any other one for the machine's logic.
+  Status spindle_machine_code(Emitter& m, int code, Span where);
+
+  // ---- what macros ask
+  Axes before_transform(const BlockContext& m) const override;
+  void keep_cycles() override { interrupted_cycles = {state.drilling, state.turning}; }
+  void bring_cycles_back() override;
+  std::size_t open_contours() const override { return finishing.size(); }
+  bool take_touched_tables() override;
+  std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
+  Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
+
+  // ---- what only the NCT has
+  /// The number of H or D: one of them may mean that of the tool in the spindle (12.5.1).
+  virtual Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const = 0;
+  /// G10 L75 to L77 open the tables of tools; a line of them (12.4).
+  virtual Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) = 0;
+  virtual Status tool_line(Emitter& m) = 0;
+
+ protected:
+  void read_parameters(BlockContext& m) override;
+  /// What the program has set is as at power-on (3.4).
+  void reset_program(Interpreter& m);
+  /// The program is reset: what goes on with the spindle ends first.
+  virtual void end_gear(Emitter& m) = 0;
+  /// A reset leaves the code of this group in force.
+  virtual bool keeps_group(int group) const = 0;
+
+ private:
+  void take_reference_points(BlockContext& m);
+  void mirror_by_settings(BlockContext& m) const;
+  void reset_codes(Interpreter& m, bool keep);
+  void stop_machine(Interpreter& m);
+
+  Volatile before_;                        // what keep_all() has kept
+  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up states by themselves
+};
+
+/// Its part of a snapshot.
+struct FanucState : MacroState {
+  explicit FanucState(const Fanuc& of);
+
+  fanuc::Memory cutting;
+};
+
+/// Groups of the offset table: N1400, else what the variables have room for (15.1).
+std::uint32_t most_offsets(const BlockContext& m);
+/// Axes that the machine makes of spindles (11.8), as far as the set-up's events say that it does.
+void find_spindle_axes(BlockContext& m, const Setup& setup);
+/// A warning where one of these axes moves while it turns as a spindle.
+void watch_spindle_axes(Emitter& m, AxisMask named);
+/// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
+double take_lead(BlockContext& m);
+/// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
+Result<double> dwell_seconds(Emitter& m, double p, Span where);
+/// P of a dwell by its digits: milliseconds; with a point seconds, or an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
+Result<double> dwell_by_digits(BlockContext& m);
+/// The block has a word for a spindle.
+bool has_spindle_word(const BlockContext& m);
+/// G10 L… (set_tables.cpp).
+Status set_tables(Emitter& m, const Call& call);
+
+}  // namespace kadr::fanuc
+
+namespace kadr {
+
+/// The object of an interpreter whose control is of the family of Fanuc.
+fanuc::Fanuc& fanuc_of(const BlockContext& m);
+
+}  // namespace kadr

@@ -1,0 +1,240 @@
+// G53.1, G53.6: the rotary axes set to the direction of the tilted plane (spec/nct/25g); G54.2: the zero of a rotary table that goes with
+// it (25d). For control/functions.
+
+#include <cmath>
+#include <utility>
+
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+#include "kinematics/part_space.h"
+#include "kinematics/tip_ways.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr int orient_alone = 531;  // G53.1
+
+/// The pair for Z' of the plane (25.11; 25g 3), positions of the machine.
+Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
+  const PartSpace& space = *space_of(m);
+  const PartSpaceData& d = space.data();
+  Vec3 wanted = d.frame.column(2);
+  if (fanuc_of(m).settings.leans_tool) wanted = d.basic * wanted;
+  const auto pair = d.machine.chosen(wanted, space.rotary(m.position.machine), d.measured);
+  if (!pair) return fail(alarm(AlarmId::direction_unreachable, call.where, wanted.x, wanted.y, wanted.z));
+  return *pair;
+}
+
+/// Where the tool is in the part: really, with the length in force (25g 1.5, INFERRED), in the programming frame.
+Vec3 tip_in_frame(const BlockContext& m) {
+  const PartSpace& space = *space_of(m);
+  return space.in_frame(space.pose(m.position.machine).tip);
+}
+
+void set_main(const BlockContext& m, Axes& work, Vec3 to) {
+  const double values[] = {to.x, to.y, to.z};
+  for (int role = 1; role <= 3; ++role)
+    if (const int axis = main_axis(m, role); axis >= 0) work[static_cast<std::size_t>(axis)] = values[role - 1];
+}
+
+void set_rotary(const BlockContext& m, Axes& work, RotaryPair machine) {
+  const FiveAxis& five = fanuc_of(m).settings.five_axis;
+  const auto set = [&](int axis, double to) {
+    work[static_cast<std::size_t>(axis)] = to - m.frames.origin[static_cast<std::size_t>(axis)];
+  };
+  set(five.first.axis, machine.first);
+  set(five.second.axis, machine.second);
+}
+
+AxisMask all_five(const BlockContext& m) {
+  AxisMask axes = space_of(m)->rotary_axes();
+  for (int role = 1; role <= 3; ++role)
+    if (const int axis = main_axis(m, role); axis >= 0) axes |= AxisMask{1} << static_cast<unsigned>(axis);
+  return axes;
+}
+
+/// By the motion code in force: G0 at rapid, others at feed (25.15; of G53.1 INFERRED).
+Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
+  if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
+  KADR_TRY(m.feed_known(call.where));
+  return MotionKind::feed;
+}
+
+/// A straight motion of the axes to work coordinates in the frames in force.
+Motion& add_five(Emitter& m, MotionKind kind, const Axes& work) {
+  const AxisMask named = all_five(m);
+  const auto rolls = fanuc_of(m).settings.axes;
+  fanuc_of(m).rolled = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if ((named >> a & 1u) == 0 || !rolls[a].rolls || (m.def.rotary >> a & 1u) == 0) continue;
+    fanuc_of(m).travel[a] = work[a] - m.position.work[a];
+    fanuc_of(m).rolled |= AxisMask{1} << a;
+  }
+  m.move_to(m.transform.to_programmed(work), work, named);
+  Motion& motion = m.add_motion(kind, named);
+  if (kind != MotionKind::rapid) m.set_feed(motion);
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  return motion;
+}
+
+Status turn_to_plane(Emitter& m, const Call& call) {
+  const auto kind = kind_in_force(m, call);
+  if (!kind) return fail(kind.error());
+  const auto pair = pair_for_plane(m, call);
+  if (!pair) return fail(pair.error());
+  const Vec3 tip = tip_in_frame(m);
+  fanuc_of(m).state.five_axis.oriented = *pair;
+  m.change_frames();
+  Axes work = m.position.work;
+  set_rotary(m, work, *pair);
+  if (!fanuc_of(m).settings.keeps_linear) set_main(m, work, tip);
+  add_five(m, *kind, work);
+  return {};
+}
+
+/// Words of G53.6 (25.15).
+struct Leading {
+  std::optional<Vec3> end;  // in the frame
+  double pivot = 0;
+};
+
+Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip) {
+  Leading words;
+  if (m.has('R')) words.pivot = m.length_value('R');
+  if (!m.has_axis_words()) return words;
+  if (m.has('R')) return fail(alarm(AlarmId::words_exclude, m.where('R'), "R", "X Y Z"));
+  (void)call;
+  Axes to = m.position.programmed;
+  set_main(m, to, tip);  // words left out keep the present value
+  const Axes here = m.transform.to_programmed(to);
+  to = here;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t axis = m.def.address(w.address).axis;
+    const int role = fanuc_of(m).settings.axes[axis].role;
+    if (role < 1 || role > 3) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    const double v = coordinate(m, w, axis);
+    to[axis] = is_increment(m, w) ? here[axis] + v : v;
+    if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
+  }
+  const Axes work = m.transform.to_work(to);
+  Vec3 end;
+  double* const parts[] = {&end.x, &end.y, &end.z};
+  for (int role = 1; role <= 3; ++role)
+    if (const int axis = main_axis(m, role); axis >= 0) *parts[role - 1] = work[static_cast<std::size_t>(axis)];
+  words.end = end;
+  return words;
+}
+
+/// The length of H, in the plain way it was called or along the tool's direction (25.15).
+Status take_orientation_length(Emitter& m, const Call& call) {
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
+  if (m.has('H')) {
+    const auto number = offset_number(m, 'H');
+    if (!number) return fail(number.error());
+    m.modal.length_number = *number;
+    macro_b_of(m).state.words.h = *number;
+  }
+  if (m.modal.length_number == 0) return fail(alarm(AlarmId::length_missing, call.where, call.row->code));
+  if (five.lead == ToolLead::axis && !m.has('H')) return {};
+  const std::uint32_t number = m.modal.length_number;
+  const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
+  m.use.note(UseKind::length, number, m.origin, length == 0);
+  if (five.lead == ToolLead::axis) {
+    register_lead_length(m, length);
+  } else {
+    m.modal.lengths = {};
+    const Vec3 along = length * fanuc_of(m).settings.five_axis.tool;
+    Axes lengths{};
+    set_main(m, lengths, along);
+    m.modal.lengths = lengths;
+    m.modal.length_sign = 1;
+  }
+  m.change_frames();
+  return {};
+}
+
+/// G53.6: the tip is led during the turn, then the plane's frame is that of the positions reached.
+Status orient_led(Emitter& m, const Call& call) {
+  macro_b_of(m).stops_reading = true;
+  const auto kind = kind_in_force(m, call);
+  if (!kind) return fail(kind.error());
+  KADR_TRY(take_orientation_length(m, call));
+  const auto pair = pair_for_plane(m, call);
+  if (!pair) return fail(pair.error());
+  const Vec3 tip = tip_in_frame(m);
+  const auto words = leading_words(m, call, tip);
+  if (!words) return fail(words.error());
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
+  const double along = five.lead == ToolLead::axis ? five.lead_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
+  const ToolLead lead = std::exchange(five.lead, ToolLead::tip);
+  const double length = std::exchange(five.lead_length, along);
+  five.oriented.reset();
+  m.change_frames();  // the tip is led from here …
+  Axes work = m.position.work;
+  set_rotary(m, work, *pair);
+  TipWays::Data way;
+  way.space = std::static_pointer_cast<const PartSpace>(m.frames.space);
+  way.start = m.position.work;
+  if (words->end) set_main(m, work, *words->end);
+  if (words->pivot != 0) {
+    way.pivot = words->pivot;
+    way.end = work;
+    const PartSpace& space = *way.space;
+    const Vec3 from = space.in_system(tip);
+    const Vec3 lean = space.direction_of(*pair) - space.direction_of(space.rotary(m.position.machine));
+    set_main(m, work, space.in_frame(from + words->pivot * lean));
+  }
+  Motion& motion = add_five(m, *kind, work);
+  if (way.pivot) detail_of(m, motion).tip_way = std::make_shared<const TipWays>(way);
+  five.lead = lead;  // … to here
+  five.lead_length = length;
+  five.oriented = *pair;
+  m.change_frames();
+  return {};
+}
+
+}  // namespace
+}  // namespace kadr::fanuc
+
+namespace kadr::functions {
+
+using namespace fanuc;
+
+/// G53.1, G53.6 (25.11, 25.15): arg in tenths.
+Status tool_orientation(Emitter& m, const Call& call) {
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
+  if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
+  if (fanuc_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_led(m, call);
+}
+
+/// G54.2 P (25.4). With FOS=0 the axes go to the zero's new place, their coordinates stay; at rapid where neither G0 nor G1 is in force.
+Status dynamic_zero(Emitter& m, const Call& call) {
+  if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
+  if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+  if (leads_tip(fanuc_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto number = m.whole('P', 1, dynamic_systems);
+  if (!number) return fail(number.error());
+  const auto row = static_cast<std::uint16_t>(all_systems - 1 + *number);
+  fanuc_of(m).state.five_axis.positioned = 0;
+  m.modal.work_zero = row;
+  note_work_zero(m, row);
+  const Axes before = m.position.programmed;
+  m.change_frames();
+  if (fanuc_of(m).settings.keeps_linear) return {};
+  take_up(m, before);
+  if (m.has_axis_words()) return {};
+  const bool straight = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
+  const auto kind = straight ? kind_in_force(m, call) : Result<MotionKind>(MotionKind::rapid);
+  if (!kind) return fail(kind.error());
+  const Axes programmed = m.position.programmed;
+  return m.straight(*kind, programmed, std::exchange(fanuc_of(m).taken_up, AxisMask{0}));
+}
+
+}  // namespace kadr::functions

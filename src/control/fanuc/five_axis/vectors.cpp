@@ -1,0 +1,238 @@
+// The words of a block while the tip is led: I J K as the tool's direction, ,L2 I J K as the surface's normal (spec/nct/25h, 25i, 25j). For
+// control/macro_b/dialect/blocks.
+
+#include <cmath>
+#include <utility>
+
+#include "base/code_literals.h"
+#include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+#include "kinematics/part_space.h"
+#include "kinematics/tip_ways.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr char vector_letters[] = {'I', 'J', 'K'};
+
+/// The lead that is in force when the block moves: its own code goes before.
+std::pair<ToolLead, const CodeRow*> lead_of_block(const BlockContext& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    if (row.function == Function::length_comp) return {ToolLead::none, nullptr};
+    if (row.function == Function::tool_lead)
+      return {row.arg == 43.1_g   ? ToolLead::axis
+              : row.arg == 43.4_g ? ToolLead::tip
+              : row.arg == 43.5_g ? ToolLead::tip_vector
+              : row.arg == 43.8_g ? ToolLead::contact
+                                  : ToolLead::contact_vector,
+              &row};
+  }
+  return {fanuc_of(m).state.five_axis.lead, nullptr};
+}
+
+std::string_view name_of(ToolLead lead) { return lead == ToolLead::tip_vector ? "G43.5" : "G43.9"; }
+
+void hide(BlockContext& m, Word& w) {
+  w.address = 0;
+  m.block->altered = true;
+}
+
+/// Codes whose I J K, P are their own.
+bool has_other_taker(const BlockContext& m) {
+  return m.has_code({Function::set_tables, Function::tilted_plane, Function::space_rotation, Function::macro_call, Function::macro_modal,
+                     Function::work_area_on, Function::vector_corner, Function::radius_side, Function::scaling_on});
+}
+
+/// Three components; those left out are 0 (25.14, INFERRED).
+struct Components {
+  Vec3 value;
+  const Word* first = nullptr;
+  bool any() const { return first != nullptr; }
+};
+
+/// Words I, J, K from one place in the block to another; they are taken out of it.
+Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to) {
+  Components found;
+  double* const parts[] = {&found.value.x, &found.value.y, &found.value.z};
+  for (std::uint32_t i = from; i < to; ++i) {
+    Word& w = m.block->words[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (w.address != vector_letters[k]) continue;
+      *parts[k] = w.value;
+      if (found.first == nullptr) found.first = &w;
+      hide(m, w);
+    }
+  }
+  return found;
+}
+
+/// ,L2 I J K (25.17).
+Status take_normal(BlockContext& m, ToolLead lead) {
+  FiveAxisState& five = fanuc_of(m).state.five_axis;
+  fanuc_of(m).normal_before = five.normal;
+  const std::uint32_t count = m.block->word_count;
+  std::uint32_t at = 0;
+  while (at < count && m.block->words[at].address != comma_vector) ++at;
+  if (at == count) return {};
+  Word& mark = m.block->words[at];
+  if (!leads_contact(lead)) return fail(alarm(AlarmId::word_unused, mark.where, m.block->text_of(mark.where)));
+  if (mark.value != 2) return fail(alarm(AlarmId::value_out_of_range, mark.where, ",L", mark.value));
+  const Components normal = take_components(m, at + 1, count);
+  if (!normal.any() || length(normal.value) == 0) return fail(alarm(AlarmId::direction_zero, mark.where, ",L2 I J K"));
+  hide(m, mark);
+  five.normal = unit(normal.value);
+  if (fanuc_of(m).normal_before == Vec3{}) fanuc_of(m).normal_before = five.normal;
+  return {};
+}
+
+/// Where the control's choice turns the axis far that is free in a singular direction, and that may stand: it does. Not of the manual.
+std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
+                                        const std::optional<RotaryPair>& chosen) {
+  constexpr double far = 20;  // degrees
+  const Fanuc& fanuc = fanuc_of(m);
+  const PartSpaceData& d = space_of(m)->data();
+  if (!(fanuc.singular > 0)) return chosen;
+  const bool head = d.machine.group == MachineGroup::head_head;
+  if (chosen && std::fabs(head ? chosen->first - present.first : chosen->second - present.second) < far) return chosen;
+  const auto kept = d.machine.kept(wanted, present, d.measured);
+  if (!kept || kept->off > fanuc.singular) return chosen;
+  constexpr double rounding = 1e-9;  // degrees
+  const int axis = kept->first_stays ? d.machine.first.axis : d.machine.second.axis;
+  if (kept->off > rounding) m.warn(warning(AlarmId::axis_kept, where.where, m.axis_names[static_cast<std::size_t>(axis)], kept->off));
+  return kept->at;
+}
+
+/// Words of the rotary axes take the place of the first two of I J K: the block positions them.
+Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
+  Fanuc& fanuc = fanuc_of(m);
+  const FiveAxis& machine = fanuc.settings.five_axis;
+  if (machine.group == MachineGroup::none) return {};  // its code tells
+  if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
+  const PartSpace& space = *space_of(m);
+  PartSpaceData d = space.data();
+  const RotaryPair present = space.rotary(m.position.machine);
+  const Vec3 wanted = unit(vector.value);
+  const bool goes_on = fanuc.state.five_axis.posture && fanuc.state.five_axis.lead == lead;
+  const bool leans = fanuc.settings.leans_tool && !(d.basic == Mat3());
+  const Vec3 on_machine = leans ? d.basic * wanted : wanted;
+  std::optional<RotaryPair> at;
+  if (goes_on) {
+    const Vec3 from = space.direction_of(space.rotary(m.position.machine));
+    if (dot(from, on_machine) < -1 + 1e-9)  // no plane between them (25i)
+      return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
+    at = DirectionWay(space, present, from, on_machine, std::nullopt).rotary(1, present);
+  } else {
+    at = without_whirl(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
+  }
+  if (!at) return fail(alarm(AlarmId::direction_unreachable, vector.first->where, wanted.x, wanted.y, wanted.z));
+  RotaryPair programmed = *at;
+  if (leans) programmed = d.machine.continued(wanted, *at, d.measured).value_or(*at);
+  const int axes[] = {machine.first.axis, machine.second.axis};
+  const double targets[] = {programmed.first, programmed.second};
+  std::size_t given = 0;
+  for (std::uint32_t i = 0; i < until && given < 2; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address != 0 || w.written < 'I' || w.written > 'K') continue;
+    const auto axis = static_cast<std::size_t>(axes[given]);
+    w.address = m.letters.axis_letter[axis];
+    fanuc.by_direction |= AxisMask{1} << axis;
+    fanuc.directed[axis] = targets[given];
+    ++given;
+  }
+  for (; given < 2; ++given) {  // fewer words than axes: the other is positioned with it
+    const auto axis = static_cast<std::size_t>(axes[given]);
+    fanuc.by_direction |= AxisMask{1} << axis;
+    fanuc.directed[axis] = targets[given];
+  }
+  return {};
+}
+
+/// G43.5, G43.9: I J K are the tool's direction, and rotary words are none (25.14).
+Status take_direction(Emitter& m, ToolLead lead) {
+  const FiveAxis& machine = fanuc_of(m).settings.five_axis;
+  for (const int axis : {machine.first.axis, machine.second.axis}) {
+    if (axis < 0) continue;
+    const char letter = m.letters.axis_letter[static_cast<std::size_t>(axis)];
+    if (letter != 0 && m.has(letter) &&
+        !m.has_code({Function::smoothing, Function::set_tables, Function::machine_move, Function::reference_return}))
+      return fail(alarm(AlarmId::lead_words, m.where(letter), name_of(lead), letter));
+  }
+  if (has_other_taker(m)) return {};
+  const Components vector = take_components(m, 0, m.block->word_count);
+  if (!vector.any()) return {};
+  if (!m.has_code({Function::tool_lead}) && space_of(m) == nullptr) return {};
+  KADR_TRY(direct(m, lead, vector, m.block->word_count));
+  return {};
+}
+
+/// INFERRED: the manual describes none of these while the tip is led.
+Status nothing_refused(const BlockContext& m, ToolLead lead) {
+  if (!leads_tip(lead)) return {};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    switch (row.function) {
+      case Function::radius_side:
+        if (row.arg == 0) continue;
+        break;
+      case Function::drilling:
+        if (row.tenth == 80_g) continue;
+        break;
+      case Function::space_rotation:
+      case Function::tilted_plane:
+      case Function::tool_orientation:
+      case Function::dynamic_zero:
+      case Function::cylinder_mode:
+      case Function::polar_surface_on:
+      case Function::polar_data_on:
+      case Function::thread:
+      case Function::turning_cycle:
+      case Function::turning_simple:
+      case Function::measure:
+      case Function::measure_length: break;
+      default: continue;
+    }
+    const std::int32_t code = lead == ToolLead::tip          ? 43.4_g
+                              : lead == ToolLead::tip_vector ? 43.5_g
+                              : lead == ToolLead::contact    ? 43.8_g
+                                                             : 43.9_g;
+    const CodeRow& lead_row = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', code))];
+    return fail(alarm(AlarmId::lead_state, w.where, row.code, lead_row.code));
+  }
+  return {};
+}
+
+}  // namespace
+
+bool watches_words(const BlockContext& m) {
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
+  return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
+}
+
+bool watches_codes(const BlockContext& m) { return leads_tip(fanuc_of(m).state.five_axis.lead) && m.has('G'); }
+
+Status five_axis_block(Emitter& m) {
+  const FiveAxisState& five = fanuc_of(m).state.five_axis;
+  if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
+  const bool has_comma = (m.block->letters & letter_bit(comma_vector)) != 0;
+  const bool coded = m.has('G') && m.has_code({Function::tool_lead});
+  if (!coded && !has_comma && !leads_tip(five.lead)) return {};
+  const auto [lead, row] = lead_of_block(m);
+  (void)row;
+  if (!coded) KADR_TRY(nothing_refused(m, five.lead));
+  KADR_TRY(take_normal(m, lead));
+  if (by_vector(lead)) KADR_TRY(take_direction(m, lead));
+  if (m.block->altered) m.note_addresses();
+  return {};
+}
+
+}  // namespace kadr::fanuc

@@ -1,0 +1,114 @@
+// Reference points: G27, G28, G29, G30 (spec/nct/09, spec/fanuc 6.6, spec/haas 5.1); single-direction positioning.
+
+#include <cmath>
+
+#include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr::functions {
+namespace {
+
+constexpr double same_place = 1e-4;  // mm
+
+/// A drilling cycle ends by G80 first, where the control says so (spec/fanuc 10.1: PS0044).
+Status outside_cycles(const BlockContext& m, const Call& call) {
+  if (!m.def.behaviour.reference_outside_cycles || !fanuc::drilling_on(m)) return {};
+  return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
+}
+
+/// Not while polar or cylindrical interpolation is on (4.5, 4.6).
+Status off_surfaces(const BlockContext& m, const Call& call) {
+  if (m.modal.surface == PathSurface::plane) return {};
+  return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+}
+
+/// The point that the axis words give, not polar.
+Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
+  fanuc_of(m).cartesian_block = true;
+  const Status read = m.target(to, named);
+  fanuc_of(m).cartesian_block = false;
+  return read;
+}
+
+Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
+  const auto end = static_cast<EndGiven>(static_cast<std::uint32_t>(EndGiven::reference_1) + point - 1);
+  KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0, end));
+  macro_b_of(m).moved = false;
+  macro_b_of(m).stops_reading = true;
+  return {};
+}
+
+}  // namespace
+
+/// G28, G30 P (9.1, 9.2): at rapid through the intermediate point to a reference point. arg 1: the first.
+Status reference_return(Emitter& m, const Call& call) {
+  KADR_TRY(outside_cycles(m, call));
+  KADR_TRY(off_surfaces(m, call));
+  std::uint32_t point = 1;
+  if (call.row->arg == 2) {
+    const bool usual = m.def.behaviour.second_reference_usual && !m.has('P');  // spec/fanuc 6.6
+    if (!m.has('P') && !usual) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+    const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
+    if (!number) return fail(number.error());
+    point = *number;
+  }
+  if (!m.has_axis_words()) {
+    if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
+    if (m.def.behaviour.second_reference_usual) {  // spec/fanuc 6.6, unknown: no motion
+      m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
+      return {};
+    }
+    return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  }
+  AxisMask named = 0;
+  Axes through;
+  KADR_TRY(point_of(m, through, named));
+  KADR_TRY(m.straight(MotionKind::rapid, through, named));
+  fanuc_of(m).state.through = m.position.programmed;
+  fanuc_of(m).state.has_through = true;
+  return to_reference(m, point, named);
+}
+
+/// G27 (spec/fanuc 6.6): at rapid to the point; it must be the reference point of the axes named.
+Status reference_check(Emitter& m, const Call& call) {
+  KADR_TRY(outside_cycles(m, call));
+  KADR_TRY(off_surfaces(m, call));
+  if (!m.has_axis_words()) return {};
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(point_of(m, to, named));
+  KADR_TRY(m.straight(MotionKind::rapid, to, named));
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((named >> a & 1U) != 0 && std::fabs(m.position.machine[a] - m.tables.reference[1][a]) > same_place)
+      return fail(alarm(AlarmId::reference_missed, call.where, std::string_view(m.axis_names[a]), m.position.machine[a]));
+  return {};
+}
+
+/// G29 (spec/fanuc 6.6): at rapid through the intermediate point of the last G28 to the one given.
+Status reference_leave(Emitter& m, const Call& call) {
+  KADR_TRY(outside_cycles(m, call));
+  KADR_TRY(off_surfaces(m, call));
+  if (!m.has_axis_words()) return {};
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(point_of(m, to, named));
+  if (fanuc_of(m).state.has_through) {
+    Axes through = m.position.programmed;
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if ((named >> a & 1U) != 0) through[a] = fanuc_of(m).state.through[a];
+    KADR_TRY(m.straight(MotionKind::rapid, through, named));
+  }
+  return m.straight(MotionKind::rapid, to, named);
+}
+
+/// G60 (spec/fanuc 3.5): as G0, once. INFERRED: the way beyond the point is not shown.
+Status single_direction(Emitter& m, const Call&) {
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  return named == 0 ? Status() : m.straight(MotionKind::rapid, to, named);
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,203 @@
+// Polar and cylindrical interpolation, G12.1 G13.1 G7.1 (spec/nct/04 4.5, 4.6).
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr::fanuc {
+namespace {
+
+bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
+
+/// Real axes of a point of the virtual plane; the angle nearest to `near`.
+void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
+  const PlaneAxes& plane = m.modal.axes;
+  const double u = programmed[plane.first], w = programmed[plane.second];
+  const double offset = fanuc_of(m).settings.axes[plane.second].polar_offset;
+  const double side = m.modal.surface_side;
+  const double r2 = u * u + w * w - offset * offset;
+  const double r = r2 > 0 ? std::sqrt(r2) : 0;
+  double angle = u == 0 && w == 0 ? near : angle_deg({side * u, side * w}) - (offset != 0 ? angle_deg({r, offset}) : 0);
+  angle += 360 * std::round((near - angle) / 360);
+  work[plane.first] = side * r;
+  work[plane.second] = angle;
+}
+
+/// Millimetres on the unrolled surface.
+Vec2 unrolled(const BlockContext& m, const Axes& point) {
+  const PlaneAxes& plane = m.modal.axes;
+  const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
+  return {flat(plane.first), flat(plane.second)};
+}
+
+void set_surface(const BlockContext& m, MotionDetail& detail, const Axes& from, const Axes& to) {
+  const PlaneAxes& plane = m.modal.axes;
+  detail.surface = m.modal.surface;
+  detail.radius = m.modal.surface_radius;
+  detail.side = m.modal.surface_side;
+  if (m.modal.surface == PathSurface::polar) {
+    detail.flat_from = {from[plane.first], from[plane.second]};
+    detail.flat_to = {to[plane.first], to[plane.second]};
+    detail.offset = fanuc_of(m).settings.axes[plane.second].polar_offset;
+    detail.rotary_most = fanuc_of(m).settings.axes[plane.second].feed_most;
+    detail.programmed = to;
+    detail.has_programmed = true;
+  } else {
+    detail.flat_from = unrolled(m, from);
+    detail.flat_to = unrolled(m, to);
+  }
+}
+
+}  // namespace
+
+Axes transformed(const BlockContext& m, const Axes& programmed) {
+  return m.transform.identity ? programmed : m.transform.to_work(programmed);
+}
+
+Vec2 flat_point(const BlockContext& m, const Axes& point) {
+  if (m.modal.surface == PathSurface::cylinder) return unrolled(m, point);
+  return {point[m.modal.axes.first], point[m.modal.axes.second]};
+}
+
+/// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
+Axes surface_work(const BlockContext& m, const Axes& programmed) {
+  const Axes point = transformed(m, programmed);
+  return m.modal.surface == PathSurface::polar ? polar_work(m, point, fanuc_of(m).state.surface_angle) : point;
+}
+
+Axes polar_work(const BlockContext& m, const Axes& point, double near) {
+  Axes work = point;
+  to_polar(m, point, near, work);
+  return work;
+}
+
+double swept_about_pole(const FlatArc& arc) {
+  constexpr double pieces_of_turn = 64, most_sampled = 1000;
+  const Vec2 arm = arc.from - arc.center;
+  const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
+  const double turns = std::fabs(arc.turns);
+  double whole = 0;  // turns that need no looking at: of a true circle
+  if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
+  const double around = length(arc.center) < length(arm) ? 360 : 0;
+  const double left = std::min(turns - whole, most_sampled);
+  const double sign = arc.turns < 0 ? -1 : 1;
+  double swept = sign * whole * around;
+  double angle = angle_deg(arc.from);
+  const auto pieces = static_cast<int>(std::ceil(left * pieces_of_turn));
+  for (int i = 1; i <= pieces; ++i) {
+    const double part = static_cast<double>(i) / pieces;
+    const Vec2 point = arc.center + (1 + (growth - 1) * part) * rotated(arm, sign * 360 * left * part);
+    const double next = angle_deg(point);
+    swept += next - angle - 360 * std::round((next - angle) / 360);
+    angle = next;
+  }
+  return swept;
+}
+
+Axes before_transform(const BlockContext& m) {
+  return m.modal.surface == PathSurface::polar ? transformed(m, m.position.programmed) : m.position.work;
+}
+
+void finish_surface(BlockContext& m, Motion& motion, const Axes& from) {
+  set_surface(m, detail_of(m, motion), transformed(m, from), transformed(m, m.position.programmed));
+  if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
+  motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
+  motion.second = static_cast<std::uint8_t>(m.modal.axes.second);
+  if (m.modal.surface == PathSurface::polar) fanuc_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
+}
+
+Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
+  const PlaneAxes& plane = m.modal.axes;
+  const Axes from = m.position.programmed;
+  const AxisMask both = 1u << plane.first | 1u << plane.second;
+  const bool in_plane = (named & both) != 0;
+  const bool polar = m.modal.surface == PathSurface::polar;
+  const bool real_rapid = kind == MotionKind::rapid && !polar;  // 4.6: rapid motion of the real axes
+  if (polar && in_plane) {
+    // The unwound angle follows the straight line: at most half a turn, so the nearer one.
+    named |= both;
+  }
+  m.move_to(programmed, surface_work(m, programmed), named);
+  Motion& motion = m.add_motion(kind, named);
+  if (kind != MotionKind::rapid && kind != MotionKind::home) m.set_feed(motion);
+  if (in_plane && !real_rapid) finish_surface(m, motion, from);
+  return {};
+}
+
+}  // namespace kadr::fanuc
+
+namespace kadr::functions {
+
+namespace {
+
+Status allowed(const BlockContext& m, const Call& call) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  // 4.5, 4.6 leave open what scaling and rotation do where the axes of the plane change their meaning.
+  if (m.transform.scaling || m.transform.turning)
+    return fail(alarm(AlarmId::not_available, call.where, m.transform.scaling ? "G51" : "G68"));
+  return {};
+}
+
+}  // namespace
+
+/// G12.1 (4.5): the plane must hold a linear and a rotary axis; the rotary one stands at 0, the linear one not.
+Status polar_surface_on(Emitter& m, const Call& call) {
+  KADR_TRY(allowed(m, call));
+  const PlaneAxes& plane = m.modal.axes;
+  const bool fits = (m.def.rotary >> plane.first & 1u) == 0 && (m.def.rotary >> plane.second & 1u) != 0;
+  if (!fits) return fail(alarm(AlarmId::plane_illegal, call.where));
+  const double linear = m.position.work[plane.first], rotary = m.position.work[plane.second];
+  if (std::fabs(linear) <= tol::same_point)
+    return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.first]), linear));
+  if (std::fabs(rotary) > tol::same_angle)
+    return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
+  m.modal.surface = PathSurface::polar;
+  m.modal.surface_side = linear > 0 ? 1 : -1;
+  fanuc_of(m).state.surface_angle = rotary;
+  Axes at = m.position.work;  // in the virtual plane
+  at[plane.second] = fanuc_of(m).settings.axes[plane.second].polar_offset;
+  m.position.programmed = m.transform.to_programmed(at);
+  return {};
+}
+
+Status polar_surface_off(Emitter& m, const Call& call) {
+  KADR_TRY(allowed(m, call));
+  if (m.modal.surface != PathSurface::polar) return {};
+  m.modal.surface = PathSurface::plane;
+  const Axes before = m.position.work;
+  fanuc::roll_positions(m, m.position.work);
+  if (m.position.work != before) m.emit(m.frame_change());
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  return {};
+}
+
+/// G7.1 A50: cylinder of radius 50 about A; A0: off (4.6).
+Status cylinder_mode(Emitter& m, const Call& call) {
+  KADR_TRY(allowed(m, call));
+  const PlaneAxes& plane = m.modal.axes;
+  const Word* word = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    if ((m.def.rotary >> m.def.address(w.address).axis & 1u) == 0 || word != nullptr)
+      return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    word = &w;
+  }
+  if (word == nullptr) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  const std::size_t axis = m.def.address(word->address).axis;
+  const double radius = word->value * m.unit_scale();
+  if (radius == 0) {
+    m.modal.surface = PathSurface::plane;
+    return {};
+  }
+  if (radius < 0) return fail(alarm(AlarmId::value_out_of_range, word->where, word->address, radius));
+  if (axis != plane.first && axis != plane.second) return fail(alarm(AlarmId::plane_illegal, call.where));
+  m.modal.surface = PathSurface::cylinder;
+  m.modal.surface_radius = radius;
+  return {};
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,185 @@
+// Work systems and shifts: G54 … G59, G54.1, G52, G92, G53, G28, G30, G17–G19 (spec/nct/09, 10).
+
+#include <cmath>
+
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr {
+namespace {
+
+/// Not while polar or cylindrical interpolation is on (4.5, 4.6).
+Status plane_surface(const BlockContext& m, const Call& call) {
+  if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+  return {};
+}
+
+/// Values of the axis words as they stand, mm or degrees, a diameter as a radius. `use(axis, value, word)` gives a Status.
+template <class Use>
+Status each_axis(const BlockContext& m, Use use) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const AddressRow& row = m.def.address(w.address);
+    double v = w.value * (row.unit == WordUnit::length ? m.unit_scale() : 1.0);
+    if ((m.modal.diameter >> row.axis & 1u) != 0) v /= 2;
+    KADR_TRY(use(std::size_t{row.axis}, v, w));
+  }
+  return {};
+}
+
+bool written_as_increment(const BlockContext& m, const Word& w) {
+  return w.incremental || m.def.address(w.address).function == Function::increment_axis;
+}
+
+/// Direction d (1 X, 2 Y, 3 Z) of the plane: the axis named in the block, main before parallel, else the main axis (10.4).
+int axis_of_direction(const BlockContext& m, int d) {
+  int parallel = -1;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if ((fanuc_of(m).plane_axes >> a & 1u) == 0) continue;
+    const int role = fanuc_of(m).settings.axes[a].role;
+    if (role == d) return static_cast<int>(a);
+    if (role == d + 4) parallel = static_cast<int>(a);
+  }
+  return parallel >= 0 ? parallel : fanuc::main_axis(m, d);
+}
+
+bool names_direction(const BlockContext& m, int d) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (fanuc_of(m).settings.axes[a].role == d || fanuc_of(m).settings.axes[a].role == d + 4))
+      return true;
+  return false;
+}
+
+/// A rotary axis named beside one direction of the plane takes the place of the other (4.5, 4.6).
+int named_rotary(const BlockContext& m) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
+  return -1;
+}
+
+}  // namespace
+
+namespace functions {
+
+Status select_plane(Emitter& m, const Call& call) {
+  KADR_TRY(plane_surface(m, call));
+  const Plane plane = call.row->arg == 18 ? Plane::zx : call.row->arg == 19 ? Plane::yz : Plane::xy;
+  const auto [d1, d2, d3] = plane == Plane::zx ? std::array{3, 1, 2} : plane == Plane::yz ? std::array{2, 3, 1} : std::array{1, 2, 3};
+  int first = axis_of_direction(m, d1), second = axis_of_direction(m, d2);
+  const bool names_first = names_direction(m, d1), names_second = names_direction(m, d2);
+  if (const int rotary = named_rotary(m); rotary >= 0 && names_first != names_second) (names_first ? second : first) = rotary;
+  const int normal = fanuc::main_axis(m, d3);
+  if (m.modal.radius_side != 0 && (m.modal.plane != plane)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  m.modal.plane = plane;
+  // A channel without that axis keeps the plane; a motion in it will be an alarm.
+  m.modal.axes = {static_cast<std::size_t>(std::max(first, 0)), static_cast<std::size_t>(std::max(second, 0)),
+                  static_cast<std::size_t>(std::max(normal, 0))};
+  return {};
+}
+
+/// G54 … G59 (10.2.1).
+Status work_system(Emitter& m, const Call& call) {
+  KADR_TRY(plane_surface(m, call));
+  const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;  // spec/fanuc 6.1: G54 P3
+  if (extended) return work_system_extended(m, call);
+  m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
+  note_work_zero(m, m.modal.work_zero);
+  m.change_frames();
+  return {};
+}
+
+/// G54.1 P1 … P99 (10.2.2), P300 (spec/fanuc 6.1).
+Status work_system_extended(Emitter& m, const Call& call) {
+  KADR_TRY(plane_surface(m, call));
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto number = m.whole('P', 1, m.def.behaviour.further_systems);
+  if (!number) return fail(number.error());
+  m.modal.work_zero = static_cast<std::uint16_t>(macro_b::basic_systems + *number);
+  note_work_zero(m, m.modal.work_zero);
+  m.change_frames();
+  return {};
+}
+
+/// G52 (10.3): the local system's origin, or with increments its way from the last one.
+Status local_system(Emitter& m, const Call& call) {
+  KADR_TRY(plane_surface(m, call));
+  KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
+    const bool adds = !m.modal.absolute || written_as_increment(m, w);
+    m.modal.local[a] = adds ? m.modal.local[a] + v : v;
+    return {};
+  }));
+  m.change_frames();
+  return {};
+}
+
+/// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
+Status new_system(Emitter& m, const Call& call) {
+  if (m.has('S')) {
+    fanuc_of(m).state.css_most = m.value('S');
+    if (m.modal.surface_speed) fanuc_of(m).tell_surface_speed(m);
+  }
+  if (!m.has_axis_words()) {
+    if (m.has('S')) return {};
+    return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  }
+  KADR_TRY(plane_surface(m, call));
+  KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
+    if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
+    const double here = m.position.work[a] + m.modal.local[a];  // 16: G92 data are not transformed
+    m.modal.new_system[a] += here - v;
+    m.modal.local[a] = 0;
+    return {};
+  }));
+  m.change_frames();
+  return {};
+}
+
+/// G53 (10.1.1): at rapid to machine coordinates, always absolute, without compensations; alone: the buffer is emptied.
+Status machine_move(Emitter& m, const Call& call) {
+  macro_b_of(m).stops_reading = true;
+  if (!m.has_axis_words()) return {};
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5
+    m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code));
+    return {};
+  }
+  KADR_TRY(plane_surface(m, call));
+  Axes to = m.position.machine;
+  AxisMask named = 0;
+  fanuc_of(m).rolled = 0;
+  KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
+    if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
+    to[m.frames.driven(a)] = v;
+    named |= 1u << a;
+    if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
+      const double from = fanuc::rolled_position(m.position.machine[a], axis.period);
+      fanuc_of(m).travel[a] = fanuc::roll_travel(axis, from, v, false);
+      fanuc_of(m).rolled |= 1u << a;
+      to[a] = from + fanuc_of(m).travel[a];
+    }
+    if (!(std::fabs(v) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, v));
+    return {};
+  }));
+  KADR_TRY(m.to_machine(MotionKind::rapid, to, named, 0));
+  macro_b_of(m).moved = false;
+  return {};
+}
+
+/// G10.9 (5.3.1): axes in radius (0) or diameter (1); nothing moves.
+Status diameter_switch(Emitter& m, const Call& call) {
+  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  return each_axis(m, [&](std::size_t a, double, const Word& w) -> Status {
+    const bool linear = (m.def.rotary >> a & 1u) == 0;
+    if (!linear || written_as_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
+    if (!fanuc_of(m).settings.axes[a].switches_by_code)
+      return fail(alarm(AlarmId::diameter_by_machine, w.where, std::string_view(m.axis_names[a])));
+    if (w.value == 1) m.modal.diameter |= 1u << a;
+    else m.modal.diameter &= ~(1u << a);
+    return {};
+  });
+}
+
+}  // namespace functions
+}  // namespace kadr

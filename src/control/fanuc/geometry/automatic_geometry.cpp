@@ -1,0 +1,142 @@
+// ,C ,R ,A and over-determined blocks (spec/nct/17): end points by an angle. For the rest of control.
+
+#include "control/fanuc/geometry/automatic_geometry.h"
+
+#include <cmath>
+
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
+constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | letter_bit('Q');
+
+/// Programmed → work: the one place where this chapter's directions and lengths pass through the transformation. With different
+/// factors a length takes their mean (16.2 for ,R).
+ContourData in_work(const BlockContext& m, ContourData c) {
+  const Transform& t = m.transform;
+  if (t.identity) return c;
+  const PlaneAxes& plane = m.modal.axes;
+  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // of a line, scaled with it
+  if (const double size = length(way); size > 0) c.direction = 1 / size * way;
+  c.chamfer *= t.corner_scale(plane);
+  c.rounding *= t.corner_scale(plane);
+  c.radius *= t.radius_scale(plane);
+  c.mirrored = t.reverses(plane);
+  return c;
+}
+
+/// ,A with no coordinate of the plane or with both: a line that a calculated point ends or begins (17.3).
+Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, ContourData& contour) {
+  const Span where = m.where(comma_angle);
+  if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
+  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
+  if (m.modal.polar_data) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
+  const SinCos angle = sincos_deg(m.value(comma_angle));
+  contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
+  contour.direction = {angle.cos, angle.sin};
+  contour.farther = m.value('Q') > 0;  // 17.3 rule 6: without Q, INFERRED, as Q below 0
+  return {};
+}
+
+}  // namespace
+
+bool has_geometry_words(const BlockContext& m) { return (m.block->letters & geometry_bits) != 0; }
+bool has_shape_words(const BlockContext& m) { return (m.block->letters & shape_bits) != 0; }
+
+PlaneWords plane_words(const BlockContext& m) {
+  PlaneWords words;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t axis = m.def.address(w.address).axis;
+    words.first = words.first || axis == m.modal.axes.first;
+    words.second = words.second || axis == m.modal.axes.second;
+  }
+  return words;
+}
+
+Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named) {
+  const PlaneWords words = plane_words(m);
+  if (!words.one()) return {};
+  const Span where = m.where(comma_angle);
+  if (m.modal.polar_data && !fanuc_of(m).cartesian_block) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
+  const SinCos angle = sincos_deg(m.value(comma_angle));
+  const std::size_t given = words.first ? m.modal.axes.first : m.modal.axes.second;
+  const std::size_t other = words.first ? m.modal.axes.second : m.modal.axes.first;
+  const double along = words.first ? angle.cos : angle.sin, across = words.first ? angle.sin : angle.cos;
+  const double way = to[given] - m.position.programmed[given];
+  if (way != 0 && along == 0) return fail(alarm(AlarmId::angle_meets_not, where, m.value(comma_angle), m.axis_names[given]));
+  if (way != 0) to[other] += way * across / along;
+  named |= AxisMask{1} << other;
+  if (!(std::fabs(to[other]) <= farthest))
+    return fail(alarm(AlarmId::position_out_of_range, where, std::string_view(m.axis_names[other]), to[other]));
+  return {};
+}
+
+Status one_coordinate(const BlockContext& m) {
+  return plane_words(m).one() ? Status() : Status(fail(alarm(AlarmId::angle_alone, m.where(comma_angle))));
+}
+
+Status shape_words(const BlockContext& m, ContourData& contour) {
+  const auto take = [&](char address, double& to) -> Status {
+    if (!m.has(address)) return {};
+    to = m.length_value(address);
+    if (to >= 0 && to <= farthest) return {};
+    return fail(alarm(AlarmId::value_out_of_range, m.where(address), address, m.value(address)));
+  };
+  if (m.has(comma_chamfer) && m.has(comma_rounding)) return fail(alarm(AlarmId::chamfer_and_rounding, m.where(comma_rounding)));
+  KADR_TRY(take(comma_chamfer, contour.chamfer));
+  return take(comma_rounding, contour.rounding);
+}
+
+Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
+  ContourData contour;
+  KADR_TRY(shape_words(m, contour));
+  const PlaneWords words = plane_words(m);
+  const bool shaped = has_shape_words(m), supports = m.has(comma_angle) && !words.one();
+  if (shaped && (kind != MotionKind::feed || !(m.has(comma_angle) || words.first || words.second)))
+    return fail(alarm(AlarmId::corner_illegal, m.where(m.has(comma_chamfer) ? comma_chamfer : comma_rounding)));
+  if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, ",A ,C ,R"));
+  if (supports) KADR_TRY(supporting_line(m, kind, words, contour));
+  if (m.has('Q') && contour.on != SupportingCurve::line) return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
+  Axes to;
+  AxisMask named = 0;
+  fanuc_of(m).absolute_block = contour.on == SupportingCurve::line;
+  const Status read = m.target(to, named);
+  fanuc_of(m).absolute_block = false;
+  KADR_TRY(read);
+  if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
+  if (supports) named |= AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second;
+  KADR_TRY(m.straight(kind, to, named));
+  if (shaped || supports) attach(m, contour);
+  return {};
+}
+
+Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers) {
+  const bool all = has_both_centers && m.has('R') && plane_words(m).both();
+  if (all && m.modal.radius_side != 0) return true;
+  if (!m.has('Q')) return false;  // in G40 R goes first (4.3, INFERRED)
+  if (all) return fail(alarm(AlarmId::intersection_needs_side, m.where('Q'), "Q"));
+  return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
+}
+
+Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& contour) {
+  contour.on = SupportingCurve::circle;
+  contour.radius = std::fabs(m.length_value('R'));
+  contour.farther = m.value('Q') > 0;
+  if (!(contour.radius > 0 && contour.radius <= farthest)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
+  const double there = length(end - center);
+  if (std::fabs(there - contour.radius) <= fanuc_of(m).settings.radius_difference) return {};
+  return fail(alarm(AlarmId::radius_mismatch, m.block->where, contour.radius, there));
+}
+
+void attach(Emitter& m, const ContourData& contour) {
+  if (contour.chamfer == 0 && contour.rounding == 0 && contour.on == SupportingCurve::none) return;
+  detail_of(m, std::get<Motion>(m.batch->back().what)).contour = in_work(m, contour);
+}
+
+}  // namespace kadr::fanuc

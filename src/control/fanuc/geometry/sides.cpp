@@ -1,0 +1,58 @@
+// What cutter radius compensation (path/contour/radius_compensation) is told of motions and blocks (spec/nct/15 15.5). For the rest of
+// control.
+
+#include "control/fanuc/geometry/sides.h"
+
+#include <cmath>
+
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/emitter.h"
+
+namespace kadr::fanuc {
+
+void note_side(BlockContext& m, Motion& motion) {
+  Volatile& state = fanuc_of(m).state;
+  if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
+  const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
+  const bool contour = arc || motion.kind == MotionKind::rapid || motion.kind == MotionKind::feed;
+  if (!contour || m.modal.surface != PathSurface::plane || fanuc_of(m).uncompensated) return;
+  const PlaneAxes& plane = m.modal.axes;
+  const int side = (state.tool_radius < 0) == m.transform.reverses(plane) ? -m.modal.radius_side : m.modal.radius_side;
+  motion.side = static_cast<std::int8_t>(side);
+  motion.tool_radius = std::fabs(state.tool_radius);
+  if (m.modal.offset_number != 0) m.use.note(UseKind::radius, m.modal.offset_number, m.origin, state.tool_radius == 0);
+  if ((m.transform.moved_with(motion.named) & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
+  motion.side_step = state.side_step;
+  if (fanuc_of(m).holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
+  state.compensates = motion.side_step != SideStep::ends;
+  if (motion.side_step != SideStep::none && state.way) detail_of(m, motion).way = state.way;
+  state.side_step = SideStep::none;
+  state.way.reset();
+}
+
+void note_skip_mark(Emitter& m) {
+  if (fanuc_of(m).state.compensates && fanuc_of(m).settings.skip_breaks_contour) m.emit(ContourBreak{});
+}
+
+void end_side_block(Emitter& m) {
+  Volatile& state = fanuc_of(m).state;
+  if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;
+  if (state.side_step != SideStep::ends) return;
+  m.emit(ContourBreak{true});
+  state.side_step = SideStep::none;
+  state.compensates = false;
+  state.way.reset();
+}
+
+std::optional<Vec2> plane_direction(const BlockContext& m) {
+  constexpr char letters[] = {'I', 'J', 'K'};
+  constexpr std::array<std::array<std::size_t, 2>, 3> of_plane{{{0, 1}, {2, 0}, {1, 2}}};
+  const auto& pair = of_plane[m.modal.plane == Plane::xy ? 0 : m.modal.plane == Plane::zx ? 1 : 2];
+  const char first = letters[pair[0]], second = letters[pair[1]];
+  if (!m.has(first) && !m.has(second)) return std::nullopt;
+  const Vec2 way = m.transform.direction({m.length_value(first), m.length_value(second)}, m.modal.axes);
+  return way == Vec2{} ? std::nullopt : std::optional(way);
+}
+
+}  // namespace kadr::fanuc

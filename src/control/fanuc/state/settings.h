@@ -1,0 +1,121 @@
+#pragma once
+// What the parameters say of axes, frames, spindles, cycles, in the form the interpreter works with; read anew after a parameter was
+// written (spec/nct, the chapters' parameter tables). Of macros: control/macro_b/variables/settings.h.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "action/action.h"
+#include "base/vec.h"
+#include "control/macro_b/variables/settings.h"
+#include "kinematics/five_axis.h"
+
+namespace kadr::fanuc {
+
+inline constexpr std::size_t most_spindles = 16;
+
+struct AxisSettings {
+  bool diameter = false;              // N0106 #0 DIA
+  bool switches_by_code = false;      // N0106 #5 MGD: G10.9 may switch
+  int role = 0;                       // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to them; 0 = neither
+  bool rolls = false;                 // N0107 #0 REN
+  bool shortest = false;              // N0107 #1 ASH
+  bool by_sign = false;               // N0107 #2 ABS
+  bool cuts_turns = false;            // N0107, the unnamed bit of 5.6
+  double period = 360;                // N0108 RollAmount
+  double polar_offset = 0;            // N0217
+  double feed_most = 0;               // N0305 Max Feed; 0: no limit
+  std::array<double, 4> reference{};  // N0200 … N0203, machine coordinates; 0: what the set-up says
+};
+
+struct SpindleSettings {
+  bool orients = false;                 // N0607 #1 ORI
+  bool indexes = false;                 // N0607 #2 INX
+  bool index_negative = false;          // N0607 #7 IDS
+  int m_low = 0, m_high = 0;            // N0689, N0690
+  int index_from = 0, index_count = 0;  // N0820, N0821
+  double index_angle = 0;               // N0822
+  int closing_code = 0;                 // N0823
+};
+
+/// What the parameters say of axes, spindles, cycles, five axes.
+struct Settings {
+  std::array<AxisSettings, max_axes> axes;                  // by index in the channel
+  std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
+  // interpretation
+  double radius_difference = 0.01;      // N1339, mm; infinite where 0 means "not checked" (spec/fanuc 3.2)
+  double radius_shortfall = 0.01;       // by how much 2R may be less than the chord, mm; checked even where radius_difference is not
+  bool dwell_seconds = false;           // N1337 #1 SEC
+  bool centers_absolute = false;        // N1337 #2 CCA
+  bool feed_along_helix = false;        // N1337 #3 HEF
+  std::array<bool, 8> default_1{};      // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
+  bool default_per_rev = false;         // N1301 #0
+  bool keeps_codes = false;             // N1301 CLR
+  std::array<bool, 40> kept_groups{};   // CLR G Table: Cnn
+  bool in_position_check = false;       // N1337 PCH
+  bool length_of_block = false;         // spec/fanuc 7.1: 5001#0
+  bool radius_unlimited = false;        // N1339 is 0
+  bool arc_without_data_stops = false;  // spec/fanuc 3.2: 3403#5
+  bool angles_from_minus = false;       // spec/fanuc 5.3: 6004#0
+  bool offsets_are_diameters = false;   // spec/haas 2.4: setting 40
+  double return_rise = 0;               // spec/haas 8.3: setting 52
+  bool taps_rigid = false;              // spec/fanuc 10.4: 5200#0
+  bool drills_across = false;           // spec/fanuc 10.1: 5101#0
+  double scale_unit = 1e-5;             // of G51 P without a point, spec/fanuc 6.9: 5400#7
+  bool scale_each = false;              // 5400#6: G51 I J K
+  double scale_usual = 0;               // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
+  bool rotation_adds = false;           // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
+  double rotation_usual = 0;            // 5410, setting 72, degrees
+  bool holes_exact = false;             // spec/haas 8.1: setting 57
+  bool length_of_tool = false;          // spec/haas 10: setting 15
+  int shift_direction = 0;              // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
+  bool shift_is_global = false;         // spec/haas 5.3: setting 33 = 1
+  unsigned mirrored = 0;                // spec/haas 6.1: settings 45 to 48, a bit an axis
+  bool feed_whole = false;              // spec/haas 1.2: setting 77: F without a point is as it stands
+  bool shift_negative = false;          // spec/fanuc 10.5: 5101#4
+  bool shift_second = false;            // … #5
+  int length_axes = 0;                  // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
+  bool turning_offsets = false;         // N1416 #2 TOL
+  ContourCheck contour_check;           // N1403 … N1405
+  bool skip_breaks_contour = true;      // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
+  // positions as system variables show them
+  bool without_length = false;  // N1755 #6 TLC
+  bool in_frame = false;        // N1755 #5 PCS
+  // M codes, spindles
+  std::array<std::pair<int, int>, 16> m_groups{};  // N1341…, N1357…
+  int part_code = 0;                               // N2305
+  int offset_numbers = 999;                        // N1400: greatest number of H, D; 0: no limit
+  bool change_on_m6 = true;                        // N1338 #0 M06: in block search; INFERRED: of no effect outside it
+  int default_spindle = 0;                         // N0604
+  double surface_speed = 0;                        // N0686
+  int css_axis = 0;                                // N0687
+  double css_least = 0;                            // N0688
+  // cycles, measuring (18, 21)
+  double return_g73 = 0, clearance_g83 = 0;                                    // N1500, N1501
+  double extraction = 0;                                                       // N1502, %
+  bool lathe_codes = false;                                                    // N1503 CSM
+  bool tap_orients = false;                                                    // N1503 TSC
+  bool tap_normal = false;                                                     // N1503 #3 PTC
+  bool tap_override = false;                                                   // N1503 #4 EOE
+  bool tap_return_override = false;                                            // N1503 #5 ROE
+  double tap_back = 0, tap_clearance = 0, tap_extraction = 0, tap_return = 0;  // N1504 … N1507
+  bool measure_parameter_feed = false;                                         // N3001 #0 SKF
+  bool length_parameter_feed = false;                                          // N3003 #0 TLF
+  bool length_wear = false;                                                    // N3003 #1 TMW
+  bool length_adds = false;                                                    // N3003 #2 TCA
+  double measure_feed = 0, length_feed = 0;                                    // N0311, N0312, mm/min
+  double length_rapid = 0, length_alarm = 0;                                   // N3004, N3005
+  bool torque_known = true;                                                    // INFERRED: the virtual machine always knows the torque
+  FiveAxis five_axis;                                                          // N3200 … N3224; limits of its axes come with the machine
+  bool keeps_linear = false;                                                   // N3212 #7 FOS
+  bool leans_tool = false;                                                     // N3212 #4 BSE
+  double accuracy = 0;                                                         // N3103
+};
+
+/// `axis_numbers`: control-wide numbers of the channel's axes; `axis_names`: X, Y, Z, … decide the roles that N0103 leaves open.
+Settings read_settings(const macro_b::ParameterSource& source, const std::vector<std::string>& axis_names,
+                       const std::array<std::uint8_t, max_axes>& axis_numbers);
+
+}  // namespace kadr::fanuc

@@ -1,0 +1,199 @@
+// System variables that show positions, offsets, work systems, the spindle (spec/nct/23 23.1.5, 23.1.15 to 23.1.22; 25.4, 25.19). For
+// control/macro_b/variables/system_variables.
+
+#include "control/fanuc/tables/table_variables.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/emitter.h"
+#include "kinematics/part_space.h"
+
+namespace kadr::fanuc {
+namespace {
+
+/// Index in the channel of the axis with that control-wide number; -1: another channel's, or none.
+int axis_of(const BlockContext& m, std::uint32_t number) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
+  return -1;
+}
+
+/// A length in the program's unit; a diameter as one.
+double shown(const BlockContext& m, int axis, double mm) {
+  if ((m.def.rotary >> axis & 1u) != 0) return mm;
+  const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
+  return m.modal.inch ? v / mm_per_inch : v;
+}
+
+double kept(const BlockContext& m, int axis, double value) {
+  if ((m.def.rotary >> axis & 1u) != 0) return value;
+  const double mm = m.modal.inch ? value * mm_per_inch : value;
+  return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
+}
+
+Vec3 main_axes_of(const PartSpace& space, const Axes& axes) {
+  const auto& main = space.data().main;
+  const auto of = [&](std::size_t i) { return main[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(main[i])]; };
+  return {of(0), of(1), of(2)};
+}
+
+/// Component of a vector of X, Y, Z on an axis; nothing: it is none of them.
+std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v) {
+  const double values[] = {v.x, v.y, v.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (space.data().main[i] == static_cast<std::int8_t>(axis)) return values[i];
+  return std::nullopt;
+}
+
+/// A position of the tool as it is told (25.19): in the work system, or in the programming frame; with the length, or without.
+double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
+  const bool with_length = !fanuc_of(m).settings.without_length;
+  const PartSpace* const space = space_of(m);
+  if (space == nullptr || space->is_plain()) return work[axis] + (with_length ? length[axis] : 0);
+  Vec3 at = space->in_system(main_axes_of(*space, work));
+  if (with_length) at = at + main_axes_of(*space, length);
+  if (in_frame && space->has_frame()) at = space->in_frame(at);
+  return component(*space, axis, at).value_or(work[axis]);
+}
+
+/// Positions and lengths by axis; another channel's axis reads 0.
+double axis_value(const BlockContext& m, VariableKind kind, int axis) {
+  if (axis < 0) return 0;
+  const auto a = static_cast<std::size_t>(axis);
+  const Fanuc& fanuc = fanuc_of(m);
+  const double length = length_in_force(m)[a];
+  const bool in_frame = fanuc.settings.in_frame;
+  switch (kind) {
+    case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
+    case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
+    case VariableKind::work_position: return shown(m, axis, told(m, a, m.position.work, length_in_force(m), in_frame));
+    case VariableKind::probe_position: return shown(m, axis, told(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
+    case VariableKind::length_in_force: return shown(m, axis, length);
+    default: return 0;  // lag, distance to go, handwheel shift: the virtual machine has none
+  }
+}
+
+/// The field of the offset table, or nullptr.
+double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
+  if (number >= m.tables.offsets.size()) return nullptr;
+  ToolOffset& o = m.tables.offsets[number];
+  switch (kind) {
+    case VariableKind::offset_length: return &o.length;
+    case VariableKind::offset_length_wear: return &o.length_wear;
+    case VariableKind::offset_radius: return &o.radius;
+    case VariableKind::offset_radius_wear: return &o.radius_wear;
+    case VariableKind::offset_corner: return &o.corner;
+    case VariableKind::offset_corner_wear: return &o.corner_wear;
+    case VariableKind::offset_tip: return &o.tip_position;
+    case VariableKind::offset_x: return &o.length_x;
+    case VariableKind::offset_y: return &o.length_y;
+    case VariableKind::offset_x_wear: return &o.length_x_wear;
+    case VariableKind::offset_y_wear: return &o.length_y_wear;
+    default: return nullptr;
+  }
+}
+
+/// What one unit of a register's variable is: mm, of a diameter (spec/haas 2.4) half of it.
+double register_unit(const BlockContext& m, VariableKind kind) {
+  if (kind == VariableKind::offset_tip) return 1;
+  const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
+  return (m.modal.inch ? mm_per_inch : 1) * (radius && fanuc_of(m).settings.offsets_are_diameters ? 0.5 : 1);
+}
+
+/// Work offsets and basic rotations: which system a row means.
+std::size_t system_of(const FoundVariable& f) {
+  const bool extended = f.row->kind == VariableKind::zero_extended || f.row->kind == VariableKind::rotation_extended;
+  if (f.row->kind == VariableKind::zero_dynamic) return all_systems - 1 + f.family;
+  return extended ? basic_systems + f.family : static_cast<std::size_t>(f.row->arg);
+}
+
+double* rotation_field(BlockContext& m, const FoundVariable& f) {
+  Vec3& angles = m.tables.rotations[system_of(f)];
+  return f.index == 1 ? &angles.x : f.index == 2 ? &angles.y : &angles.z;
+}
+
+bool is_zero(VariableKind kind) {
+  return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended ||
+         kind == VariableKind::zero_dynamic;
+}
+
+bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
+
+/// #5501 … (25.4): the dynamic offset in force as the table stands, of the rotary axes as it is in the table.
+double dynamic_value(const BlockContext& m, int axis) {
+  const PartSpace* const space = space_of(m);
+  if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
+  const auto a = static_cast<std::size_t>(axis);
+  return component(*space, a, space->zero_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
+}
+
+/// #151001 … the other way round than #5061; #151101 … of the machine (25.19).
+double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
+  if (axis < 0) return 0;
+  const auto a = static_cast<std::size_t>(axis);
+  const Fanuc& fanuc = fanuc_of(m);
+  if (!of_machine) return told(m, a, fanuc.probe_position, fanuc.probe_length, !fanuc.settings.in_frame);
+  return fanuc.probe_machine[a] - (fanuc.settings.without_length ? fanuc.probe_length[a] : 0);
+}
+
+double* zero_field(BlockContext& m, const FoundVariable& f, int axis) {
+  Axes& common = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;
+  Axes* const zero = f.row->kind == VariableKind::zero_common ? &common : &m.tables.zeros[system_of(f)];
+  return zero->data() + axis;
+}
+
+}  // namespace
+
+Axes length_in_force(const BlockContext& m) {
+  const PartSpace* const space = space_of(m);
+  if (space == nullptr || space->is_plain()) return m.frames.length;
+  Axes length = m.frames.length;
+  const Vec3 vector = space->length_now(m.position.machine);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (const auto value = component(*space, a, vector); value) length[a] = *value;
+  return length;
+}
+
+std::optional<double> Fanuc::table_value(Emitter& m, const FoundVariable& f) const {
+  const VariableKind kind = f.row->kind;
+  if (double* const field = offset_field(m, kind, f.index); field != nullptr) return *field / register_unit(m, kind);
+  if (is_rotation(kind)) return *rotation_field(m, f);
+  const int axis = axis_of(m, f.index);
+  if (is_zero(kind)) return axis < 0 ? 0.0 : shown(m, axis, *zero_field(m, f, axis));
+  if (kind >= VariableKind::end_position && kind <= VariableKind::distance_to_go) return axis_value(m, kind, axis);
+  if (kind == VariableKind::zero_dynamic_value) return axis < 0 ? 0.0 : shown(m, axis, dynamic_value(m, axis));
+  if (kind == VariableKind::probe_position_5d) return axis < 0 ? 0.0 : shown(m, axis, probe_of_five_axes(m, f.row->arg == 1, axis));
+  if (!f.row->works) return std::nullopt;
+  if (kind == VariableKind::spindle_speed) return spindle_rpm(m);
+  if (kind == VariableKind::zero_dynamic_number) return m.modal.work_zero < all_systems ? 0 : m.modal.work_zero - double(all_systems - 1);
+  return std::nullopt;
+}
+
+Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value, Span where) {
+  const VariableKind kind = f.row->kind;
+  if (double* const field = offset_field(m, kind, f.index); field != nullptr) {
+    *field = value * register_unit(m, kind);
+    changed_offsets.push_back(f.index);
+    return true;
+  }
+  if (!is_rotation(kind) && !is_zero(kind)) return false;
+  const int axis = axis_of(m, f.index);
+  if (is_zero(kind) && axis < 0) return true;  // another channel's axis
+  if (!(std::fabs(value) <= farthest)) return fail(alarm(AlarmId::value_limit, where, value));
+  (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : kept(m, axis, value);
+  tables_changed = true;
+  m.change_frames();
+  return true;
+}
+
+bool Fanuc::take_touched_tables() {
+  const bool touched = std::exchange(tables_changed, false);
+  return !std::exchange(changed_offsets, {}).empty() || touched;
+}
+
+}  // namespace kadr::fanuc

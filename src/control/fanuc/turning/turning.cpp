@@ -1,0 +1,260 @@
+// Turning cycles G70.7 … G79.7: first lines, simple cycles, which second line calls what.
+
+#include "control/fanuc/turning/turning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/code_literals.h"
+#include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/turning/turning_contour.h"
+#include "control/fanuc/turning/turning_plane.h"
+#include "control/functions/functions.h"
+#include "control/macro_b/dialect/blocks.h"
+
+namespace kadr::fanuc {
+namespace {
+
+/// Distances of a first or second line: by plane axis, always radii, whatever letter names the axis.
+struct Distances {
+  std::array<double, 2> value{};
+  std::array<const Word*, 2> word{};
+};
+Result<Distances> distances(const BlockContext& m) {
+  Distances d;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t which = place_in_plane(m, w);
+    if (which > 1) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    if (d.word[which] != nullptr) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    d.word[which] = &w;
+    d.value[which] = w.value * m.unit_scale();
+  }
+  return d;
+}
+
+Status out_of_range(const BlockContext& m, char letter) {
+  return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
+}
+
+/// R of a first line: not negative; stays as it was where it is not given.
+Status take_r(const BlockContext& m, double& to) {
+  if (!m.has('R')) return {};
+  if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
+  to = m.length_value('R');
+  return {};
+}
+
+/// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
+Status first_of_rough(BlockContext& m, const Call& call) {
+  TurningMemory& kept = fanuc_of(m).state.turning;
+  const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
+  const auto d = distances(m);
+  if (!d) return fail(d.error());
+  if (const Word* const other = d->word[1 - infeed]; other != nullptr)
+    return fail(alarm(AlarmId::illegal_address, other->where, other->written));
+  const Word* const depth = d->word[infeed];
+  if (depth == nullptr && !m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, infeed), call.row->code));
+  if (depth != nullptr) {
+    if (!(depth->value > 0)) return fail(alarm(AlarmId::value_out_of_range, depth->where, depth->written, depth->value));
+    kept.depth = d->value[infeed];
+  }
+  return take_r(m, kept.back);
+}
+
+/// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
+Status first_of_pattern(BlockContext& m) {
+  constexpr double most_passes = 9999;
+  TurningMemory& kept = fanuc_of(m).state.turning;
+  const auto d = distances(m);
+  if (!d) return fail(d.error());
+  if (d->word[0] != nullptr) kept.relief.x = d->value[0];
+  if (d->word[1] != nullptr) kept.relief.y = d->value[1];
+  if (!m.has('R')) return {};
+  const auto passes = m.whole('R', 1, most_passes);
+  if (!passes) return fail(passes.error());
+  kept.passes = *passes;
+  return {};
+}
+
+/// G76.7 Pmmrraa QΔmin Rd.
+Status first_of_thread(BlockContext& m) {
+  constexpr double angles[] = {80, 60, 55, 30, 29, 0};
+  TurningMemory& kept = fanuc_of(m).state.turning;
+  if (m.has('P')) {
+    const auto digits = m.whole('P', 0, 999'999);
+    if (!digits) return fail(digits.error());
+    const double angle = *digits % 100;
+    bool known = false;
+    for (const double a : angles) known = known || a == angle;
+    if (!known) return out_of_range(m, 'P');
+    kept.finishing = std::max(1u, *digits / 10'000);
+    kept.chamfer = *digits / 100 % 100 / 10.0;
+    kept.tool_angle = angle;
+  }
+  if (m.has('Q')) {
+    if (!(m.value('Q') >= 0)) return out_of_range(m, 'Q');
+    kept.least = m.length_value('Q');
+  }
+  return take_r(m, kept.allowance);
+}
+
+/// Which of the two lines of a compound cycle the block is: the second names the contour, the target or the pecks.
+bool is_first_line(const BlockContext& m, int code) {
+  switch (code) {
+    case 70.7_g: return false;
+    case 71.7_g:
+    case 72.7_g:
+    case 73.7_g: return !m.has('P') && !m.has('Q');
+    case 76.7_g: return !m.has_axis_words();
+    default: return !m.has_axis_words() && !m.has('P') && !m.has('Q');
+  }
+}
+
+Status first_line(BlockContext& m, const Call& call) {
+  switch (call.row->arg) {
+    case 71.7_g:
+    case 72.7_g: return first_of_rough(m, call);
+    case 73.7_g: return first_of_pattern(m);
+    case 76.7_g: return first_of_thread(m);
+    default:
+      if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
+      return take_r(m, fanuc_of(m).state.turning.groove_back);
+  }
+}
+
+Status second_line(Interpreter& m, const Call& call) {
+  switch (call.row->arg) {
+    case 74.7_g:
+    case 75.7_g: return groove(m, call);
+    case 76.7_g: return compound_thread(m, call);
+    default: break;
+  }
+  const auto allowance = distances(m);
+  if (!allowance) return fail(allowance.error());
+  const Vec2 by{allowance->value[0], allowance->value[1]};
+  return call.row->arg == 73.7_g ? pattern(m, call, by) : rough(m, call, by);
+}
+
+Status possible(const BlockContext& m, const Call& call) {
+  if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  return {};
+}
+
+/// Words of a simple cycle: what is not given stays as in the block before.
+Status take_simple(BlockContext& m, const Call& call) {
+  TurningMemory& kept = fanuc_of(m).state.turning;
+  const auto target = plane_target(m);
+  if (!target) return fail(target.error());
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (target->given[i]) {
+      kept.target[i] = i == 0 ? target->to.x : target->to.y;
+      kept.known[i] = true;
+    }
+    if (!kept.known[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
+  }
+  if (m.has('R')) kept.taper = m.length_value('R');
+  if (m.has('Q')) kept.start_angle = m.value('Q');
+  return {};
+}
+
+/// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
+Status cut_once(Emitter& m, const Call& call) {
+  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
+  const bool along_first = call.row->arg == 77.7_g;
+  KADR_TRY(m.feed_known(call.where));
+  KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + kept.taper} : Vec2{t.x + kept.taper, s.y}));
+  KADR_TRY(go(m, MotionKind::feed, t));
+  KADR_TRY(go(m, MotionKind::feed, along_first ? Vec2{t.x, s.y} : Vec2{s.x, t.y}));
+  return go(m, MotionKind::rapid, s);
+}
+
+/// G78.7; the length of the chamfer-out is not known: INFERRED none.
+Status simple_thread(Emitter& m, const Call& call) {
+  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const auto lead = thread_lead_of(m, call);
+  if (!lead) return fail(lead.error());
+  const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
+  return thread_pass(m, {{s.x, t.y + kept.taper}, t, s, *lead, kept.start_angle, 0});
+}
+
+/// G70.7: the blocks of the contour are carried out as they stand (19.A 6).
+class FinishingRun final : public RunningValue<FinishingRun> {
+ public:
+  FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
+
+  Result<bool> next(Emitter&) override { return false; }
+
+  Status lead_on(Interpreter& m) const override {
+    CallFrame frame;
+    frame.name = name_;
+    frame.left = 1;
+    frame.caller = m.origin;
+    frame.modal_calls = macro_b_of(m).state.active_modal_calls;
+    KADR_TRY(m.flow.call_at(m.program().reader(), first_, frame, m.block->where));
+    fanuc_of(m).finishing.push_back({m.program().depth(), behind_.offset, plane_point(m), m.origin});
+    return {};
+  }
+
+ private:
+  Position first_, behind_;
+  std::uint32_t name_;
+};
+
+}  // namespace
+
+Status finish(Interpreter& m, const Call& call) {
+  const auto contour = find_contour(m, call);
+  if (!contour) return fail(contour.error());
+  m.running = std::make_unique<FinishingRun>(contour->first, contour->behind, static_cast<std::uint32_t>(m.value('P')));
+  return {};
+}
+
+Result<bool> end_contour(Interpreter& m) {
+  std::vector<Finishing>& all = fanuc_of(m).finishing;
+  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
+  if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
+  const Finishing ended = all.back();
+  all.pop_back();
+  const auto left = m.flow.end_subprogram(m.block->where);
+  if (!left) return fail(left.error());
+  m.origin = ended.origin;
+  KADR_TRY(go(m, MotionKind::rapid, ended.start));
+  return true;
+}
+
+}  // namespace kadr::fanuc
+
+namespace kadr::functions {
+
+/// G70.7 … G76.7 (19.2). arg: ten times the number without its tenth (707).
+Status turning_cycle(Interpreter& m, const Call& call) {
+  KADR_TRY(fanuc::possible(m, call));
+  if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);
+  macro_b_of(m).moved = true;
+  if (call.row->arg == 70.7_g) return fanuc::finish(m, call);
+  return fanuc::second_line(m, call);
+}
+
+/// G77.7, G78.7, G79.7 (19.1): each block with an axis repeats the cycle, which ends where it began.
+Status turning_simple(Emitter& m, const Call& call) {
+  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  m.modal.motion = MotionMode::linear;
+  fanuc::TurningMemory& kept = fanuc_of(m).state.turning;
+  if (kept.code != call.row->arg) {
+    kept.target = {};
+    kept.known = {};
+    kept.taper = kept.start_angle = 0;
+    kept.code = call.row->arg;
+  }
+  if (m.block_axes_taken || !m.has_axis_words()) return {};
+  KADR_TRY(fanuc::possible(m, call));
+  KADR_TRY(fanuc::take_simple(m, call));
+  return call.row->arg == 78.7_g ? fanuc::simple_thread(m, call) : fanuc::cut_once(m, call);
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,319 @@
+// The contour of a turning cycle: blocks P … Q read from the program without being carried out (spec/nct/19.A 2, 5). For
+// control/fanuc/turning/turning, control/fanuc/turning/turning_rough.
+
+#include "control/fanuc/turning/turning_contour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "action/by_kind.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/turning/turning_plane.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr std::size_t most_pieces = 10'000;
+
+/// The interpreter looks at blocks that are not carried out; its state is as before at the end. Without transformations: the cycle
+/// works on the contour as it is programmed, and what it makes goes through them as any motion does (16, INFERRED).
+class DryRun {
+ public:
+  explicit DryRun(Emitter& m)
+      : m_(m),
+        modal_(m.modal),
+        position_(m.position),
+        block_(m.block),
+        batch_(m.batch),
+        axes_taken_(m.block_axes_taken),
+        transform_(m.transform),
+        origin_(m.origin),
+        state_(fanuc_of(m).state),
+        macros_(macro_b_of(m).state),
+        moved_(macro_b_of(m).moved) {
+    m.batch = &actions;
+    m.transform = Transform();
+    m.position.work = m.position.programmed;
+    m.block_axes_taken = false;
+    m.modal.feed_known = true;  // F of the contour is for finishing
+    m.modal.feed = 1;
+  }
+  ~DryRun() {
+    m_.modal = modal_;
+    m_.position = position_;
+    m_.block = block_;
+    m_.batch = batch_;
+    m_.block_axes_taken = axes_taken_;
+    m_.transform = transform_;
+    m_.origin = origin_;
+    fanuc_of(m_).state = state_;
+    macro_b_of(m_).state = macros_;
+    macro_b_of(m_).moved = moved_;
+  }
+  DryRun(const DryRun&) = delete;
+  DryRun& operator=(const DryRun&) = delete;
+
+  ActionBatch actions;
+
+ private:
+  Emitter& m_;
+  Modal modal_;
+  ProgramPosition position_;
+  Block* block_;
+  ActionBatch* batch_;
+  bool axes_taken_;
+  Transform transform_;
+  Origin origin_;
+  Volatile state_;
+  macro_b::Volatile macros_;
+  bool moved_;
+};
+
+class Reader {
+ public:
+  Reader(Interpreter& m, const Call& call) : m_(m), call_(call), run_(m), start_(m.position.work) {}
+
+  Status run(const ContourPlace& place, Contour& contour) {
+    ProgramFile& file = m_.flow.program_file();
+    BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
+    reader.seek(place.first);
+    while (reader.position().offset <= place.last.offset) {
+      const auto got = reader.next(block_);
+      if (!got) return unread(got.error());
+      if (*got == BlockReader::Got::end) break;
+      if (block_.has_number) m_.origin.block = number_ = block_.number;
+      if (block_.skip != 0 && m_.skip_switches[std::min<std::size_t>(block_.skip, 9)]) continue;
+      KADR_TRY(block());
+    }
+    if (run_.actions.empty()) return shape();
+    contour.uncompensated = uncompensated_;
+    KADR_TRY(corners());
+    take_pieces(contour.pieces);
+    return {};
+  }
+
+ private:
+  Status shape() const { return fail(alarm(AlarmId::contour_shape, call_.where, double(number_))); }
+  Status without(std::string_view what) const { return fail(alarm(AlarmId::not_available, call_.where, what)); }
+
+  static bool has_comma(char address) {
+    return address == comma_chamfer || address == comma_rounding || address == comma_angle || address == comma_vector;
+  }
+
+  /// An alarm of a block elsewhere is shown at the cycle.
+  Status unread(Alarm alarm) const {
+    const bool comma = alarm.id == AlarmId::address_unknown && alarm.args[0].text().size() == 1 && has_comma(alarm.args[0].text()[0]);
+    if (comma) return without(",C ,R ,A");
+    alarm.where = call_.where;
+    return fail(alarm);
+  }
+
+  /// ,C ,R and what else needs the next block (17): found as for motions that are carried out.
+  Status corners() {
+    const auto waits = [](const Action& action) {
+      const Motion& motion = std::get<Motion>(action.what);
+      return motion.detail && motion.detail->contour;
+    };
+    if (std::none_of(run_.actions.begin(), run_.actions.end(), waits)) return {};
+    if (m_.find_corners == nullptr || !*m_.find_corners) return without(",C ,R ,A");
+    const auto fault = (*m_.find_corners)(run_.actions, start_);
+    return fault ? unread(*fault) : Status();
+  }
+
+  void take_pieces(std::vector<ContourPiece>& pieces) const {
+    const PlaneAxes& plane = m_.modal.axes;
+    Vec2 at{start_[plane.first], start_[plane.second]};
+    for (const Action& action : run_.actions) {
+      const auto& motion = std::get<Motion>(action.what);
+      const Vec2 to{motion.to[plane.first], motion.to[plane.second]};
+      pieces.push_back({motion.kind, at, to, motion.center, motion.turns, action.origin.block});
+      at = to;
+    }
+  }
+
+  Status block() {
+    if (block_.statement.kind != StatementKind::none) return shape();
+    m_.block = &block_;
+    if (const Status values = m_.evaluate_words(); !values) return unread(values.error());
+    const CodeRow* motion = nullptr;
+    for (std::uint32_t i = 0; i < block_.word_count; ++i)
+      if (const Word& w = block_.words[i]; w.address != 0) KADR_TRY(word(w, motion));
+    const bool moves = (block_.letters & (m_.letters.axes | m_.letters.centers)) != 0;
+    if (motion == nullptr && moves && m_.modal.motion_row >= 0) motion = &m_.def.codes[static_cast<std::size_t>(m_.modal.motion_row)];
+    if (motion == nullptr) return moves ? shape() : Status();
+    return move(*motion);
+  }
+
+  Status word(const Word& w, const CodeRow*& motion) {
+    if ((m_.letters.codes & letter_bit(w.address)) != 0) return code(w, motion);
+    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q chooses an intersection (17.3)
+    if ((of_others & letter_bit(w.address)) != 0) return shape();
+    return {};  // F, S, T, D are for finishing
+  }
+
+  /// Of the block's own D, or of that in force.
+  double radius() const {
+    const Word* const d = block_.find('D');
+    if (d == nullptr) return m_.radius_in_force();
+    const auto number = static_cast<std::size_t>(std::max(d->value, 0.0));
+    return number < m_.tables.offsets.size() ? m_.tables.offsets[number].whole_radius() : 0;
+  }
+
+  Status code(const Word& w, const CodeRow*& motion) {
+    const std::int32_t index = w.code < 0 ? -1 : m_.def.row_of(w.address, w.code);
+    if (index < 0) return fail(alarm(AlarmId::code_unknown, call_.where, block_.text_of(w.where)));
+    const CodeRow& row = m_.def.codes[static_cast<std::size_t>(index)];
+    switch (row.function) {
+      case Function::rapid:
+      case Function::linear:
+      case Function::arc_cw:
+      case Function::arc_ccw:
+        if (motion != nullptr) return shape();
+        motion = &row;
+        return {};
+      case Function::absolute:
+      case Function::incremental: return handler_of(row.function)(m_, {&row, nullptr, call_.where});
+      case Function::radius_side: side(row); return {};
+      case Function::feed_per_minute:
+      case Function::feed_per_revolution:
+      case Function::css_on:
+      case Function::css_off:
+      case Function::feed_control:
+      case Function::exact_stop_block:
+      case Function::exact_stop_mode: return {};
+      default: break;
+    }
+    const bool ignored = w.address == 'M' && row.phase != Phase::flow && row.phase != Phase::stop;
+    return ignored ? Status() : shape();
+  }
+
+  /// G41, G42 let blocks be over-determined (17.3). Nothing is compensated: INFERRED, as with Fanuc (19.B).
+  void side(const CodeRow& row) {
+    m_.modal.radius_side = row.arg == 0 ? std::int8_t{0} : row.arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+    if (row.arg != 0 && uncompensated_.empty() && radius() != 0) uncompensated_ = row.code;
+  }
+
+  Status move(const CodeRow& row) {
+    if (row.function != Function::rapid && row.function != Function::linear && row.function != Function::arc_cw &&
+        row.function != Function::arc_ccw)
+      return shape();
+    const std::size_t before = run_.actions.size();
+    if (const Status moved = handler_of(row.function)(m_, {&row, nullptr, call_.where}); !moved) return unread(moved.error());
+    if (run_.actions.size() > most_pieces) return shape();
+    const AxisMask both = 1u << m_.modal.axes.first | 1u << m_.modal.axes.second;
+    for (std::size_t i = before; i < run_.actions.size(); ++i) {
+      const auto* const motion = motion_of(run_.actions[i]);
+      if (motion == nullptr || (motion->named & ~both) != 0 || motion->turns > 1) return shape();
+    }
+    return {};
+  }
+
+  Interpreter& m_;
+  const Call& call_;
+  DryRun run_;
+  Axes start_;
+  Block block_;
+  std::uint32_t number_ = 0;
+  std::string_view uncompensated_;
+};
+
+}  // namespace
+
+Vec2 ContourPiece::at(double part) const {
+  if (!is_arc()) return from + part * (to - from);
+  if (part == 0) return from;
+  if (part == 1) return to;
+  const double r0 = length(from - center), r1 = length(to - center);
+  const double angle = angle_deg(from - center) + (kind == MotionKind::arc_ccw ? 360 : -360) * turns * part;
+  const SinCos direction = sincos_deg(angle);
+  return center + (r0 + (r1 - r0) * part) * Vec2{direction.cos, direction.sin};
+}
+
+Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
+  constexpr double highest = 99'999'999;
+  for (const char letter : {'P', 'Q'})
+    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+  const auto p = m.whole('P', 1, highest), q = m.whole('Q', 1, highest);
+  if (!p) return fail(p.error());
+  if (!q) return fail(q.error());
+  ProgramFile& file = m.flow.program_file();
+  const auto first = file.find_number(*p, m.program().position());
+  if (!first) return fail(alarm(AlarmId::contour_block_missing, m.where('P'), double(*p)));
+  const auto last = file.find_number(*q, *first);
+  if (!last) return fail(alarm(AlarmId::contour_block_missing, m.where('Q'), double(*q)));
+  if (last->offset < first->offset) return fail(alarm(AlarmId::contour_order, m.where('Q'), double(*p), double(*q)));
+  BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
+  reader.seek(*last);
+  Block block;
+  (void)reader.next(block);  // a fault of it is found when it is carried out
+  return ContourPlace{*first, *last, reader.position()};
+}
+
+Result<Contour> read_contour(Interpreter& m, const Call& call) {
+  const auto place = find_contour(m, call);
+  if (!place) return fail(place.error());
+  const PlaneAxes& plane = m.modal.axes;
+  if (m.transform.leaves(plane)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
+  Contour contour;
+  KADR_TRY(Reader(m, call).run(*place, contour));
+  const auto is_arc = [](const ContourPiece& piece) { return piece.is_arc(); };
+  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))  // 16.2: ellipses
+    return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
+  if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
+  contour.behind = place->behind;
+  contour.follows = contour.behind.offset > m.program().position().offset;
+  return contour;
+}
+
+std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
+  std::vector<ContourPiece> cut;
+  for (const ContourPiece& piece : pieces) {
+    if (!piece.is_arc()) {
+      cut.push_back(piece);
+      continue;
+    }
+    const bool ccw = piece.kind == MotionKind::arc_ccw;
+    const double sweep = 360 * piece.turns;
+    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // counted in the direction of the motion
+    double done = 0;
+    for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {
+      const double part = quarter - begin < sweep ? (quarter - begin) / sweep : 1;
+      ContourPiece section = piece;
+      section.from = piece.at(done);
+      section.to = piece.at(part);
+      section.turns = piece.turns * (part - done);
+      cut.push_back(section);
+      done = part;
+    }
+  }
+  return cut;
+}
+
+Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift) {
+  const Vec2 end = piece.to + shift;
+  if (!piece.is_arc()) return go(m, piece.kind, end);
+  const PlaneAxes& plane = m.modal.axes;
+  Axes to = m.position.programmed;
+  to[plane.first] = end.x;
+  to[plane.second] = end.y;
+  const AxisMask both = 1u << plane.first | 1u << plane.second;
+  const Vec2 center = piece.center + shift;
+  Axes work = to;
+  MotionKind kind = piece.kind;
+  if (!m.transform.identity) {
+    work = transformed(m, to);
+    KADR_TRY(m.within_reach(work));
+    if (m.transform.reverses(plane)) kind = kind == MotionKind::arc_cw ? MotionKind::arc_ccw : MotionKind::arc_cw;
+  }
+  m.move_to(to, work, both);
+  Motion& motion = m.add_motion(kind, both);
+  m.set_feed(motion);
+  motion.center = m.transform.identity ? center : m.transform.to_work(center, plane);
+  motion.turns = piece.turns;
+  motion.along = FeedAlong::arc;
+  return {};
+}
+
+}  // namespace kadr::fanuc

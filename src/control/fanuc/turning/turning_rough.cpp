@@ -1,0 +1,240 @@
+// G71.7, G72.7: passes parallel to one axis down to the contour, then along it; G73.7: passes along it (spec/nct/19.B).
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/code_literals.h"
+#include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/turning/turning.h"
+#include "control/fanuc/turning/turning_contour.h"
+#include "control/fanuc/turning/turning_plane.h"
+
+namespace kadr::fanuc {
+namespace {
+
+constexpr double most_cuts = 1e6;
+constexpr int halvings = 60;
+
+/// The program goes on after the contour.
+Status jump_behind(Interpreter& m, const Contour& contour) {
+  if (contour.follows) m.flow.jump(contour.behind);
+  return {};
+}
+
+/// Contour seen from the start: u the way along the passes, depth the way into the material. Allowances shift it all alike.
+///
+///   start u ───────────►
+///     │  ══════════► pass at depth d, up to where the contour comes out of d
+///     ▼          ╭────
+///   depth   ─────╯ contour
+class Profile {
+ public:
+  /// A pass: from … to along u. `open`: it begins at the start's u.
+  struct Cut {
+    double from, to;
+    bool open;
+  };
+
+  /// alarms  contour_shape: not monotone, the first block no line or not along the infeed axis
+  static Result<Profile> of(const std::vector<ContourPiece>& contour, bool facing, Span where) {
+    Profile p;
+    p.facing_ = facing;
+    const ContourPiece& first = contour.front();
+    const auto shape = [&](const ContourPiece& piece) { return fail(alarm(AlarmId::contour_shape, where, double(piece.block))); };
+    p.start_ = p.uv(first.from);
+    const Vec2 in = p.uv(first.to) - p.start_;
+    if (first.is_arc() || std::fabs(in.y) <= tol::level || contour.size() == 1) return shape(first);
+    p.sign_ = in.y < 0 ? -1 : 1;
+    p.pockets_ = std::fabs(in.x) > tol::level;
+    p.pieces_ = monotone({contour.begin() + 1, contour.end()});
+    p.deepest_ = p.depth(first.to);
+    double direction = p.pockets_ ? in.x : 0;
+    for (const ContourPiece& piece : p.pieces_) {
+      const double way = p.uv(piece.to).x - p.uv(piece.from).x, depth = p.depth(piece.to);
+      if (direction == 0 && std::fabs(way) > tol::level) direction = way;
+      if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
+      if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // the end may lie outside
+      p.deepest_ = std::max(p.deepest_, depth);
+    }
+    if (direction == 0) return shape(contour.back());
+    p.direction_ = direction < 0 ? -1 : 1;
+    return p;
+  }
+
+  /// Plane → (u, v), and back: the same exchange.
+  Vec2 uv(Vec2 p) const { return facing_ ? Vec2{p.y, p.x} : p; }
+  /// The point of the plane at a place along u and a depth.
+  Vec2 at(double u, double depth) const { return uv({u, start_.y + sign_ * depth}); }
+
+  double start() const { return start_.x; }
+  double deepest() const { return deepest_; }
+  double direction() const { return direction_; }
+  bool pockets() const { return pockets_; }
+
+  std::vector<Cut> cuts(double depth) const {
+    std::vector<Cut> all;
+    const auto add = [&](double from, double to, bool open) {
+      if (direction_ * (to - from) > tol::level) all.push_back({from, to, open});
+    };
+    bool inside = this->depth(pieces_.front().from) >= depth - tol::level, open = inside;
+    double from = start_.x;
+    for (const ContourPiece& piece : pieces_) {
+      const bool stays = this->depth(piece.to) >= depth - tol::level;
+      if (inside == stays) continue;
+      const double u = crossing(piece, depth);
+      if (inside) add(from, u, open);
+      from = u;
+      open = false;
+      inside = stays;
+    }
+    if (inside) add(from, uv(pieces_.back().to).x, open);
+    return all;
+  }
+
+ private:
+  double depth(Vec2 p) const { return sign_ * (uv(p).y - start_.y); }
+
+  /// u where a monotone piece passes that depth.
+  double crossing(const ContourPiece& piece, double depth) const {
+    const bool rises = this->depth(piece.to) < this->depth(piece.from);
+    double low = 0, high = 1;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (low + high) / 2;
+      ((this->depth(piece.at(middle)) >= depth) == rises ? low : high) = middle;
+    }
+    return uv(piece.at((low + high) / 2)).x;
+  }
+
+  bool facing_ = false, pockets_ = false;
+  Vec2 start_;
+  double sign_ = 1, direction_ = 1, deepest_ = 0;
+  std::vector<ContourPiece> pieces_;
+};
+
+class RoughRun final : public RunningValue<RoughRun> {
+ public:
+  RoughRun(Contour contour, Profile profile, Vec2 allowance, const TurningMemory& data)
+      : contour_(std::move(contour)), profile_(std::move(profile)), allowance_(allowance), depth_(data.depth), back_(data.back) {}
+
+  Result<bool> next(Emitter& m) override {
+    if (!began_) {
+      began_ = true;
+      KADR_TRY(to(m, MotionKind::rapid, profile_.start(), 0));
+    } else if (cut_ < cuts_.size()) {
+      KADR_TRY(cut(m));
+    } else if (level_ < profile_.deepest()) {
+      before_ = level_;
+      level_ = level_ + depth_ >= profile_.deepest() - tol::level ? profile_.deepest() : level_ + depth_;
+      cuts_ = profile_.cuts(level_);
+      cut_ = 0;
+    } else if (piece_ < contour_.pieces.size()) {
+      if (piece_ == 0) KADR_TRY(to(m, MotionKind::rapid, profile_.start(), 0));
+      KADR_TRY(emit(m, contour_.pieces[piece_++], allowance_));
+    } else {
+      KADR_TRY(go(m, MotionKind::rapid, contour_.pieces.front().from));
+      end_pass(m);
+      return false;
+    }
+    return true;
+  }
+
+  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
+
+ private:
+  Status to(Emitter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
+
+  Status cut(Emitter& m) {
+    const Profile::Cut now = cuts_[cut_++];
+    const bool last = cut_ == cuts_.size();
+    if (now.open) {
+      KADR_TRY(to(m, contour_.pieces.front().kind, now.from, level_));
+    } else {  // down into a pocket, above what the pass before has left
+      KADR_TRY(to(m, MotionKind::rapid, now.from, 0));
+      KADR_TRY(to(m, MotionKind::rapid, now.from, std::max(0.0, before_ - back_)));
+      KADR_TRY(to(m, MotionKind::feed, now.from, level_));
+    }
+    KADR_TRY(to(m, MotionKind::feed, now.to, level_));
+    const double along = std::min(back_, std::fabs(now.to - now.from));
+    const double away = profile_.pockets() ? std::max(0.0, level_ - back_) : level_ - back_;
+    const double u = now.to - profile_.direction() * along;
+    KADR_TRY(to(m, MotionKind::rapid, u, away));
+    if (profile_.pockets()) KADR_TRY(to(m, MotionKind::rapid, u, 0));
+    if (!profile_.pockets() || last) KADR_TRY(to(m, MotionKind::rapid, profile_.start(), profile_.pockets() ? 0 : away));
+    end_pass(m);
+    return {};
+  }
+
+  Contour contour_;
+  Profile profile_;
+  Vec2 allowance_;
+  double depth_, back_;
+  bool began_ = false;
+  double level_ = 0, before_ = 0;
+  std::vector<Profile::Cut> cuts_;
+  std::size_t cut_ = 0, piece_ = 0;
+};
+
+/// The whole contour `passes` times, nearer each time.
+class PatternRun final : public RunningValue<PatternRun> {
+ public:
+  PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
+      : contour_(std::move(contour)), allowance_(allowance), relief_(relief), passes_(passes) {}
+
+  Result<bool> next(Emitter& m) override {
+    const double left = passes_ == 1 ? 0 : double(passes_ - 1 - pass_) / (passes_ - 1);
+    const Vec2 shift = allowance_ + left * relief_;
+    const Vec2 start = contour_.pieces.front().from;
+    if (piece_ == 0) KADR_TRY(go(m, MotionKind::rapid, start + shift));
+    KADR_TRY(emit(m, contour_.pieces[piece_++], shift));
+    if (piece_ < contour_.pieces.size()) return true;
+    piece_ = 0;
+    if (++pass_ < passes_) {
+      end_pass(m);
+      return true;
+    }
+    KADR_TRY(go(m, MotionKind::rapid, start));
+    end_pass(m);
+    return false;
+  }
+
+  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
+
+ private:
+  Contour contour_;
+  Vec2 allowance_, relief_;
+  std::uint32_t passes_;
+  std::uint32_t pass_ = 0;
+  std::size_t piece_ = 0;
+};
+
+}  // namespace
+
+/// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
+Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
+  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const bool facing = call.row->arg == 72.7_g;
+  auto contour = read_contour(m, call);
+  if (!contour) return fail(contour.error());
+  if (!(kept.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
+  auto profile = Profile::of(contour->pieces, facing, call.where);
+  if (!profile) return fail(profile.error());
+  if (profile->deepest() / kept.depth > most_cuts)
+    return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), kept.depth));
+  KADR_TRY(m.feed_known(call.where));
+  m.running = std::make_unique<RoughRun>(std::move(*contour), std::move(*profile), allowance, kept);
+  return {};
+}
+
+Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
+  const TurningMemory& kept = fanuc_of(m).state.turning;
+  auto contour = read_contour(m, call);
+  if (!contour) return fail(contour.error());
+  if (kept.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
+  KADR_TRY(m.feed_known(call.where));
+  m.running = std::make_unique<PatternRun>(std::move(*contour), allowance, kept.relief, kept.passes);
+  return {};
+}
+
+}  // namespace kadr::fanuc

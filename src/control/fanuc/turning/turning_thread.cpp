@@ -1,0 +1,145 @@
+// G76.7, and what G78.7 shares with it (spec/nct/19.B).
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/turning/turning.h"
+#include "control/fanuc/turning/turning_plane.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/emitter.h"
+
+namespace kadr::fanuc {
+namespace {
+
+/// A motion in step with the spindle; nothing overrides it.
+Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
+  const std::size_t before = m.batch->size();
+  KADR_TRY(go(m, MotionKind::thread, to));
+  if (m.batch->size() == before) return {};
+  Motion& motion = std::get<Motion>(m.batch->back().what);
+  motion.own_override = motion.no_hold = true;
+  motion.unit = FeedUnit::mm_per_rev;
+  motion.feed = lead;
+  MotionDetail& detail = detail_of(m, motion);
+  detail.lead = lead;
+  if (!fanuc_of(m).state.in_thread) detail.start_angle = angle;
+  fanuc_of(m).state.in_thread = true;
+  return {};
+}
+
+/// Passes of a compound thread: depths Δ1·√n, steps of at least `least`, up to the height less the allowance, then the finishing passes.
+class ThreadRun final : public RunningValue<ThreadRun> {
+ public:
+  struct Job {
+    Vec2 start, target;  // the target lies at the root of the thread
+    double taper = 0;    // of the second axis: start less end
+    double height = 0;   // of the thread
+    double first = 0;    // depth of the first pass
+    double lead = 0;     // mm
+    double chamfer = 0;  // mm
+    TurningMemory data;
+  };
+  explicit ThreadRun(const Job& job) : job_(job) {}
+
+  Result<bool> next(Emitter& m) override {
+    if (finishing_ == job_.data.finishing) return false;
+    const double rough = job_.height - job_.data.allowance;
+    if (depth_ < rough - tol::level) {
+      ++pass_;
+      depth_ = std::min(rough, std::max(job_.first * std::sqrt(pass_), depth_ + job_.data.least));
+    } else {
+      depth_ = job_.height;
+      ++finishing_;
+    }
+    KADR_TRY(thread_pass(m, pass()));
+    end_pass(m);
+    return true;
+  }
+
+ private:
+  /// Deeper by `depth_` than the crest; the start moves away along the first axis so that one flank cuts.
+  ThreadPass pass() const {
+    const Vec2& s = job_.start;
+    const Vec2& t = job_.target;
+    const double away = s.y < t.y ? -1 : 1;
+    const double back = s.x < t.x ? -1 : 1;
+    const double level = t.y + away * (job_.height - depth_);
+    const SinCos half = sincos_deg(job_.data.tool_angle / 2);
+    const double shift = depth_ * half.sin / half.cos;
+    const double way = std::fabs(s.x - t.x);
+    const double taper = job_.taper * (way + shift) / way;
+    return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer};
+  }
+
+  Job job_;
+  double pass_ = 0;
+  double depth_ = 0;
+  std::uint32_t finishing_ = 0;
+};
+
+}  // namespace
+
+Status thread_pass(Emitter& m, const ThreadPass& pass) {
+  fanuc_of(m).state.in_thread = false;
+  KADR_TRY(go(m, MotionKind::rapid, pass.from));
+  const Vec2 way = pass.to - pass.from;
+  double out = std::min(pass.chamfer, std::fabs(way.x));
+  if (out > tol::level) {
+    const Vec2 begin = pass.from + (1 - out / std::fabs(way.x)) * way;
+    const double away = pass.start.y < begin.y ? -1 : 1;
+    out = std::min(out, std::fabs(pass.start.y - begin.y));
+    KADR_TRY(cut_thread(m, begin, pass.lead, pass.angle));
+    KADR_TRY(cut_thread(m, {pass.to.x, begin.y + away * out}, pass.lead, pass.angle));
+  } else {
+    KADR_TRY(cut_thread(m, pass.to, pass.lead, pass.angle));
+  }
+  KADR_TRY(go(m, MotionKind::rapid, {pass.to.x, pass.start.y}));
+  return go(m, MotionKind::rapid, pass.start);
+}
+
+Result<double> thread_lead_of(BlockContext& m, const Call& call) {
+  if (m.modal.surface_speed) return fail(alarm(AlarmId::not_together, call.where, "G96", call.row->code));
+  if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
+  for (const char letter : {'F', 'E'})
+    if (m.has(letter) && !(m.value(letter) > 0)) return fail(alarm(AlarmId::thread_definition, m.where(letter)));
+  const double lead = take_lead(m);
+  if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
+  return lead;
+}
+
+/// G76.7 X_ Z_ R_ P_ Q_ F_.
+Status compound_thread(Emitter& m, const Call& call) {
+  constexpr double most_passes = 1e6;
+  ThreadRun::Job job;
+  const auto target = plane_target(m);
+  if (!target) return fail(target.error());
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!target->given[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
+  for (const char letter : {'P', 'Q'}) {
+    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+    if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
+  }
+  const auto lead = thread_lead_of(m, call);
+  if (!lead) return fail(lead.error());
+  job.data = fanuc_of(m).state.turning;
+  job.start = plane_point(m);
+  job.target = target->to;
+  job.taper = m.length_value('R');
+  job.height = m.length_value('P');
+  job.first = m.length_value('Q');
+  job.lead = *lead;
+  job.chamfer = job.data.chamfer * *lead;
+  const double rough = job.height - job.data.allowance;
+  if (rough < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
+  if (std::pow(rough / job.first, 2) > most_passes) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', m.value('Q')));
+  if (std::fabs(job.start.x - job.target.x) <= tol::level) {
+    const char letter = letter_of(m, 0);
+    return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
+  }
+  m.running = std::make_unique<ThreadRun>(job);
+  return {};
+}
+
+}  // namespace kadr::fanuc

@@ -1,0 +1,190 @@
+// Length compensation and offset numbers: G43, G44, G49, H, D; the side of G41, G42 (spec/nct/15 15.3, 12 12.5.1).
+
+#include <algorithm>
+
+#include "base/code_literals.h"
+#include "control/fanuc/drilling/drilling.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/geometry/sides.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/functions/functions.h"
+
+namespace kadr {
+
+std::uint32_t fanuc::most_offsets(const BlockContext& m) {
+  const int most = fanuc_of(m).settings.offset_numbers;
+  return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
+}
+
+Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
+  if (m.def.behaviour.offset_numbers_checked && m.has(letter) && m.value(letter) > fanuc::most_offsets(m))  // spec/fanuc 7.1: PS0030
+    return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
+  const auto number = m.whole(letter, 0, fanuc::most_offsets(m));
+  if (!number) return number;
+  return fanuc_of(m).offset_meant(letter, *number);
+}
+
+namespace {
+
+/// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
+AxisMask length_axes(const BlockContext& m) {
+  const int mode = fanuc_of(m).settings.length_axes;
+  const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
+  if (const int axis = fanuc::drills_along(m); axis >= 0) return bit(axis);
+  if (mode == 1) return bit(fanuc::main_axis(m, 3));
+  if (mode == 2) return bit(static_cast<int>(m.modal.axes.normal));
+  AxisMask axes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t a = m.def.address(w.address).axis;
+    if (fanuc_of(m).settings.axes[a].role != 0) axes |= 1u << a;
+  }
+  return axes;
+}
+
+/// What a length of the table shifts the axis by: on one programmed in diameter it is a diameter (5.3, 15.3). Decided when the
+/// length is called: the table does not know its axis, and G10.9 leaves the machine where it is.
+double shift_by(const BlockContext& m, std::size_t axis, double length) { return fanuc::is_diameter(m, axis) ? length / 2 : length; }
+
+/// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
+void register_turning(BlockContext& m, std::uint32_t number) {
+  const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
+  const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
+  for (int role = 1; role <= 3; ++role)
+    if (const int main = fanuc::main_axis(m, role); main >= 0) {
+      const auto axis = static_cast<std::size_t>(main);
+      m.modal.lengths[axis] = shift_by(m, axis, lengths[role - 1]);
+    }
+}
+
+void register_length(BlockContext& m, std::uint32_t number) {
+  if (m.modal.turning_lengths) return register_turning(m, number);
+  const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
+  if (fanuc_of(m).state.five_axis.lead != fanuc::ToolLead::none) return fanuc::register_lead_length(m, number == 0 ? 0 : length);
+  const AxisMask axes = length_axes(m);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
+}
+
+/// spec/haas 10, Setting 15: H must be the tool in the spindle; H0 ends the compensation.
+Status of_tool(const BlockContext& m, std::uint32_t number) {
+  const std::uint32_t tool = m.modal.tool;
+  if (!fanuc_of(m).settings.length_of_tool || number == 0 || number == tool) return {};
+  return fail(alarm(AlarmId::length_of_other_tool, m.where('H'), double(number), double(tool)));
+}
+
+}  // namespace
+
+bool fanuc::only_shifts_length(const BlockContext& m) {
+  if (m.modal.absolute || !(m.has('H') || m.has_code({Function::length_comp}))) return false;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (const char letter = m.letters.axis_letter[a]; letter != 0 && m.has(letter) && m.value(letter) != 0) return false;
+  return true;
+}
+
+namespace functions {
+
+/// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
+Status length_comp(Emitter& m, const Call& call) {
+  if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
+  const bool turning = call.row->arg == 43.7_g;
+  if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
+  if (call.row->arg == 0) KADR_TRY(fanuc::may_end_lead(m, call));
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the milling offsets count again, which have no X and Y
+  m.modal.turning_lengths = turning;
+  fanuc::end_lead(m);
+  if (call.row->arg == 0) {
+    m.modal.length_sign = 0;
+    m.modal.lengths = {};
+    m.change_frames();
+    return {};
+  }
+  m.modal.length_sign = call.row->arg == 2 ? std::int8_t{-1} : std::int8_t{1};
+  if (m.has('H')) {
+    const auto number = fanuc::offset_number(m, 'H');
+    if (!number) return fail(number.error());
+    KADR_TRY(of_tool(m, *number));
+    m.modal.length_number = *number;
+    macro_b_of(m).state.words.h = *number;
+  } else if (!m.has_axis_words() && !turning) {
+    return {};
+  }
+  if (m.has('H') && !turning && length_axes(m) == 0)  // what a program for another control means is not done
+    m.warn(warning(AlarmId::length_no_axis, call.where, call.row->code));
+  register_length(m, m.modal.length_number);
+  m.change_frames();
+  return {};
+}
+
+/// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
+Status length_number(Emitter& m, const Call& call) {
+  if (m.has_code({Function::length_comp, Function::tool_lead, Function::tool_orientation})) return {};
+  const auto number = fanuc::offset_number(m, 'H');
+  if (!number) return fail(number.error());
+  KADR_TRY(of_tool(m, *number));
+  const bool changes = m.modal.length_number != *number;
+  m.modal.length_number = *number;
+  macro_b_of(m).state.words.h = *number;
+  if (m.modal.length_sign == 0) return {};
+  if (changes && !m.modal.turning_lengths && fanuc_of(m).state.five_axis.lead == fanuc::ToolLead::none && length_axes(m) == 0)
+    m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
+  register_length(m, *number);
+  m.change_frames();
+  return {};
+}
+
+Status radius_number(Emitter& m, const Call&) {
+  const auto number = fanuc::offset_number(m, 'D');
+  if (!number) return fail(number.error());
+  m.modal.offset_number = *number;
+  macro_b_of(m).state.words.d = *number;
+  fanuc_of(m).state.tool_radius = m.radius_in_force();
+  fanuc::note_lead_radius(m);
+  return {};
+}
+
+/// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
+Status radius_side(Emitter& m, const Call& call) {
+  fanuc::Volatile& state = fanuc_of(m).state;
+  if (m.def.behaviour.compensation_in_xy && call.row->arg != 0 && m.modal.plane != Plane::xy)
+    return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
+  const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+  if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
+  else if (side == 0) state.side_step = state.compensates ? SideStep::ends : SideStep::none;
+  if (m.has_code({Function::arc_cw, Function::arc_ccw}) || m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw) {
+    const bool line = m.has_code({Function::rapid, Function::linear});
+    const bool moves = m.has_axis_words() && !line;
+    if (moves && state.side_step == SideStep::ends) return fail(alarm(AlarmId::compensation_ends_in_arc, call.where));
+    if (moves && state.side_step == SideStep::begins) return fail(alarm(AlarmId::compensation_begins_in_arc, call.where, call.row->code));
+  }
+  state.way.reset();
+  if (const auto way = fanuc::plane_direction(m)) state.way = *way;
+  m.modal.radius_side = side;
+  if (state.side_step == SideStep::begins && fanuc_of(m).settings.contour_check != state.contour_check) {
+    state.contour_check = fanuc_of(m).settings.contour_check;
+    m.emit(state.contour_check);
+  }
+  return {};
+}
+
+/// G38 (15.5.5): the motion of its block, a line, ends with the vector that it begins with.
+Status vector_hold(Emitter& m, const Call& call) {
+  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
+  fanuc_of(m).holds_vector = true;
+  return {};
+}
+
+/// G39 (15.5.6): about the programmed point, to where the next motion begins or to I, J, K. Nothing else moves in its block.
+Status vector_corner(Emitter& m, const Call& call) {
+  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
+  if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
+  m.emit(ContourCorner{fanuc::plane_direction(m)});
+  return {};
+}
+
+}  // namespace functions
+}  // namespace kadr

@@ -1,0 +1,150 @@
+// Axis words → programmed end point (spec/nct/05).
+
+#include <bit>
+#include <cmath>
+
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/automatic_geometry.h"
+#include "control/fanuc/words/coordinates.h"
+#include "control/block_context.h"
+
+namespace kadr::fanuc {
+namespace {
+
+/// G16: the first plane axis carries the radius, the second the angle (5.4).
+void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
+  Modal& modal = const_cast<BlockContext&>(m).modal;  // what was given last is kept
+  const PlaneAxes& plane = modal.axes;
+  const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};
+  if (!modal.polar_angle_given) modal.polar_angle = angle_deg(here);
+  if (!modal.polar_radius_given) {
+    modal.polar_radius = length(here);
+    modal.polar_radius_absolute = true;
+  }
+  if (radius != nullptr) {
+    modal.polar_radius = coordinate(m, *radius, plane.first);
+    modal.polar_radius_absolute = !is_increment(m, *radius);
+    modal.polar_radius_given = true;
+  }
+  if (angle != nullptr) {
+    modal.polar_angle = angle->value + (is_increment(m, *angle) ? modal.polar_angle : 0.0);
+    modal.polar_angle_given = true;
+  }
+  const Vec2 pole = modal.polar_radius_absolute ? Vec2{} : here;
+  const SinCos at = sincos_deg(modal.polar_angle);
+  to[plane.first] = pole.x + modal.polar_radius * at.cos;
+  to[plane.second] = pole.y + modal.polar_radius * at.sin;
+  named |= 1u << plane.first | 1u << plane.second;
+}
+
+/// Two words of one axis (X and its increment U): the one written last.
+tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
+  const Word* last = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0 && m.def.address(w.address).axis == axis) last = &w;
+  }
+  return fail(alarm(AlarmId::address_twice, last->where, last->address));
+}
+
+}  // namespace
+
+bool is_diameter(const BlockContext& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
+
+double coordinate(const BlockContext& m, const Word& w, std::size_t axis) {
+  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
+  const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
+  const double v = w.value * (is_length ? m.unit_scale() : 1.0);
+  return is_diameter(m, axis) ? v / 2 : v;
+}
+
+bool is_increment(const BlockContext& m, const Word& w) {
+  if (fanuc_of(m).absolute_block) return false;
+  return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
+}
+
+/// c in [0, period).
+double rolled_position(double c, double period) {
+  const double r = c - period * std::floor(c / period);
+  return r < period ? r : 0;  // rounding just below a whole turn
+}
+
+/// Signed travel of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
+double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
+  const double period = axis.period;
+  if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
+  if (axis.by_sign) {  // INFERRED: with ASH too
+    const double t = rolled_position(std::fabs(programmed), period);
+    return programmed >= 0 ? rolled_position(t - c, period) : -rolled_position(c - t, period);
+  }
+  if (axis.shortest) {
+    const double d = rolled_position(programmed - c, period);
+    return d <= period / 2 ? d : d - period;
+  }
+  const double way = programmed - c;
+  return way - period * std::trunc(way / period);
+}
+
+namespace {
+
+/// Rotary axes that follow from the tool's direction (25.14), the shortest way.
+void take_directed(const BlockContext& m, Axes& to, AxisMask& named) {
+  Fanuc& fanuc = fanuc_of(m);
+  for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
+    if ((fanuc.by_direction >> axis & 1u) == 0) continue;
+    named |= AxisMask{1} << axis;
+    const AxisSettings& settings = fanuc.settings.axes[axis];
+    to[axis] = fanuc.directed[axis] - m.frames.origin[axis];
+    if (!settings.rolls) continue;
+    fanuc.travel[axis] = to[axis] - m.position.programmed[axis];
+    fanuc.rolled |= AxisMask{1} << axis;
+    to[axis] = rolled_position(to[axis], settings.period);
+  }
+}
+
+}  // namespace
+
+Status target(const BlockContext& m, Axes& to, AxisMask& named) {
+  to = m.position.programmed;
+  named = 0;
+  Fanuc& fanuc = fanuc_of(m);
+  fanuc.rolled = 0;
+  const PlaneAxes& plane = m.modal.axes;
+  const bool is_polar = m.modal.polar_data && !fanuc.cartesian_block;
+  const Word* radius = nullptr;
+  const Word* angle = nullptr;
+  for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {  // each address stands once (blocks.cpp)
+    const Word& w = m.block->words[m.block->at[static_cast<std::size_t>(std::countr_zero(left))]];
+    if (w.address == 0) continue;  // hidden for the moment (drilling)
+    const std::size_t axis = m.def.address(w.address).axis;
+    const bool polar_word = is_polar && (axis == plane.first || axis == plane.second);
+    if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr)) return twice(m, axis);
+    if (polar_word) {
+      (axis == plane.first ? radius : angle) = &w;
+      continue;
+    }
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // its number is that of I, J or K
+    const double v = coordinate(m, w, axis);
+    const AxisSettings& settings = fanuc.settings.axes[axis];
+    const bool increment = is_increment(m, w);
+    named |= 1u << axis;
+    if (settings.rolls && (m.def.rotary >> axis & 1u) != 0 && m.modal.surface == PathSurface::plane) {
+      const double from = rolled_position(m.position.programmed[axis], settings.period);
+      fanuc.travel[axis] = roll_travel(settings, from, v, increment);
+      fanuc.rolled |= 1u << axis;
+      to[axis] = rolled_position(from + fanuc.travel[axis], settings.period);
+    } else {
+      to[axis] = increment ? m.position.programmed[axis] + v : v;
+    }
+    if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
+  }
+  if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
+  if (m.has(comma_angle)) KADR_TRY(end_by_angle(m, to, named));
+  if (fanuc.by_direction != 0) take_directed(m, to, named);
+  if (named != 0) named |= fanuc.taken_up;
+  if ((named & fanuc.following) == 0) [[likely]]
+    return {};
+  return m.dialect->may_move(m, named);
+}
+
+}  // namespace kadr::fanuc

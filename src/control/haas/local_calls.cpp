@@ -1,0 +1,43 @@
+// M97, M96 of the Haas: subprograms at a block of the same program, jumps by an input (spec/haas 3.1, 3.4). For control/functions; tested
+// by tests/cases/haas.
+
+#include <cmath>
+
+#include "control/functions/functions.h"
+#include "control/macro_b/calls/calls.h"
+#include "control/macro_b/macro_b.h"
+#include "control/macro_b/statements/messages.h"
+
+namespace kadr::functions {
+
+using macro_b::CallRequest;
+
+/// M97 P L (spec/haas 3.1): block P of the same program, back at M99; the locals stay.
+Status call_local(Interpreter& m, const Call& call) {
+  const Word* const p = m.word('P');
+  if (p == nullptr) return fail(alarm(AlarmId::call_without_program, call.where, call.row->code));
+  const auto times = macro_b::repeats_of(m);
+  if (!times) return fail(times.error());
+  const auto start = macro_b::block_numbered(m, p->value, p->where);
+  if (!start) return fail(start.error());
+  CallRequest request;
+  request.place = {m.program().reader(), *start};
+  request.name = static_cast<std::uint32_t>(macro_b_of(m).state.words.o);
+  request.times = *times;
+  return macro_b::call(m, request, {}, call.where);
+}
+
+/// M96 P Q (spec/haas 3.4): to block P while input Q is 0. INFERRED: an input that the set-up does not give is 0.
+Status jump_by_input(Interpreter& m, const Call& call) {
+  for (const char letter : {'P', 'Q'})
+    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+  constexpr double most_inputs = 63;
+  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is no length
+  if (!(input >= 0 && input <= most_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
+  const auto& inputs = macro_b_of(m).plc_in;
+  const auto number = static_cast<std::size_t>(input);
+  if (number < inputs.size() && inputs[number] != 0) return {};
+  return macro_b::go_to_block_again(m, m.value('P'), m.where('P'));
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,234 @@
+// Custom macros B at power-on, by a set-up, at a reset; what an alarm takes back; what a snapshot holds; what the interpreter asks of them
+// (spec/nct/03, 23). For control/fanuc/dialect.
+
+#include "control/macro_b/macro_b.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/code_literals.h"
+#include "config/machine_axes.h"
+#include "control/interpreter.h"
+#include "control/macro_b/calls/calls.h"
+#include "control/macro_b/calls/interrupt.h"
+#include "control/macro_b/dialect/blocks.h"
+
+namespace kadr::macro_b {
+namespace {
+
+/// Names of all axes of the machine by their number: those of the other channels too.
+std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
+  std::vector<std::string> names(32);
+  std::size_t number = 1;
+  const auto add = [&](const std::vector<std::string>& axes) {
+    for (const std::string& name : axes)
+      if (number <= names.size()) names[number++ - 1] = name;
+  };
+  const std::vector<std::string> usual = {"X", "Y", "Z"};
+  bool own_added = false;
+  for (const auto& [channel, other] : setup.channels) {
+    if (channel > setup.channel && !own_added) add(def.axes), own_added = true;
+    add(other.axes.empty() ? usual : other.axes);
+  }
+  if (!own_added) add(def.axes);
+  return names;
+}
+
+}  // namespace
+
+MacroB::MacroB(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
+    : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
+      parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
+      output({.root = limits.files,
+              .writing = limits.writes_files ? OutputWriting::files : OutputWriting::nothing,
+              .untouched = limits.untouched}) {
+  parameters.keep_in(m.journal);
+  if (const std::string& error = parameters.error(); !error.empty())
+    m.start_fault = {"parameters", error, "ключ «parameters» исходного состояния: недопустимое значение (" + error + ")"};
+  if (const std::int32_t row = m.def.row_of('G', 63_g); row >= 0) {
+    inhibiting = static_cast<std::int16_t>(row);
+    stop_group = m.def.codes[static_cast<std::size_t>(row)].group;
+  }
+  m.macro_variables = &variables;
+  for (const VariableRow& row : m.def.variables)
+    if (is_clock(row.kind))
+      for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
+}
+
+MacroB::~MacroB() = default;
+
+// ---- start and end
+
+void MacroB::read_parameters(BlockContext&) { settings = read_settings(source_of(parameters)); }
+
+void MacroB::refresh_settings(BlockContext& m) {
+  if (parameters_seen == parameters.version() + 1) return;
+  parameters_seen = parameters.version() + 1;
+  read_parameters(m);
+}
+
+bool MacroB::start(Interpreter& m, const Setup& setup) {
+  refresh_settings(m);
+  signals = setup.signals;
+  single_block = setup.single_block;
+  clock = setup.clock;
+  return true;
+}
+
+void MacroB::take_setup(Emitter& m, const Setup& setup) {
+  for (const auto& [name, value] : setup.variables) {
+    if (name.size() < 2 || name[0] != '#') continue;
+    const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
+    if (const Status written = set_start_value(m, number, value ? *value : vacant); !written && m.start_fault.empty())
+      m.start_fault = {"variables." + name, "setup key 'variables." + name + "': no such variable, or not one that can be given",
+                       "ключ «variables." + name + "» исходного состояния: такой переменной нет, или её нельзя задать"};
+  }
+}
+
+/// Power off and on (23.5).
+bool MacroB::lose_power(Interpreter&) {
+  variables.power_off();
+  clock_offset_ms = now_ms;
+  answer = 0;
+  return true;
+}
+
+void MacroB::reset_macros(BlockContext& m) {
+  output.abort();
+  state.data_mode = DataMode::none;
+  state.modal_calls.clear();
+  state.active_modal_calls = 0;
+  repeated_arguments.clear();
+  if (m.def.behaviour.common_cleared && !settings.common_kept) variables.power_off();
+  variables.close_levels();
+  control_1 = control_2 = 0;
+  state.interrupt_program.reset();
+  interrupted.active = false;
+}
+
+/// Parameters (24.1).
+void MacroB::take_common(BlockContext& m, const Dialect& from) {
+  parameters.take(static_cast<const MacroB&>(from).parameters);
+  refresh_settings(m);
+}
+
+// ---- what an alarm takes back: for Interpreter::take_back, which does the same for what all controls have (design.md 4)
+
+void MacroB::begin_block(Emitter& m) {
+  m.journal.keep(state.words);
+  before_.all = false;
+}
+
+void MacroB::keep_all() {
+  if (before_.all) return;
+  before_ = {true, state, variables.depth(), repeated_arguments.size()};
+}
+
+void MacroB::take_back(BlockContext&) {
+  if (!before_.all) return;
+  state = before_.state;
+  while (variables.depth() > before_.levels) variables.close_level();
+  if (repeated_arguments.size() > before_.repeated_arguments) repeated_arguments.resize(before_.repeated_arguments);
+}
+
+// ---- snapshot
+
+MacroState::MacroState(const MacroB& of)
+    : memory(of), parameters(of.parameters.memory()), variables(of.variables.memory()), output(of.output.memory()) {}
+
+std::shared_ptr<const DialectState> MacroB::snapshot() const { return std::make_shared<MacroState>(*this); }
+
+Status MacroB::restore(BlockContext&, const DialectState& from) {
+  const auto& then = static_cast<const MacroState&>(from);
+  KADR_TRY(output.remember(then.output));
+  static_cast<Memory&>(*this) = then.memory;
+  parameters.remember(then.parameters);
+  variables.remember(then.variables);
+  changes = Changes();  // of the state file: all rows once more
+  before_ = {};
+  return {};
+}
+
+// ---- what the machine tells (11.7, 23.1.9, 23.4)
+
+void MacroB::set_signal(const std::string& name, double value) {
+  double& signal = signals[name];
+  if (name == interrupt_signal && signal == 0 && value != 0) signal_rose = true;
+  signal = value;
+}
+
+void MacroB::set_time(double at_ms, double cut_ms) {
+  now_ms = at_ms;
+  cutting_ms += cut_ms;  // the program may have set it
+}
+
+// ---- what the interpreter asks
+
+void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
+  macro_b::add_variables(m, ending, watch);
+}
+
+/// A clock variable stands in the block, or one by a computed number, or a text with variables (23.1.9). Its value must be that of the
+/// moment: all actions before it are handed over first, and from then on each block's.
+bool MacroB::reads_clock(const Block& block) const {
+  const StatementKind kind = block.statement.kind;
+  if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
+  for (const Instruction& i : block.code) {
+    if (i.op == Op::variable) return true;
+    if (!(i.number > last_common)) continue;
+    const bool constant = i.op == Op::number || i.op == Op::variable_at;
+    if (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end()) return true;
+  }
+  return false;
+}
+
+Result<bool> MacroB::interrupt(Interpreter& m, BlockMoment moment) { return call_interrupt(m, moment); }
+
+Result<bool> MacroB::statement(Interpreter& m) { return run_statement(m); }
+void MacroB::note_fault(Interpreter& m, bool may_have_steered) { endless.note_fault(m, may_have_steered); }
+void MacroB::taken_back(Emitter& m) { refresh_settings(m); }
+StateChanges MacroB::take_changes(Interpreter& m) { return changes.take(m); }
+
+bool MacroB::leave_call(Interpreter& m) {
+  macro_b::leave_call(m);
+  return true;
+}
+
+Result<double> MacroB::read_variable(Emitter& m, double number, Span where) const { return macro_b::read_variable(m, number, where); }
+
+Result<double> MacroB::number_of_element(const BlockContext& m, double symbol, double index, Span where) const {
+  return macro_b::number_of_element(m, symbol, index, where);
+}
+
+Result<double> MacroB::control_value(BlockContext& m, double number, double bit, double index, Span where) const {
+  return read_parameter(m, number, bit, index, where);
+}
+
+/// A line between G10 L52 and G11 (24.1).
+Status MacroB::parameter_line(BlockContext& m) {
+  ParameterStore::Write write;
+  write.block = m.block->where;
+  if (m.block->has_number) write.n = ParameterStore::Word{double(m.block->number), m.block->number_where};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    const ParameterStore::Word word{w.value, w.where};
+    if (w.written == 'P') write.p = word;
+    else if (w.written == 'Q') write.q = word;
+    else if (w.written == 'R') write.r = word, write.increment = w.incremental;
+    else if (w.written == 'N' && !write.n) write.n = word;
+    else return fail(alarm(AlarmId::data_block, w.where, m.block->text_of(w.where)));
+  }
+  if (m.block->word_count == 0 && !m.block->has_number) return {};
+  KADR_TRY(parameters.write(write));
+  refresh_settings(m);
+  return {};
+}
+
+}  // namespace kadr::macro_b
+
+namespace kadr {
+
+macro_b::MacroB& macro_b_of(const BlockContext& m) { return static_cast<macro_b::MacroB&>(*m.dialect); }
+
+}  // namespace kadr

@@ -1,0 +1,178 @@
+// A called program looked for step by step (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the names of the files, by the
+// first word of the files. For control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "base/ascii.h"
+#include "control/interpreter.h"
+#include "control/macro_b/programs/programs.h"
+#include "lang/text/utf16.h"
+
+namespace kadr::macro_b {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<fs::path>;
+
+constexpr std::size_t most_searched_files = 10'000;  // of a folder
+constexpr std::size_t most_heading = 4096;           // bytes of a file in which its first word is looked for
+constexpr std::size_t most_named = 3;                // files that an alarm names
+constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_name_digits = 8;
+
+std::string in_capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), to_upper);
+  return text;
+}
+
+/// Digits behind the O of a file's name where they are that number; 0: another name.
+std::size_t digits_of(const fs::path& file, std::uint32_t number) {
+  const std::string stem = in_capitals(file.stem().string());
+  const std::size_t digits = stem.size() - 1;
+  if (stem.size() < 2 || stem[0] != 'O' || digits > most_name_digits || stem.find_first_not_of("0123456789", 1) != std::string::npos)
+    return 0;
+  return std::stoul(stem.substr(1)) == number ? digits : 0;
+}
+
+/// The regular files of the folder, in the order of their names.
+Files files_in(const fs::path& folder) {
+  Files files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
+    if (files.size() == most_searched_files) break;
+    if (entry.is_regular_file(error)) files.push_back(folder == "." ? entry.path().filename() : entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Files files_that(const Files& files, const std::function<bool(const fs::path&)>& wanted) {
+  Files some;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(some), wanted);
+  return some;
+}
+
+/// The first block of a file with anything but a comment: the program's O or <NAME>.
+struct FirstWord {
+  std::optional<std::uint32_t> number;
+  std::string name;
+  Position start;
+};
+
+FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileDoor* door) {
+  const auto source = open_text(file.string(), {}, door).source;
+  if (!source) return {};
+  std::string head(most_heading, '\0');
+  head.resize(source->read(0, head.data(), head.size()));
+  BlockReader reader(text_source(std::move(head)), grammar, std::nullopt);
+  const auto block = std::make_unique<Block>();
+  for (;;) {
+    const auto got = reader.next(*block);
+    if (!got || *got == BlockReader::Got::end) return {};
+    if (block->marker == Marker::label) return {block->label, {}, block->position};
+    if (block->file_name.end != 0 && block->word_count == 0) return {{}, std::string(block->text_of(block->file_name)), block->position};
+    if (!block->empty() && block->marker != Marker::program_start) return {};
+  }
+}
+
+/// The only one, or nothing.
+///   alarms  programs_alike
+Result<std::optional<fs::path>> only_one(const Files& files, std::string_view shown, Span where) {
+  if (files.empty()) return std::optional<fs::path>();
+  if (files.size() == 1) return std::optional(files.front());
+  std::string names;
+  for (std::size_t i = 0; i < std::min(files.size(), most_named); ++i) names += (i == 0 ? "" : ", ") + files[i].filename().string();
+  if (files.size() > most_named) names += ", …";
+  return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
+}
+
+/// By the name of the file: those with the caller's extension before others; of a Haas those of five digits first, then of four.
+Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
+  const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
+  const std::string shown = "O" + std::to_string(number);
+  for (const bool same_extension : {true, false}) {
+    const auto of = [&](std::size_t digits) {
+      return files_that(files, [&](const fs::path& file) {
+        const std::size_t found = digits_of(file, number);
+        return found != 0 && (digits == 0 || found == digits) && (in_capitals(file.extension().string()) == extension) == same_extension;
+      });
+    };
+    if (m.def.behaviour.numbers_by_five)
+      for (const std::size_t digits : {digits_of_haas, digits_of_fanuc})
+        if (const Files some = of(digits); !some.empty()) return only_one(some, shown, where);
+    if (const Files some = of(0); !some.empty()) return only_one(some, shown, where);
+  }
+  return std::optional<fs::path>();
+}
+
+/// Where programs lie: beside the main program, beside the caller, in the folder of --files.
+std::vector<fs::path> folders_of(const BlockContext& m) {
+  std::vector<fs::path> folders;
+  const auto add = [&](fs::path folder) {
+    if (folder.empty()) folder = ".";
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+  };
+  add(fs::path(m.program().main_file()).parent_path());
+  add(fs::path(m.program().file()).parent_path());
+  if (!m.program().limits().files.empty()) add(m.program().limits().files);
+  return folders;
+}
+
+}  // namespace
+
+Result<std::optional<ProgramPlace>> Programs::in_own_file(Interpreter& m, std::uint32_t number, Span where) {
+  const std::vector<Position> places = m.flow.program_file().programs_numbered(number);
+  if (places.size() > 1) {
+    const std::string lines = std::to_string(places[0].line) + ", " + std::to_string(places[1].line);
+    const std::string shown = "O" + std::to_string(number);
+    return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
+  }
+  if (places.empty()) return std::optional<ProgramPlace>();
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // it counts as called
+  return std::optional(ProgramPlace{m.program().reader(), places.front()});
+}
+
+Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Span where) {
+  const std::pair key{std::uint32_t{m.program().reader()}, number};
+  if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
+  const auto own = in_own_file(m, number, where);
+  if (!own) return fail(own.error());
+  if (*own) return numbers_[key] = **own;
+  const std::vector<fs::path> folders = folders_of(m);
+  for (const bool by_word : {false, true})
+    for (const fs::path& folder : folders) {
+      const Files files = files_in(folder);
+      const Files headed =
+          by_word ? files_that(files,
+                               [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).number == number; })
+                  : Files();
+      const auto found = by_word ? only_one(headed, "O" + std::to_string(number), where) : by_file_name(m, files, number, where);
+      if (!found) return fail(found.error());
+      if (!*found) continue;
+      const auto place = opened(m, (**found).string(), where);
+      if (!place) return fail(place.error());
+      return numbers_[key] = *place;
+    }
+  if (const auto built_in = m.flow.open_built_in(program_name(number))) return numbers_[key] = ProgramPlace{*built_in, {}};
+  const std::string name = m.def.behaviour.numbers_by_five ? fmt::format("O{:05}", number) : program_name(number);
+  return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
+}
+
+Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::string_view name, Span where) {
+  for (const fs::path& folder : folders_of(m)) {
+    const Files files = files_that(
+        files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).name == name; });
+    const auto found = only_one(files, name, where);
+    if (!found) return fail(found.error());
+    if (!*found) continue;
+    const auto place = opened(m, (**found).string(), where);
+    if (!place) return fail(place.error());
+    return std::optional(*place);
+  }
+  return std::optional<ProgramPlace>();
+}
+
+}  // namespace kadr::macro_b

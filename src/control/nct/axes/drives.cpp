@@ -1,0 +1,155 @@
+// Axes that drive others than their own: exchanged, reversed; parked ones (spec/nct/20 20.2 to 20.5). For the rest of control; tested by
+// tests/cases/nct/20-axes.cases.
+
+#include "control/nct/axes/drives.h"
+
+#include <optional>
+#include <utility>
+
+#include "control/fanuc/words/coordinates.h"
+#include "control/emitter.h"
+#include "control/nct/axes/coupling.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
+
+bool is_main(int role) { return role >= 1 && role <= 3; }  // X, Y, Z
+
+/// Rotary axes that roll over have no way back; those of five-axis functions, those that follow or lead are counted on elsewhere.
+bool is_free_axis(const BlockContext& m, std::size_t axis) {
+  const Nct& nct = nct_of(m);
+  const int number = static_cast<int>(axis);
+  const FiveAxis& five = fanuc_of(m).settings.five_axis;
+  const bool turns_tool = five.group != MachineGroup::none;
+  bool coupled = false;
+  for (const Follower& f : nct.couplings.followers) coupled = coupled || f.axis == axis || f.master == axis;
+  for (const FarAxis& f : nct.couplings.far) coupled = coupled || (f.link == AxisLink::follows && f.axis == axis);
+  const bool rolls = fanuc_of(m).settings.axes[axis].rolls && (m.def.rotary >> axis & 1U) != 0;
+  return !coupled && !rolls &&
+         !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
+}
+
+/// That N2104 of the axis names.
+std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
+  const ParameterStore& store = macro_b_of(m).parameters;
+  return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
+}
+
+/// N2105 #0 MMI: after the exchange the axis goes the other way round.
+bool goes_other_way(const BlockContext& m, std::size_t axis) {
+  const ParameterStore& store = macro_b_of(m).parameters;
+  constexpr int mmi = 0;
+  return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
+}
+
+/// The reversal comes after the exchange (INFERRED).
+AxisDrives drives_of(const BlockContext& m, const Drives& d) {
+  AxisDrives all;
+  all.reversed = d.mirrored ^ d.far_reversed;
+  for (AxisMask left = d.exchanged; left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    const auto other = other_of(m, axis);
+    if (!other) continue;
+    std::swap(all.axis[axis], all.axis[*other]);
+    for (const std::size_t a : {axis, *other})
+      if (goes_other_way(m, a)) all.reversed ^= bit(a);
+  }
+  all.is_own = all.reversed == 0 && all.axis == AxisDrives().axis;
+  return all;
+}
+
+/// Of the axis, and of the one it is exchanged with: neither is in another exchange, and both are free.
+bool may_exchange(const BlockContext& m, std::size_t axis) {
+  const auto other = other_of(m, axis);
+  return other && may_be_exchanged(m, axis) && may_be_exchanged(m, *other);
+}
+
+/// The other channel's axis stands at `machine`. Nothing moves, the programmed coordinates are new.
+void exchange_far(BlockContext& m, std::size_t axis, double machine, bool on) {
+  Drives& d = nct_of(m).drives;
+  d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
+  d.far_reversed = on && goes_other_way(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
+  m.position.machine[axis] = machine;
+}
+
+void unpark(BlockContext& m, std::size_t axis) {
+  Drives& d = nct_of(m).drives;
+  d.parked &= ~bit(axis);
+  m.position.machine[axis] = d.standing[axis];
+  follow_from_here(m);
+}
+
+/// False: it cannot be.
+bool carry_out(BlockContext& m, const AskedOfAxis& asked) {
+  Drives& d = nct_of(m).drives;
+  if (asked.machine) {
+    exchange_far(m, asked.axis, *asked.machine, asked.on);
+    return true;
+  }
+  const AxisMask axis = bit(asked.axis);
+  AxisMask& now = asked.link == AxisLink::exchanged ? d.exchanged : asked.link == AxisLink::reversed ? d.mirrored : d.parked;
+  if (((now & axis) != 0) == asked.on) return true;
+  if (asked.link == AxisLink::parked) {
+    if (!asked.on) {
+      unpark(m, asked.axis);
+      return true;
+    }
+    d.standing[asked.axis] = m.position.machine[asked.axis];
+  } else if (asked.on && asked.link == AxisLink::exchanged && !may_exchange(m, asked.axis)) {
+    return false;
+  } else if (asked.on && asked.link == AxisLink::reversed && !is_free_axis(m, asked.axis)) {
+    return false;
+  }
+  now ^= axis;
+  return true;
+}
+
+}  // namespace
+
+bool may_be_exchanged(const BlockContext& m, std::size_t axis) {
+  const Drives& d = nct_of(m).drives;
+  return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && fanuc_of(m).driven.of(axis) == axis;
+}
+
+void ask_of_axis(BlockContext& m, const std::string& name, AxisLink link, bool on) {
+  const ParameterStore& store = macro_b_of(m).parameters;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if (m.axis_names[a] != name) continue;
+    const double other = store.value(store.named("2104"), m.def.axis_numbers[a]);
+    if (link == AxisLink::exchanged && is_far_axis(m, other)) link_far(m, {a, static_cast<int>(other), link, 1}, on);
+    else nct_of(m).drives.asked.push_back({a, link, on});
+  }
+}
+
+void carry_out_asked(Emitter& m) {
+  Drives& d = nct_of(m).drives;
+  for (const AskedOfAxis& asked : std::exchange(d.asked, {}))
+    if (!carry_out(m, asked)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[asked.axis])));
+  fanuc_of(m).driven = drives_of(m, d);
+  m.refresh_frames();
+  m.position.work = m.frames.work_of(m.position.machine);
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  m.emit(m.frame_change());
+}
+
+void end_drives(Emitter& m) {
+  Drives& d = nct_of(m).drives;
+  if (fanuc_of(m).driven.is_own && d.parked == 0 && d.far == 0) return;
+  while (d.parked != 0) unpark(m, static_cast<std::size_t>(__builtin_ctz(d.parked)));
+  d = {};
+  carry_out_asked(m);
+}
+
+void keep_parked(BlockContext& m, Motion& motion) {
+  const Drives& d = nct_of(m).drives;
+  detail_of(m, motion).parked = d.parked;
+  for (AxisMask left = d.parked; left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    motion.machine[axis] = d.standing[axis];
+  }
+}
+
+}  // namespace kadr::nct

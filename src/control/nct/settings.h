@@ -1,0 +1,17 @@
+#pragma once
+// What the parameters say of that which only the NCT has: tools, waiting codes (spec/nct/12, 14.5).
+
+#include "control/macro_b/variables/settings.h"
+
+namespace kadr::nct {
+
+struct Settings {
+  int waiting_low = 0, waiting_high = 0;  // N2201, N2202
+  bool life_counts_on_t = false;          // N2901 #1 TLC
+  int offset_by_tool = 0;                 // N2923
+  int place_code = 0;                     // N2924
+};
+
+Settings read_settings(const macro_b::ParameterSource& source);
+
+}  // namespace kadr::nct

@@ -1,0 +1,74 @@
+// Waiting codes: the channels of a machine wait for each other at `M501 P12` (spec/nct/14 14.5). For the rest of control.
+
+#include "control/nct/waiting.h"
+
+#include <string>
+
+#include "control/emitter.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr int most_waiting_codes = 100;
+constexpr const char* no_waiting_signal = "CP_NOWT";
+
+bool is_waiting_code(const Settings& s, int code) {
+  return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + most_waiting_codes;
+}
+
+/// Only the block's number and P may stand beside it.
+bool stands_alone(const BlockContext& m) {
+  std::size_t others = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (const char letter = m.block->words[i].address; letter != 0 && letter != 'P') ++others;
+  return others == 1;
+}
+
+/// "12" → bits 1 and 2. INFERRED: a digit that stands twice counts once.
+Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
+  const std::string text = std::to_string(digits);
+  std::uint32_t channels = 0;
+  for (const char c : text) {
+    const int channel = c - '0';
+    const bool known = channel >= 1 && channel <= most_channels && (m.waiting.known == 0 || (m.waiting.known >> channel & 1u) != 0);
+    if (!known) return fail(alarm(AlarmId::channel_list, m.where('P'), std::string_view(text)));
+    channels |= 1u << channel;
+  }
+  return channels;
+}
+
+}  // namespace
+
+std::uint32_t channels_of(const Setup& setup) {
+  if (setup.channels.empty()) return 0;
+  std::uint32_t channels = 1u << setup.channel;
+  for (const auto& [number, channel] : setup.channels) channels |= 1u << number;
+  return channels;
+}
+
+bool waiting_suspended(const Nct& nct) {
+  const auto found = nct.signals.find(no_waiting_signal);
+  return found != nct.signals.end() && found->second != 0;
+}
+
+Result<bool> waiting_code(BlockContext& m, const Call& call) {
+  const int code = call.word->code / 10;
+  if (!is_waiting_code(nct_of(m).settings, code)) return false;
+  const std::string name = "M" + std::to_string(code);
+  if (!stands_alone(m)) return fail(alarm(AlarmId::own_block, call.where, std::string_view(name)));
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', std::string_view(name)));
+  const auto digits = m.whole('P', 0, 99'999'999);
+  if (!digits) return fail(digits.error());
+  const auto channels = channels_in(m, *digits);
+  if (!channels) return fail(channels.error());
+  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // what the others do may differ
+  const bool alone = *channels == 1u << m.def.channel;
+  if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(nct_of(m))) return true;
+  if (m.waiting.mode == Control::Waiting::alarm && !alone)
+    return fail(alarm(AlarmId::channels_wait, call.where, double(m.def.channel), std::string_view(name)));
+  if (m.waiting.mode == Control::Waiting::meet) m.waiting.meeting = Control::Meeting{static_cast<std::uint32_t>(code), *channels, m.origin};
+  return true;
+}
+
+}  // namespace kadr::nct
