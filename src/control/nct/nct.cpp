@@ -37,7 +37,8 @@ std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
 }
 
 ParameterSource source_of(const ParameterStore& store) {
-  return {[&store](const char* name, int index) {
+  return {[&store](const char* name) { return store.meaning(name).row != ParameterId::none; },
+          [&store](const char* name, int index) {
             const ParameterStore::Meaning meant = store.meaning(name);
             if (meant.bit >= 0) return store.bit(meant.row, meant.bit, index) ? 1.0 : 0.0;
             return store.value(meant.row != ParameterId::none ? meant.row : store.named(name), index);
@@ -183,9 +184,7 @@ void Nct::refresh_settings(Interpreter& m) {
   parameters_seen = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
-  if (m.def.behaviour.length_axis_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
-  if (m.def.behaviour.arc_difference_free && settings.radius_unlimited)
-    settings.radius_difference = std::numeric_limits<double>::infinity();
+  if (m.def.behaviour.tool_along_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
   take_reference_points(m);
 }
 
@@ -321,7 +320,7 @@ void Nct::reset_program(Interpreter& m) {
   state.modal_calls.clear();
   state.active_modal_calls = 0;
   repeated_arguments.clear();
-  if (m.def.behaviour.common_cleared && !settings.common_kept) variables.power_off();
+  if (settings.common_cleared) variables.power_off();
   variables.close_levels();
   control_1 = control_2 = 0;
   state.interrupt_program.reset();

@@ -214,7 +214,7 @@ Status DrillingRun::close_loop(Interpreter& m) {
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
 Status DrillingRun::dwell(Interpreter& m) {
   if (!(job_.dwell > 0)) return {};
-  if (m.def.behaviour.dwell_in_milliseconds) {
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
     m.emit(Dwell{job_.dwell});
     return {};
   }

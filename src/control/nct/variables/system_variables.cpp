@@ -141,7 +141,7 @@ double* rotation_field(Interpreter& m, const Found& f) {
 
 bool is_zero(VariableKind kind) {
   return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended ||
-         kind == VariableKind::zero_dynamic;
+         kind == VariableKind::zero_dynamic || kind == VariableKind::zero_local;
 }
 
 /// #5501 … (25.4): the dynamic offset in force as the table stands, of the rotary axes as it is in the table.
@@ -163,9 +163,8 @@ double probe_of_five_axes(const Interpreter& m, bool of_machine, int axis) {
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
 double* zero_field(Interpreter& m, const Found& f, int axis) {
-  Axes& common = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;
-  Axes* const zero = f.row->kind == VariableKind::zero_common ? &common : &m.tables.zeros[system_of(f)];
-  return zero->data() + axis;
+  if (f.row->kind == VariableKind::zero_local) return m.modal.local.data() + axis;
+  return (f.row->kind == VariableKind::zero_common ? m.tables.common : m.tables.zeros[system_of(f)]).data() + axis;
 }
 
 double read_plain(const Interpreter& m, const Found& f) {
