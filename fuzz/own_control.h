@@ -121,11 +121,13 @@ inline std::string grammar_line(Dice& dice) {
 }
 
 inline std::string behaviour_line(Dice& dice) {
-  constexpr const char* flags[] = {
-      "arc_radius_word",       "helix_by_lead",          "feed_required",       "speed_needs_direction", "tool_and_corrector",
-      "contour_entry_tangent", "contour_blocks_checked", "zero_change_checked", "subprogram_zero_local", "subprograms_by_section",
-      "end_required",          "ends_reading",           "delayed_assignment",  "feed_of_axis",          "end_required"};
-  constexpr const char* others[] = {"arc_centers = \"by_code\"",
+  constexpr const char* flags[] = {"arc_radius_word", "feed_required", "speed_needs_direction", "tool_and_corrector", "rapids_apart",
+                                   "end_required",    "ends_reading",  "delayed_assignment",    "feed_of_axis"};
+  constexpr const char* others[] = {"compensation_entry = \"tangent\"",
+                                    "compensation_entry = \"queued\"",
+                                    "arc_radius_word = \"before_centre\"",
+                                    "arc_radius_difference = [0.01, 0.05]",
+                                    "arc_centers = \"by_code\"",
                                     "arc_centers = \"as_distance\"",
                                     "length_offset = \"at_once\"",
                                     "arc_radius_difference = 100",

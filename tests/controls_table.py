@@ -44,7 +44,7 @@ UNITS = enum_names(DEF_H, "WordUnit")
 BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
 PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
                    "when": enum_names(DEF_H, "ParameterClass")}
-ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
+ENUMS = {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
 EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
@@ -192,7 +192,9 @@ class Control:
             if not check(key in BEHAVIOUR, self.at("behaviour", key, "is not known")):
                 continue
             kind = BEHAVIOUR[key]
-            if kind in ENUMS:
+            if key == "arc_radius_difference" and isinstance(value, list):  # while the unit is mm, and inch
+                good = len(value) == 2 and all(isinstance(one, float) and one >= 0 for one in value)
+            elif kind in ENUMS:
                 good = value in ENUMS[kind]
             elif kind == "bool":
                 good = isinstance(value, bool)

@@ -31,6 +31,7 @@ import traceback
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+CONTROLS = tuple(sorted(path.stem for path in (ROOT / 'controls').glob('*.toml') if f'\nid = "{path.stem}"\n' in path.read_text(encoding='utf-8')))   # built in
 TIME_LIMIT_S = 120   # of one run of the program; it ends only what hangs
 CORES = len(os.sched_getaffinity(0))
 TICKS = os.sysconf('SC_CLK_TCK')   # of processor time, a second

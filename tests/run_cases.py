@@ -14,6 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import harness
 from cases import reader
 
 TESTS = Path(__file__).resolve().parent
@@ -56,6 +57,8 @@ def form_faults(cases):
         yield from form.faults(case, form.schema, where)
         if case['basis'] not in BASIS or not case.get('derivation'):
             yield f'{where}: basis is rule or inferred, with its derivation'
+        if case['control'] not in harness.CONTROLS:
+            yield f'{where}: {case["control"]!r} is no file of controls/'
     for folder in sorted(CASES.iterdir()):
         if folder.name in ('reader.py', '__pycache__'):
             continue

@@ -30,10 +30,9 @@ import sys
 from pathlib import Path
 
 import harness
-from harness import Failure
+from harness import CONTROLS, Failure
 
 ROOT = Path(__file__).resolve().parent / 'faulty'
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
 PROGRAMS = ('.nc', '.tape')
 FAULT = re.compile(r'(\d+):(\d+) (warning |note |advice )?([a-z0-9_]+)')
 

@@ -131,7 +131,7 @@ struct CycleRow {
   X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
   /* spec/fanuc 5.1, spec/haas 2.4 */                                                                         \
   X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed) X(operator_switch)        \
-  X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
+  X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d) X(zero_local)
 // clang-format on
 enum class VariableKind : std::uint8_t {
 #define KADR_VARIABLE_ENUM(name) name,
@@ -188,88 +188,80 @@ struct ParameterRow {
   std::string manual;
 };
 
+/// What I J K of an arc mean: from the start point; as G90, G91 say, and that of a third axis is the lead of a helix (2С42 6.6.4, 6.6.6);
+/// by G90.1, G91.1.
 enum class ArcCenters : std::uint8_t { incremental, as_distance, by_code };
+/// Whether an arc may have R: no; in place of I J K; beside I J K, which then mean nothing (spec/fanuc 3.2).
+enum class ArcRadius : std::uint8_t { none, alone, before_centre };
 enum class LengthOffset : std::uint8_t { at_once, next_motion };
+/// How the first motion behind G41, G42 goes: to the normal of the next block's start; touching the line to its first point (Mach3); held
+/// back until the next one moves its end (LinuxCNC: path/contour/queued_compensation).
+enum class CompensationEntry : std::uint8_t { normal, tangent, queued };
+/// What P of a dwell counts: s; ms; ms without a point, s with one (spec/haas 4.1).
+enum class DwellUnit : std::uint8_t { seconds, milliseconds, milliseconds_without_point };
+/// Of two words for the same thing the later counts: nowhere, it is an alarm; among the arguments of a macro call (spec/fanuc 9.3), where
+/// G, L, N, O, P are none; of addresses and of the codes of a group too (1.2, 2.1).
+enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
+/// What the words of a drilling cycle mean. shift_by_ijk: I J K are the shift of G76, G87, I of G85, G89 and of taps is a percentage, R
+/// alone drills nothing (nct 18). shift_by_q: Q is the shift, its direction a parameter, R alone drills (spec/fanuc 10.1, 10.5).
+/// pecks_by_ijk: so too, and I J K of G73, G83 are the first cut, how much less each next one is, and the least (spec/haas 8.3).
+enum class CycleWords : std::uint8_t { shift_by_ijk, shift_by_q, pecks_by_ijk };
 
 /// How the engine's functions behave on this control, where controls differ.
 struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
-  bool arc_radius_word = false;         // G2 … R
+  ArcRadius arc_radius_word = ArcRadius::none;
   double arc_radius_difference = 0.01;  // mm
   double arc_difference_inch = 0;       // mm, while the unit is inch (G20); 0: the same
   bool arc_angle_even = false;          // where an arc's radius changes its angle goes evenly (nct 4.3); else the path
-  bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
-  bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there
-  bool contour_queued = false;          // LinuxCNC: path/contour/queued_compensation
-  bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
-  double feed_most = 0;                 // mm/min; 0 = no limit
-  bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
-  bool label_may_be_zero = false;       // O0000 is warned of: a CAM system's usual number, and the operator gives one (spec/fanuc 1.1)
-  double result_most = 0;               // greatest value of an assignment, of either sign (spec/fanuc 5.3); 0: no limit
-  double reference_feed = 2000;         // mm/min, G25 of the 2С42
-  double return_chip_break = 1;         // mm, G73
-  double return_near = 1;               // mm, back to just above the bottom in G83
-  double probe_least_distance = 0;      // mm
-  double probe_retract = 0;             // mm, along its way back, when the probe has touched (Mach3 10.7.12.1)
-  bool probe_in_inverse_time = false;   // Grbl: G38 in G93, its F is the time of the whole way
-  bool speed_needs_direction = false;   // 2С42: S without M3/M4 changes nothing
-  bool tool_in_spindle = false;         // 2С42: a digit before the tool of T names the tool that stands in the spindle
-  bool skip_asks = false;               // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
-  bool tool_and_corrector = false;      // T0404: the last two of more than two digits are the corrector
-  bool zero_change_checked = false;     // 2С42: with G90 and G40 on a straight section only
-  bool subprogram_zero_local = false;   // 2С42: the caller's zero comes back
-  bool subprograms_by_section = false;  // 2С42: `L`, N02001, M17
-  bool end_required = false;            // a program without M2 or M30 is warned of
-  bool ends_reading = true;             // nothing after the end is read (GOST)
-  bool goes_on_behind_end = false;      // Grbl: M2, M30 set modes, the next lines are carried out
-  bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
-  bool feed_of_axis = false;            // F right after an axis' word, others follow: the feed of that axis (GOST 20999-83)
-  bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
-  bool label_is_number = false;         // O0001 right after % numbers the program (spec/gost 1)
+  CompensationEntry compensation_entry = CompensationEntry::normal;
+  bool rapids_apart = false;  // each axis of a rapid motion at its own rate, of a control without such a parameter: config/rapid_way.h
+  bool feed_required = true;  // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
+  double result_most = 0;     // greatest value of an assignment, of either sign (spec/fanuc 5.3); 0: no limit
+  // Figures of the machine. Where the control has a table of parameters with them (`as` is their name), its values count, and the
+  // set-up's before those (config/machine_axes).
+  double feed_most = 0;                // mm/min; 0 = no limit
+  double reference_feed = 2000;        // mm/min, G25 of the 2С42
+  double return_chip_break = 1;        // mm, G73
+  double return_near = 1;              // mm, back to just above the bottom in G83
+  double probe_least_distance = 0;     // mm
+  double probe_retract = 0;            // mm, along its way back, when the probe has touched (Mach3 10.7.12.1)
+  bool probe_in_inverse_time = false;  // Grbl: G38 in G93, its F is the time of the whole way
+  bool speed_needs_direction = false;  // 2С42: S without M3/M4 changes nothing
+  bool skip_asks = false;              // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
+  bool tool_and_corrector = false;     // T0404: the last two of more than two digits are the corrector
+  bool end_required = false;           // a program without M2 or M30 is warned of
+  bool ends_reading = true;            // nothing after the end is read (GOST)
+  bool delayed_assignment = false;     // Mach3: #1=5 X#1 uses the old #1
+  bool feed_of_axis = false;           // F right after an axis' word, others follow: the feed of that axis (GOST 20999-83)
+  bool label_is_number = false;        // O0001 right after % numbers the program (spec/gost 1)
   // Where controls with custom macros differ (spec/fanuc).
-  bool last_word_counts = false;             // of two words of an address, two codes of a group the one written last (1.2, 2.1)
-  bool arc_radius_first = false;             // R beside I J K: they are ignored (3.2)
-  bool arc_without_centre_straight = false;  // neither R nor I J K: a line (3.2)
-  bool rapids_apart = false;                 // each axis of a rapid motion at its own rate, no line (3.1): config/rapid_way.h
-  bool dwell_in_milliseconds = false;        // G4 P ms, X U s; alone an exact stop (4.1)
-  bool repeats_in_program_number = false;    // M98 P51002: O1002 five times (9.1)
-  bool later_argument_counts = false;        // of two arguments for one variable (9.3)
-  bool drills_by_level = false;              // R alone drills; K repeats (10.1)
-  bool machine_move_absolute = false;        // G53 in G91 is ignored (6.5)
-  bool second_reference_usual = false;       // G30 without P is P2 (6.6)
-  bool repeats_by_k = false;                 // K repeats a drilling cycle, else L (spec/fanuc 10.1)
-  bool dwell_by_point = false;               // P with a point is seconds, without one milliseconds (spec/haas 4.1)
-  bool shifts_by_q = false;                  // G76, G87: Q is the shift, its direction a parameter (spec/fanuc 10.5)
-  bool taps_rigid = false;                   // G74, G84 turn the spindle with the axis, always (spec/haas 8.4)
-  bool pecks_by_ijk = false;                 // G83 I J K: the first cut, each next so much less, never below K (spec/haas 8.3)
-  bool compensation_in_xy = false;           // G41, G42 in another plane than XY are an alarm (spec/haas 10)
-  bool reference_outside_cycles = false;     // G27 to G30 in a drilling cycle are an alarm (spec/fanuc 10.1)
-  bool reference_all_axes = false;           // G28 alone: all axes, straight to the point (spec/haas 5.1)
-  bool length_axis_third = false;            // G43 acts on Z whatever the block names, unless a parameter says otherwise (spec/fanuc 7.1)
-  bool arc_difference_free = false;          // a radius difference of 0 in the parameters is not checked (spec/fanuc 3.2)
-  bool scale_in_increments = false;          // G51 P without a point counts 0.00001 (spec/fanuc 6.9)
-  bool common_cleared = false;               // M2, M30 empty #100 to #199 (spec/fanuc 2.5)
-  bool returns_to_own_block = false;         // M99 P goes to a block of the program in which it stands (spec/haas 3.3)
-  bool rounds_words = false;                 // values of variables are rounded to 0.001 mm, 0.0001 in (spec/fanuc 1.3)
-  bool machine_codes_listed = false;         // an M code that no row has is an alarm of its own (spec/haas 10)
-  bool offset_numbers_checked = false;       // H, D beyond the memory are an alarm of their own (spec/fanuc 7.1)
-  bool minus_named = false;                  // a minus where none may stand is an alarm of its own (spec/fanuc 1.3: PS0006)
-  bool repeats_keep_locals = false;          // G65 L: the arguments are set for the first pass only (spec/haas 3.4)
-  bool words_passed_over = false;            // a word that nothing in the block takes is warned of, no alarm (spec/fanuc 1.2)
-  bool own_programs_first = false;           // a program of the same file before one of another; more than one is named (spec/fanuc 9.2)
-  bool feed_counts_increments = false;       // F without a point counts as a length does, unless a setting says otherwise (spec/haas 1.2)
-  bool common_is_local_shift = false;        // #5201 and G10 L2 P0 are G52, not the common zero (spec/haas 2.4, 5.4)
-  bool drills_third = false;                 // cycles drill along Z in any plane, unless a parameter says otherwise (spec/fanuc 10.1)
-  bool numbers_by_five = false;              // files of programs have five digits (spec/haas 1.1)
-  bool uvw_are_increments = true;   // U, V, W that name no axis are increments along X, Y, Z (nct 5.1; not in milling of the Fanuc)
-  std::uint32_t alarm_base = 4000;  // #3000=n is alarm base + n (5.5)
+  LaterWord later_word_counts = LaterWord::nowhere;
+  CycleWords cycle_words = CycleWords::shift_by_ijk;
+  DwellUnit dwell_unit = DwellUnit::seconds;  // milliseconds: X, U are s; G4 alone is an exact stop (4.1)
+  bool tool_along_third = false;  // cycles drill along Z, G43 acts on Z in any plane, unless a parameter says otherwise (7.1, 10.1)
+  bool repeats_in_program_number = false;  // M98 P51002: O1002 five times (9.1)
+  bool machine_move_absolute = false;      // G53 in G91 is ignored (6.5)
+  bool repeats_by_k = false;               // K repeats a drilling cycle, else L (spec/fanuc 10.1)
+  bool reference_all_axes = false;         // G28 alone: all axes, straight to the point (spec/haas 5.1)
+  bool returns_to_own_block = false;       // M99 P goes to a block of the program in which it stands (spec/haas 3.3)
+  bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first pass only (spec/haas 3.4)
+  bool words_passed_over = false;          // a word that nothing in the block takes is warned of, no alarm (spec/fanuc 1.2)
+  std::uint32_t alarm_base = 4000;         // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits = 1;    // of O, as a program for the control is written
+  std::uint32_t program_digits = 1;    // of O, as a program for the control is written; of files that a call looks for (spec/haas 1.1)
   std::uint32_t m_codes_of_block = 8;  // most M codes of a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
   std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
+
+  /// Z of a helix and its lead: whole turns (2С42 6.6.6).
+  bool helix_by_lead() const { return arc_centers == ArcCenters::as_distance; }
+  bool reads_arc_radius() const { return arc_radius_word != ArcRadius::none; }
+  bool queues_contours() const { return compensation_entry == CompensationEntry::queued; }
+  /// Q, not I J K, says how far G76 and G87 shift the tool, and R alone drills.
+  bool shifts_by_q() const { return cycle_words != CycleWords::shift_by_ijk; }
 };
 inline constexpr std::uint32_t most_further_systems = 300;
 
@@ -303,6 +295,7 @@ struct ControlDef {
   std::vector<std::string> axes;                      // names in order
   std::uint32_t rotary = 0;                           // bit per axis
   std::uint32_t diameter = 0;                         // axes programmed as diameters
+  bool diameter_by_setup = false;                     // which they are, the set-up says (spec/gost 5)
   std::array<std::uint8_t, max_axes> axis_numbers{};  // control-wide, from 1 (nct 2.1)
   std::uint8_t channel = 1;
   std::vector<GroupRow> groups;  // [0] is no group
@@ -337,6 +330,19 @@ struct ControlDef {
   /// The machine's logic is told of the codes that call and end programs (nct 13.1).
   bool tells_of_ends() const {
     return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
+  }
+  /// It may give that alarm, because it has a row for it. Some checks are made only then: `[alarms]` in docs/own-control.md.
+  bool gives(AlarmId id) const { return alarms.contains(id); }
+  /// Some parameter of the control is called that by the engine (`as` of its row).
+  bool has_parameter(std::string_view meaning) const {
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](const ParameterRow& row) { return std::find(row.means.begin(), row.means.end(), meaning) != row.means.end(); });
+  }
+  /// Subprograms stand in sections of their own, with a zero of their own (2С42 6.3.5, last section).
+  bool has_sections() const { return grammar.section_address != 0; }
+  /// It has a zero that shifts all work systems (nct 10.2.3); else #5201 and G10 L2 P0 are G52 (spec/haas 2.4, 5.4).
+  bool has_common_zero() const {
+    return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
   }
   /// It has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }

@@ -65,7 +65,7 @@ bool is_part_of(const toml::table& row, const toml::table& below) {
 
 /// Rows of the control below that this one does not have: it says `false` in their place.
 void take_away(toml::table& merged_table) {
-  for (const std::string_view section : {"g", "m", "address", "cycle", "groups"}) {
+  for (const std::string_view section : {"g", "m", "address", "cycle", "groups", "alarms"}) {
     toml::table* const rows = merged_table[section].as_table();
     if (rows == nullptr) continue;
     std::vector<std::string> gone;

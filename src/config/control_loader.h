@@ -66,7 +66,13 @@ class ControlLoader {
   Done expression_rows(const toml::table& of, std::string_view key, ExpressionRows& to);
   tl::expected<ExpressionRow, std::string> expression_row(std::string_view key, std::string_view written, const toml::node& node);
   char first_letter(const toml::table& t, std::string_view key);
+  // ---- [behaviour] (control_loader_behaviour.cpp)
   Done behaviour();
+  template <class Choice>
+  Done choice(const toml::table& row, std::string_view key, std::initializer_list<std::string_view> words, Choice& to);
+  Done choices(const toml::table& t);
+  Done arc_difference(const toml::table& t);
+  void figures();
   Done axes();
   int axis_named(const std::string& name) const;
   Done order();

@@ -1,8 +1,10 @@
 // The section [behaviour] of a control file: how the engine's functions act where controls differ. For control_loader_words.
 
+#include <algorithm>
 #include <set>
 
 #include "config/control_loader.h"
+#include "config/machine_axes.h"
 #include "config/range.h"
 
 namespace kadr {
@@ -10,11 +12,128 @@ namespace kadr {
 using loader_texts::say;
 using toml_tools::place;
 
+namespace {
+
+/// Keys of earlier versions, and what says the same now.
+constexpr std::pair<std::string_view, std::string_view> gone[] = {
+    {"helix_by_lead", "arc_centers = \"as_distance\""},
+    {"arc_difference_inch", "arc_radius_difference = [0.013, 0.0508]"},
+    {"arc_radius_first", "arc_radius_word = \"before_centre\""},
+    {"contour_entry_tangent", "compensation_entry = \"tangent\""},
+    {"contour_queued", "compensation_entry = \"queued\""},
+    {"last_word_counts", "later_word_counts = \"everywhere\""},
+    {"later_argument_counts", "later_word_counts = \"arguments\""},
+    {"dwell_in_milliseconds", "dwell_unit = \"milliseconds\""},
+    {"dwell_by_point", "dwell_unit = \"milliseconds_without_point\""},
+    {"drills_by_level", "cycle_words = \"shift_by_q\""},
+    {"shifts_by_q", "cycle_words = \"shift_by_q\""},
+    {"pecks_by_ijk", "cycle_words = \"pecks_by_ijk\""},
+    {"drills_third", "tool_along_third"},
+    {"length_axis_third", "tool_along_third"},
+    // a row of another table
+    {"contour_blocks_checked", "[alarms] compensation_two_blocks = {}"},
+    {"zero_change_checked", "[alarms] zero_change = {}"},
+    {"reference_outside_cycles", "[alarms] reference_in_cycle = {}"},
+    {"compensation_in_xy", "[alarms] compensation_plane = {}"},
+    {"machine_codes_listed", "[alarms] machine_code_unknown = {}"},
+    {"offset_numbers_checked", "[alarms] offset_number_large = {}"},
+    {"minus_named", "[alarms] value_below_zero = {}"},
+    {"subprograms_by_section", "[grammar] section"},
+    {"subprogram_zero_local", "[grammar] section"},
+    {"own_programs_first", "[grammar] programs_by_label"},
+    {"rounds_words", "[grammar] least_increments"},
+    {"uvw_are_increments", "[grammar] operator_i"},
+    {"goes_on_behind_end", "dialect = \"grbl\""},
+    {"tool_in_spindle", "format = \"… T*02 …\""},
+    {"diameter_by_setup", "[axes] diameter = \"setup\""},
+    {"numbers_by_five", "program_digits = 5"},
+    {"label_may_be_zero", "[address] O = { least = 0 }"},
+    {"second_reference_usual", "[g] \"30\" = { needs = \"\" }"},
+    {"taps_rigid", "[g] \"84\" = { arg = 842 }"},
+    {"common_is_local_shift", "[[variables]] is = \"zero_local\""},
+    // a parameter of the control, which the set-up states
+    {"arc_difference_free", "N3410"},
+    {"arc_without_centre_straight", "N3403#5"},
+    {"scale_in_increments", "N5400#7"},
+    {"common_cleared", "N6001#6"},
+    {"feed_counts_increments", "N0077, N1403#0"},
+};
+
+std::string_view instead_of(std::string_view key) {
+  const auto* const found = std::find_if(std::begin(gone), std::end(gone), [&](const auto& row) { return row.first == key; });
+  return found == std::end(gone) ? std::string_view() : found->second;
+}
+
+constexpr std::string_view choice_keys[] = {"arc_centers",       "arc_radius_word", "length_offset", "compensation_entry",
+                                            "later_word_counts", "cycle_words",     "dwell_unit"};
+
+}  // namespace
+
+/// The value of a key that is one of these words, in their order.
+template <class Choice>
+Done ControlLoader::choice(const toml::table& row, std::string_view key, std::initializer_list<std::string_view> words, Choice& to) {
+  const std::string written = text(row, key);
+  if (written.empty()) return {};
+  const auto* const found = std::find(words.begin(), words.end(), written);
+  if (found != words.end()) {
+    to = static_cast<Choice>(found - words.begin());
+    return {};
+  }
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return Failed(place(name_, row, key) + say("{} must be one of {}", key, list));
+}
+
+Done ControlLoader::choices(const toml::table& t) {
+  Behaviour& b = def_.behaviour;
+  KADR_LOAD(choice(t, "arc_centers", {"incremental", "as_distance", "by_code"}, b.arc_centers));
+  KADR_LOAD(choice(t, "length_offset", {"at_once", "next_motion"}, b.length_offset));
+  KADR_LOAD(choice(t, "compensation_entry", {"normal", "tangent", "queued"}, b.compensation_entry));
+  KADR_LOAD(choice(t, "later_word_counts", {"nowhere", "arguments", "everywhere"}, b.later_word_counts));
+  KADR_LOAD(choice(t, "cycle_words", {"shift_by_ijk", "shift_by_q", "pecks_by_ijk"}, b.cycle_words));
+  KADR_LOAD(choice(t, "dwell_unit", {"seconds", "milliseconds", "milliseconds_without_point"}, b.dwell_unit));
+  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // as earlier versions wrote it
+    b.arc_radius_word = *flag ? ArcRadius::alone : ArcRadius::none;
+    return {};
+  }
+  return choice(t, "arc_radius_word", {"none", "alone", "before_centre"}, b.arc_radius_word);
+}
+
+/// A number, or two: while the unit is mm, while it is inch; both in mm.
+Done ControlLoader::arc_difference(const toml::table& t) {
+  Behaviour& b = def_.behaviour;
+  const toml::array* const two = t["arc_radius_difference"].as_array();
+  if (two == nullptr) {
+    ranged(t, "arc_radius_difference", ranges::distance, b.arc_radius_difference);
+    return {};
+  }
+  double* const to[] = {&b.arc_radius_difference, &b.arc_difference_inch};
+  if (two->size() != std::size(to))
+    return Failed(place(name_, *two) + say("arc_radius_difference: a number, or two of them: while the unit is mm, and inch"));
+  for (std::size_t i = 0; i < std::size(to); ++i) {
+    const auto value = (*two)[i].value<double>();
+    if (!value || !is_within(*value, ranges::distance))
+      return Failed(place(name_, *two) + say("arc_radius_difference: a number, or two of them: while the unit is mm, and inch"));
+    *to[i] = *value;
+  }
+  return {};
+}
+
+/// What the rows of the parameter table give where the section says nothing.
+void ControlLoader::figures() {
+  const toml::table* const t = section("behaviour");
+  for (const auto& [key, figure] : figures_of_machine)
+    for (const ParameterRow& row : def_.parameters)
+      if (row.type != ParameterType::bits && !row.means.empty() && row.means.front() == key && (t == nullptr || !t->contains(key)))
+        def_.behaviour.*figure = row.initial;
+}
+
 Done ControlLoader::behaviour() {
   const toml::table* const t = section("behaviour");
   if (t == nullptr) return {};
   Behaviour& b = def_.behaviour;
-  std::set<std::string_view> known = {"arc_centers", "length_offset"};
+  std::set<std::string_view> known = {"arc_radius_difference"};
+  for (const std::string_view key : choice_keys) known.insert(key);
   const auto flag = [&](const char* key, bool& to) {
     known.insert(key);
     to = typed(*t, key, to);
@@ -27,12 +146,9 @@ Done ControlLoader::behaviour() {
     known.insert(key);
     to = whole(*t, key, to, most);
   };
-  flag("arc_radius_word", b.arc_radius_word);
   number("result_most", b.result_most, ranges::any);
-  number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
-  number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
+  KADR_LOAD(arc_difference(*t));
   flag("arc_angle_even", b.arc_angle_even);
-  flag("helix_by_lead", b.helix_by_lead);
   number("feed_most", b.feed_most, ranges::feed);
   flag("feed_required", b.feed_required);
   number("reference_feed", b.reference_feed, ranges::feed);
@@ -42,58 +158,22 @@ Done ControlLoader::behaviour() {
   number("probe_retract", b.probe_retract, ranges::distance);
   flag("probe_in_inverse_time", b.probe_in_inverse_time);
   flag("speed_needs_direction", b.speed_needs_direction);
-  flag("tool_in_spindle", b.tool_in_spindle);
   flag("skip_asks", b.skip_asks);
   flag("tool_and_corrector", b.tool_and_corrector);
-  flag("contour_entry_tangent", b.contour_entry_tangent);
-  flag("contour_queued", b.contour_queued);
-  flag("contour_blocks_checked", b.contour_blocks_checked);
-  flag("zero_change_checked", b.zero_change_checked);
-  flag("subprogram_zero_local", b.subprogram_zero_local);
-  flag("subprograms_by_section", b.subprograms_by_section);
   flag("end_required", b.end_required);
   flag("ends_reading", b.ends_reading);
-  flag("goes_on_behind_end", b.goes_on_behind_end);
   flag("delayed_assignment", b.delayed_assignment);
   flag("feed_of_axis", b.feed_of_axis);
   flag("label_is_number", b.label_is_number);
-  flag("diameter_by_setup", b.diameter_by_setup);
-  flag("last_word_counts", b.last_word_counts);
-  flag("arc_radius_first", b.arc_radius_first);
-  flag("arc_without_centre_straight", b.arc_without_centre_straight);
-  flag("rapids_apart", b.rapids_apart);
-  flag("dwell_in_milliseconds", b.dwell_in_milliseconds);
   flag("repeats_in_program_number", b.repeats_in_program_number);
-  flag("later_argument_counts", b.later_argument_counts);
-  flag("drills_by_level", b.drills_by_level);
   flag("machine_move_absolute", b.machine_move_absolute);
-  flag("second_reference_usual", b.second_reference_usual);
   flag("repeats_by_k", b.repeats_by_k);
-  flag("dwell_by_point", b.dwell_by_point);
-  flag("shifts_by_q", b.shifts_by_q);
-  flag("taps_rigid", b.taps_rigid);
-  flag("pecks_by_ijk", b.pecks_by_ijk);
-  flag("reference_outside_cycles", b.reference_outside_cycles);
-  flag("compensation_in_xy", b.compensation_in_xy);
+  flag("rapids_apart", b.rapids_apart);
+  flag("tool_along_third", b.tool_along_third);
   flag("reference_all_axes", b.reference_all_axes);
-  flag("length_axis_third", b.length_axis_third);
-  flag("arc_difference_free", b.arc_difference_free);
-  flag("scale_in_increments", b.scale_in_increments);
-  flag("common_cleared", b.common_cleared);
   flag("returns_to_own_block", b.returns_to_own_block);
-  flag("rounds_words", b.rounds_words);
-  flag("machine_codes_listed", b.machine_codes_listed);
-  flag("offset_numbers_checked", b.offset_numbers_checked);
-  flag("minus_named", b.minus_named);
   flag("repeats_keep_locals", b.repeats_keep_locals);
   flag("words_passed_over", b.words_passed_over);
-  flag("own_programs_first", b.own_programs_first);
-  flag("feed_counts_increments", b.feed_counts_increments);
-  flag("common_is_local_shift", b.common_is_local_shift);
-  flag("drills_third", b.drills_third);
-  flag("numbers_by_five", b.numbers_by_five);
-  flag("label_may_be_zero", b.label_may_be_zero);
-  flag("uvw_are_increments", b.uvw_are_increments);
   count("alarm_base", b.alarm_base, 9000);
   count("call_depth", b.call_depth, 255);
   count("m_codes_of_block", b.m_codes_of_block, 8);
@@ -101,17 +181,11 @@ Done ControlLoader::behaviour() {
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);
   count("further_systems", b.further_systems, most_further_systems);
-  const std::string centers = text(*t, "arc_centers");
-  if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
-  else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
-  else if (!centers.empty() && centers != "incremental")
-    return Failed(place(name_, *t, "arc_centers") + say("arc_centers: incremental, as_distance or by_code"));
-  const std::string length = text(*t, "length_offset");
-  if (length == "at_once") b.length_offset = LengthOffset::at_once;
-  else if (!length.empty() && length != "next_motion")
-    return Failed(place(name_, *t->get("length_offset")) + say("length_offset: at_once or next_motion"));
+  KADR_LOAD(choices(*t));
   for (const auto& [key, node] : *t)
-    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
+    if (const std::string_view instead = instead_of(key.str()); !instead.empty())
+      return Failed(place(name_, node) + say("[behaviour] has no key {} any more; instead: {}", key.str(), instead));
+    else if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
   return {};
 }
 

@@ -56,6 +56,7 @@ constexpr ArgRow args[] = {
     {Function::drilling, 73_g, 73_g},
     {Function::drilling, 74_g, 74_g},
     {Function::drilling, 76_g, 76_g},
+    {Function::drilling, 84.2_g, 84.3_g},
     {Function::drilling, bored_by_hand, bored_by_hand},
     {Function::drilling, only_back, only_back},
     {Function::spindle_code, 3, 5},
@@ -138,7 +139,7 @@ std::string written(Needs needs) {
   switch (needs) {
     case Needs::nct: return say("the machine of the NCT: extends = \"nct\" (dialect = \"nct\")");
     case Needs::correctors: return "dialect = \"correctors\"";
-    case Needs::sections: return "[behaviour] subprograms_by_section = true";
+    case Needs::sections: return "[grammar] section";
     case Needs::rs274: return "dialect = \"linuxcnc\"";
     case Needs::lines: return "dialect = \"grbl\"";
     case Needs::labels: return "[grammar] label";
@@ -153,7 +154,7 @@ bool ControlLoader::has(Needs needs) const {
     case Needs::nct: return def_.machine_axes();
     case Needs::no_nct: return !def_.machine_axes();
     case Needs::correctors: return def_.has_correctors();
-    case Needs::sections: return def_.behaviour.subprograms_by_section;
+    case Needs::sections: return def_.has_sections();
     case Needs::rs274: return def_.has_parameter_file();
     case Needs::lines: return def_.has_lines_alone();
     case Needs::labels: return def_.grammar.label_address != 0;

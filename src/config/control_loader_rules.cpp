@@ -31,19 +31,14 @@ const std::vector<LooksAt>& behaviour_of_functions() {
       {"arc_centers", {Function::arc_cw, Function::arc_ccw}},
       {"arc_radius_word", {Function::arc_cw, Function::arc_ccw}},
       {"arc_radius_difference", {Function::arc_cw, Function::arc_ccw}},
-      {"arc_difference_inch", {Function::arc_cw, Function::arc_ccw}},
       {"feed_of_axis", {Function::feed_word}},
       {"feed_most", {Function::feed_word}},
-      {"helix_by_lead", {Function::arc_cw, Function::arc_ccw}},
       {"reference_feed", {Function::approach_reference}},
       {"probe_least_distance", {Function::probe}},
       {"probe_in_inverse_time", {Function::probe}},
       {"speed_needs_direction", {Function::speed_word}},
       {"tool_and_corrector", {Function::tool_word}},
-      {"contour_entry_tangent", {Function::radius_comp_left, Function::radius_comp_right}},
-      {"contour_queued", {Function::radius_comp_left, Function::radius_comp_right, Function::tool_side}},
-      {"contour_blocks_checked", {Function::radius_comp_left, Function::radius_comp_right}},
-      {"zero_change_checked", {Function::work_zero}},
+      {"compensation_entry", {Function::radius_comp_left, Function::radius_comp_right, Function::tool_side}},
       {"fixtures", {Function::fixture, Function::set_data, Function::table_system}},
       {"return_chip_break", {Function::cycle}},
       {"return_near", {Function::cycle}},
@@ -52,45 +47,15 @@ const std::vector<LooksAt>& behaviour_of_functions() {
 }
 
 /// Keys of [behaviour] that the machine of the NCT does not look at: its parameters say such things.
-constexpr std::string_view not_of_nct[] = {"arc_centers",           "helix_by_lead",
-                                           "reference_feed",        "return_chip_break",
-                                           "return_near",           "probe_least_distance",
-                                           "tool_and_corrector",    "speed_needs_direction",
-                                           "contour_entry_tangent", "contour_blocks_checked",
-                                           "zero_change_checked",   "subprogram_zero_local",
-                                           "delayed_assignment",    "fixtures"};
+constexpr std::string_view not_of_nct[] = {
+    "arc_centers",        "reference_feed",        "return_chip_break",  "return_near",        "probe_least_distance",
+    "tool_and_corrector", "speed_needs_direction", "compensation_entry", "delayed_assignment", "fixtures"};
 
 /// Keys of [behaviour] that only the machine of the NCT looks at.
-constexpr std::string_view only_of_nct[] = {"last_word_counts",
-                                            "arc_radius_first",
-                                            "arc_without_centre_straight",
-                                            "dwell_in_milliseconds",
-                                            "repeats_in_program_number",
-                                            "later_argument_counts",
-                                            "drills_by_level",
-                                            "machine_move_absolute",
-                                            "second_reference_usual",
-                                            "repeats_by_k",
-                                            "dwell_by_point",
-                                            "shifts_by_q",
-                                            "taps_rigid",
-                                            "pecks_by_ijk",
-                                            "reference_outside_cycles",
-                                            "compensation_in_xy",
-                                            "reference_all_axes",
-                                            "length_axis_third",
-                                            "arc_difference_free",
-                                            "scale_in_increments",
-                                            "common_cleared",
-                                            "returns_to_own_block",
-                                            "offset_numbers_checked",
-                                            "rounds_words",
-                                            "repeats_keep_locals",
-                                            "further_systems",
-                                            "uvw_are_increments",
-                                            "label_may_be_zero",
-                                            "m_codes_of_block",
-                                            "alarm_base"};
+constexpr std::string_view only_of_nct[] = {
+    "later_word_counts",   "dwell_unit",         "repeats_in_program_number", "cycle_words", "machine_move_absolute",
+    "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
+    "repeats_keep_locals", "further_systems",    "m_codes_of_block"};
 
 /// Functions that work in a plane, or along the axis across it.
 constexpr Function plane_functions[] = {
@@ -129,7 +94,6 @@ bool ControlLoader::does(std::initializer_list<Function> functions) const {
 /// The machine of the NCT and its language belong together: neither works without the other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
-  const Behaviour& b = def_.behaviour;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
   const auto at = [&](std::string_view key) {  // the key of the user's own file, if it stands there
@@ -154,9 +118,6 @@ Done ControlLoader::check_machine() {
                                 {"main_blocks", g.main_blocks}})
     if (on)
       return Failed(at(key) + say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[grammar] " + std::string(key)));
-  if (b.subprograms_by_section)
-    return Failed(place(name_, *behaves, "subprograms_by_section") +
-                  say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[behaviour] subprograms_by_section"));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
   // Its parameters and the set-up say which axes are diameters.
@@ -181,8 +142,6 @@ Done ControlLoader::check_grammar() {
   if (g.percent_ignored && g.program_start_required)
     return Failed(place(name_, *t, "percent_ignored") +
                   say("percent_ignored: a program could not begin with the % that program_start_required asks for"));
-  if ((g.section_address != 0) != def_.behaviour.subprograms_by_section)
-    return Failed(place(name_, *t, "section") + say("[grammar] section and [behaviour] subprograms_by_section need each other"));
   if (g.label_address != 0 && g.section_address != 0)
     return Failed(place(name_, *t, "label") + say("label and section do not work together"));
   const auto pointless = [&](bool is_so, std::string_view key, loader_texts::Sentence why) -> Done {
@@ -227,8 +186,6 @@ Done ControlLoader::check_behaviour() {
   }
   if (!def_.grammar.expressions && b.delayed_assignment)
     KADR_LOAD(no_effect(*t, "delayed_assignment", say("delayed_assignment has no effect without [grammar] expressions")));
-  if (!b.subprograms_by_section && b.subprogram_zero_local)
-    KADR_LOAD(no_effect(*t, "subprogram_zero_local", say("subprogram_zero_local has no effect without subprograms_by_section")));
   return {};
 }
 
@@ -251,10 +208,11 @@ Done ControlLoader::check_axes() const {
   if (def_.axes.size() < 3)
     if (const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), in_plane); row != def_.codes.end())
       return Failed(place(name_, t, "names") + say("{}: '{}' needs three axes", row->code, traits_of(row->function).name));
-  if (def_.axes.size() < 3 && (def_.has_correctors() || def_.behaviour.subprograms_by_section))
-    return Failed(place(name_, t, "names") + say("dialect = \"correctors\" and [behaviour] subprograms_by_section need three axes"));
-  if (def_.behaviour.helix_by_lead && (centers & 7u) != 7u)
-    return Failed(place(name_, t, "names") + say("[behaviour] helix_by_lead needs a 'center' for each of the first three axes"));
+  if (def_.axes.size() < 3 && (def_.has_correctors() || def_.has_sections()))
+    return Failed(place(name_, t, "names") + say("dialect = \"correctors\" and [grammar] section need three axes"));
+  if (def_.behaviour.helix_by_lead() && (centers & 7u) != 7u)
+    return Failed(place(name_, t, "names") +
+                  say("[behaviour] arc_centers = \"as_distance\" needs a 'center' for each of the first three axes"));
   return {};
 }
 
@@ -288,8 +246,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   if (has(CycleStep::passes_by_parameter) && !called)
     return Failed(place(name_, row, "steps") + who + say("passes_by_parameter is for cycles that are called: L83"));
   if (called && c.call_number == 0) return Failed(place(name_, row) + who + say("a number from 1 must follow L"));
-  if (called && !def_.behaviour.subprograms_by_section)
-    return Failed(place(name_, row) + who + say("a cycle that is called needs [behaviour] subprograms_by_section = true"));
+  if (called && !def_.has_sections()) return Failed(place(name_, row) + who + say("a cycle that is called needs [grammar] section"));
   if (called && def_.grammar.parameter_address == 0)
     return Failed(place(name_, row) + who + say("its words are [grammar] formal_parameter"));
   if (called && !c.steps.empty() && (c.steps.size() != 1 || c.steps[0] != CycleStep::passes_by_parameter))

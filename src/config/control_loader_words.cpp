@@ -96,6 +96,7 @@ Done ControlLoader::sections() {
   KADR_LOAD(initial_codes());
   KADR_LOAD(variables());
   KADR_LOAD(parameters());
+  figures();
   KADR_LOAD(alarms());
   KADR_LOAD(code_table("feed_codes", def_.feed_codes));
   KADR_LOAD(code_table("speed_codes", def_.speed_codes));
@@ -249,7 +250,8 @@ Done ControlLoader::axes() {
       if (axis < 0) return Failed(place(name_, name) + say("rotary: no such axis"));
       def_.rotary |= 1u << axis;
     }
-  if (const toml::array* const diameter = list(*t, "diameter"))
+  def_.diameter_by_setup = (*t)["diameter"].value_exact<std::string>() == "setup";
+  if (const toml::array* const diameter = def_.diameter_by_setup ? nullptr : list(*t, "diameter"))
     for (const auto& name : *diameter) {
       const int axis = axis_named(name.value_or(std::string()));
       if (axis < 0) return Failed(place(name_, name) + say("diameter: no such axis"));

@@ -271,7 +271,7 @@ enum class Needs : std::uint8_t {
   nct,         // dialect = "nct"
   no_nct,      // another one, or none
   correctors,  // dialect = "correctors"
-  sections,    // [behaviour] subprograms_by_section = true
+  sections,    // [grammar] section
   labels,      // [grammar] label
   rs274,       // dialect = "linuxcnc"
   lines,       // dialect = "grbl"

@@ -155,9 +155,9 @@ class Fitter {
     }
   }
 
-  /// U, V, W that are neither: incremental X, Y, Z (5.1).
+  /// U, V, W that are neither: incremental X, Y, Z (5.1), as I makes single words incremental.
   void increments() {
-    if (!def_.behaviour.uvw_are_increments) return;
+    if (!def_.grammar.operator_i) return;
     for (int i = 0; i < 3; ++i) {
       AddressRow& row = address(static_cast<char>('U' + i));
       const AddressRow main = address(static_cast<char>('X' + i));
@@ -234,8 +234,22 @@ class Fitter {
 
 }  // namespace
 
+namespace {
+
+void take_figures(ControlDef& def, const Setup& setup) {
+  for (const auto& [meaning, figure] : figures_of_machine)
+    for (const ParameterRow& row : def.parameters)
+      if (!row.means.empty() && row.means.front() == meaning && setup_gives(setup, row.name, "", ""))
+        def.behaviour.*figure = setup_number(setup, row.name);
+}
+
+}  // namespace
+
 std::string fit_to_machine(ControlDef& def, const Setup& setup) {
-  if (!def.machine_axes()) return {};
+  if (!def.machine_axes()) {
+    take_figures(def, setup);
+    return {};
+  }
   return Fitter(def, setup).run();
 }
 

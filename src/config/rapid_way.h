@@ -1,6 +1,6 @@
 #pragma once
-// How the axes of a rapid motion go: together along a line, or each at its own rate until it is there. A control's file says it
-// (`rapids_apart` of [behaviour]), and a parameter of the set-up may say otherwise: Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL.
+// How the axes of a rapid motion go: together along a line, or each at its own rate until it is there. A parameter of the set-up says it:
+// Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL; of a control without one its file (`rapids_apart` of [behaviour]).
 
 #include <string>
 #include <vector>

@@ -127,7 +127,7 @@ class BlockContext : public ControlState, public RunMemory {
   ControlState before_;
   bool state_kept_ = false;
   std::optional<Flow::Place> flow_before_;  // where the program was, where a block has more than one item that jumps
-  ShapeFacts* shape_ = nullptr;  // of the current block
+  ShapeFacts* shape_ = nullptr;             // of the current block
 };
 
 }  // namespace kadr

@@ -218,7 +218,7 @@ std::optional<SearchRules> Control::search_rules() const {
   return side != nullptr ? std::optional(side->search_rules()) : std::nullopt;
 }
 bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
-bool Control::queues_contours() const { return interpreter_->def.behaviour.contour_queued; }
+bool Control::queues_contours() const { return interpreter_->def.behaviour.queues_contours(); }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
 std::pair<double, double> Control::limits_by_file(std::size_t axis) const { return interpreter_->dialect->limits_by_file(axis); }
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }

@@ -40,7 +40,9 @@ Status BlockDialect::comments(Emitter& m) {
   return {};
 }
 void ProgramDialect::reword(const BlockContext&, AlarmReport&) const {}
-Status VariableDialect::write_variable(BlockContext& m, double number, double value, Span where) { return m.variables.set(number, value, where); }
+Status VariableDialect::write_variable(BlockContext& m, double number, double value, Span where) {
+  return m.variables.set(number, value, where);
+}
 void BlockDialect::note_shadowed(Emitter&, std::uint32_t, Span) {}
 void BlockDialect::keep(BlockContext&) {}
 void BlockDialect::take_back(BlockContext&) {}
@@ -59,7 +61,9 @@ Status MotionDialect::may_move(const BlockContext&, AxisMask) const { return {};
 void MotionDialect::note_motion(Emitter& m, Motion& motion) {
   if (m.modal.contour != ContourPhase::off) note_contour(m, motion, m.moved_from);
 }
-double MotionDialect::inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const { return feed_in_inches(m, motion, from); }
+double MotionDialect::inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const {
+  return feed_in_inches(m, motion, from);
+}
 ArcRule MotionDialect::arc_rule(const BlockContext& m) const { return m.plain_arc_rule(); }
 void MotionDialect::note_feed(BlockContext&) {}
 const WrittenFiles& ProgramDialect::files_written() const {

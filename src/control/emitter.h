@@ -113,8 +113,8 @@ class Emitter : public BlockContext {
   ActionBatch* batch = nullptr;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;  // a cycle of the dialect
-  bool each_block = false;           // actions are handed over after each block
+  std::unique_ptr<Running> running;                              // a cycle of the dialect
+  bool each_block = false;                                       // actions are handed over after each block
   std::function<void(const Origin&, bool)>* on_block = nullptr;  // who looks at each block, at its start and its end
 
  protected:

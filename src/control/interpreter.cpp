@@ -302,7 +302,7 @@ Status Interpreter::check_numbers() {
   };
   if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
   if (block->marker != Marker::label) return {};
-  if (block->label == 0 && def.behaviour.label_may_be_zero) {
+  if (block->label == 0 && def.address('O').least == 0) {  // spec/fanuc 1.1: a CAM system's usual number, and the operator gives one
     warn(warning(AlarmId::program_number_zero, block->where));
     return {};
   }

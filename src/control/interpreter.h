@@ -98,9 +98,9 @@ class Interpreter final : public Emitter {
   // ---- what the functions work on
 
   using BlockContext::flow;  // where the program is, and goes on
-  bool block_open = false;  // a watched block has been carried out, its end is to come
+  bool block_open = false;   // a watched block has been carried out, its end is to come
 
-  Block first_block;            // before the first one is read, and in the middle of which a snapshot was taken
+  Block first_block;  // before the first one is read, and in the middle of which a snapshot was taken
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
@@ -189,7 +189,7 @@ class Interpreter final : public Emitter {
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks
   std::unique_ptr<CallTree> call_tree_;        // the same
-  std::string first_text_;  // of first_block
+  std::string first_text_;                     // of first_block
   std::vector<double> assigned_;
   StopToken stop_;
   bool stopped_ = false;

@@ -47,7 +47,7 @@ void Interpreter::check_setup(const Setup& setup) {
     if (!setup.channels.empty() || setup.channel != 1) note("channels");
     if (!setup.events.empty() || !setup.signals.empty()) note("events");
     if (!setup.plane.empty()) note("plane");
-    if (!setup.diameter.empty() && !def.behaviour.diameter_by_setup) note("diameter");
+    if (!setup.diameter.empty() && !def.diameter_by_setup) note("diameter");
     for (const auto& [axis, on] : setup.diameter) axes_known("diameter", {{axis, 0.0}});
     if (setup.single_block) note("single_block");
     if (setup.spindles.size() > 1 || (!setup.spindles.empty() && setup.spindles.begin()->first != 1)) note("spindle");
@@ -147,7 +147,7 @@ bool Interpreter::note_unserved() {
 /// Runs the initial code of each group and the set-up's code words like a block, without moving.
 void Interpreter::start_modal(const Setup& setup) {
   modal.diameter = def.diameter;
-  for (std::size_t a = 0; a < axis_count && def.behaviour.diameter_by_setup; ++a)
+  for (std::size_t a = 0; a < axis_count && def.diameter_by_setup; ++a)
     if (const auto found = setup.diameter.find(axis_names[a]); found != setup.diameter.end())
       modal.diameter = found->second ? modal.diameter | 1u << a : modal.diameter & ~(1u << a);
   static std::function<void(const AlarmReport&)> nobody;

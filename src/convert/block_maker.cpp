@@ -60,7 +60,7 @@ Status BlockMaker::word(const Words& form, double value) {
 
 Status BlockMaker::seconds_word(char letter, double seconds) {
   constexpr double in_ms = 1000;
-  if (letter != 'P' || !def_.behaviour.dwell_in_milliseconds) return word(letter, seconds);
+  if (letter != 'P' || def_.behaviour.dwell_unit == DwellUnit::seconds) return word(letter, seconds);
   text(fmt::format("P{:.0f}", in_ms * seconds));
   return {};
 }

@@ -187,7 +187,9 @@ bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMake
 
 double BlockRewriter::seconds(const Word& word) const {
   constexpr double ms = 0.001;
-  const bool in_ms = word.address == 'P' && from_.behaviour.dwell_in_milliseconds && !(from_.behaviour.dwell_by_point && word.has_point);
+  const DwellUnit unit = from_.behaviour.dwell_unit;
+  const bool in_ms =
+      word.address == 'P' && (unit == DwellUnit::milliseconds || (unit == DwellUnit::milliseconds_without_point && !word.has_point));
   return in_ms ? word.value * ms : value_of(word);
 }
 
@@ -239,10 +241,10 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   if (letter == 'P' && kinds.drills && kinds.call == nullptr) return out.seconds_word('P', seconds(word));
   if (letter == 'T' && to_.behaviour.tool_and_corrector != from_.behaviour.tool_and_corrector) return cannot("T");
   if (is_axis(row) && !is_axis(to_.address(letter))) return cannot(std::string(1, letter));
-  if (letter == 'R' && kinds.is_arc && !to_.behaviour.arc_radius_word) return cannot("R");
+  if (letter == 'R' && kinds.is_arc && !to_.behaviour.reads_arc_radius()) return cannot("R");
   if (row.function == Function::center && kinds.is_arc) {
     const auto is_absolute = [](const ControlDef& def) { return def.behaviour.arc_centers == ArcCenters::as_distance; };
-    if (is_absolute(from_) != is_absolute(to_) || from_.behaviour.helix_by_lead != to_.behaviour.helix_by_lead) return cannot("I J K");
+    if (is_absolute(from_) != is_absolute(to_)) return cannot("I J K");
   }
   return number(word, letter, out);
 }

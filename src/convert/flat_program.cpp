@@ -350,7 +350,7 @@ double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
 
 /// A helix of several turns is one block: its lead can be written (spec/s2c42 7).
 bool FlatProgram::is_said_by_lead(const Motion& motion, int turns) const {
-  if (!blocks_.def().behaviour.helix_by_lead || turns < 2) return false;
+  if (!blocks_.def().behaviour.helix_by_lead() || turns < 2) return false;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     if (a == motion.first || a == motion.second || std::fabs(motion.machine[a] - at_[a]) <= same_value) continue;
     const double rise = rise_of(a, motion.machine), lead = Words(blocks_.def(), centre_letter(axes_[a])).rounded(rise / turns);
@@ -374,7 +374,7 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
     if (!letter) return no_code(axes_[a].c_str());
     KADR_TRY(blocks_.word(*letter, word_of(a, to[a], zero[a])));
     known_ |= AxisMask{1} << a;
-    if (!in_plane && blocks_.def().behaviour.helix_by_lead) lead = rise_of(a, to) / turns, lead_letter = centre_letter(axes_[a]);
+    if (!in_plane && blocks_.def().behaviour.helix_by_lead()) lead = rise_of(a, to) / turns, lead_letter = centre_letter(axes_[a]);
   }
   const bool absolute = blocks_.def().behaviour.arc_centers == ArcCenters::as_distance && !relative_;  // spec/s2c42 7
   const double of[] = {centre.x, centre.y};

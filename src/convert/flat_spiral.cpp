@@ -21,8 +21,9 @@ double increment_of(const ControlDef& def, const std::string& axis) {
 }  // namespace
 
 bool FlatProgram::is_spiral(const Arms& arms) const {
-  const Behaviour& rules = blocks_.def().behaviour;
-  return !rules.arc_difference_free && std::fabs(arms.end - arms.begin) > rules.arc_radius_difference;
+  const ControlDef& def = blocks_.def();
+  const bool is_free = def.has_parameter("arc_difference");  // 0, which does not check it, unless the set-up says otherwise
+  return !is_free && std::fabs(arms.end - arms.begin) > def.behaviour.arc_radius_difference;
 }
 
 /// The radius grows linearly with the angle, and all other axes go with it.

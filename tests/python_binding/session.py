@@ -109,7 +109,7 @@ def test_axes_in_time():
 
 
 def test_other_controls():
-    assert kadr.controls() == ['correctors', 'fanuc', 'gost', 'grbl', 'haas', 'linuxcnc', 'mach3', 'nct', 's2c42'] and 'generic' in kadr.machines()
+    assert kadr.controls() == sorted(kadr.controls()) and {'linuxcnc', 's2c42'} < set(kadr.controls()) and 'generic' in kadr.machines()
     own = kadr.Session(PART.parent / 'own.nc', control=str(PART.parent / 'own.toml')).run()
     assert own.control == 'ours' and own.seconds == 1.5
     guessed = kadr.Session(PART.parent.parent / 's2c42/flange.nc', control=None, setup=PART.parent.parent / 's2c42/flange.json').run()

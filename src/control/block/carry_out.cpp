@@ -128,7 +128,7 @@ Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const 
       break;
     case Function::program_end:
     case Function::tape_end:
-      if (around != nullptr && !in_repetition && def.behaviour.subprograms_by_section)
+      if (around != nullptr && !in_repetition && def.has_sections())
         return fail(alarm(AlarmId::subprogram_end_missing, at, double(around->name)));
       break;
     default: return {};

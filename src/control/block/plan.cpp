@@ -66,9 +66,10 @@ class BlockPlanner {
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
     if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
-    const AlarmId unknown =
-        word.address == 'M' && def_.behaviour.machine_codes_listed ? AlarmId::machine_code_unknown : AlarmId::code_unknown;
-    if (row_index < 0) return fail(alarm(unknown, word.where, block_.text_of(word.where)));
+    if (row_index < 0) {
+      const bool listed = word.address == 'M' && def_.gives(AlarmId::machine_code_unknown);
+      return fail(alarm(listed ? AlarmId::machine_code_unknown : AlarmId::code_unknown, word.where, block_.text_of(word.where)));
+    }
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
     if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, word));
@@ -144,7 +145,7 @@ class BlockPlanner {
   Status motion_in_force(std::int16_t motion_row) {
     std::uint64_t starts = letters_.axes | letters_.centers;
     if (def_.address('L').function == Function::corrector_word) starts |= letter_bit('L');
-    if (def_.behaviour.drills_by_level) starts |= letter_bit('R');
+    if (def_.behaviour.shifts_by_q()) starts |= letter_bit('R');
     if (def_.grammar.comma_words) starts |= letter_bit(comma_chamfer) | letter_bit(comma_rounding) | letter_bit(comma_angle);
     const std::uint64_t loose = block_.letters & starts & ~plan_.taken;
     if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) {
@@ -160,7 +161,7 @@ class BlockPlanner {
       return fail(alarm(AlarmId::no_motion_mode, word.where, word.address));
     }
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
-    const bool by_level = def_.behaviour.drills_by_level && (block_.letters & letter_bit('R')) != 0;
+    const bool by_level = def_.behaviour.shifts_by_q() && (block_.letters & letter_bit('R')) != 0;
     if (row.function == Function::drilling && (loose & letters_.axes) == 0 &&
         !by_level) {  // nct 18: without an axis nothing is drilled or kept
       plan_.taken |= row.takes;

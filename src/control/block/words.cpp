@@ -143,7 +143,7 @@ Status BlockContext::check_ranges() const {
     if (w.address == 0) continue;
     if (!(std::fabs(w.value) <= 1e9)) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
     const AddressRow& row = def.address(w.address);
-    if (w.value < 0 && row.least == 0 && def.behaviour.minus_named && !w.expression)
+    if (w.value < 0 && row.least == 0 && def.gives(AlarmId::value_below_zero) && !w.expression)
       return fail(alarm(AlarmId::value_below_zero, w.where, w.address, w.value));
     if (w.value < row.least || w.value > row.most) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
     if (row.whole && w.value != std::floor(w.value)) return fail(alarm(AlarmId::word_not_integer, w.where, w.address, w.value));

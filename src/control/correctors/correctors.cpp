@@ -7,8 +7,8 @@
 
 #include "base/tolerance.h"
 #include "control/correctors/pocket.h"
-#include "control/functions/functions.h"
 #include "control/emitter.h"
+#include "control/functions/functions.h"
 
 namespace kadr {
 

@@ -1,5 +1,6 @@
 #pragma once
-// BlockDialect: what a control makes of a block before and after its words are executed. One of the interfaces of a Dialect (control/dialect.h).
+// BlockDialect: what a control makes of a block before and after its words are executed. One of the interfaces of a Dialect
+// (control/dialect.h).
 
 #include <cstdint>
 

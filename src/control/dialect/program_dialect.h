@@ -1,5 +1,6 @@
 #pragma once
-// ProgramDialect: how a control begins and ends a program, and what it remembers beyond it. One of the interfaces of a Dialect (control/dialect.h).
+// ProgramDialect: how a control begins and ends a program, and what it remembers beyond it. One of the interfaces of a Dialect
+// (control/dialect.h).
 
 #include <cstdint>
 #include <memory>

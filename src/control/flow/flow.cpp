@@ -254,7 +254,7 @@ void Flow::make_index() {
     const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
     std::optional<std::uint32_t> name;
-    if (def_.behaviour.subprograms_by_section) {
+    if (def_.has_sections()) {
       constexpr std::uint8_t digits_of_label = 5;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
       if (block->marker == Marker::section) in_section = true;
       if (block->marker != Marker::none) current = -1;
@@ -274,7 +274,7 @@ void Flow::make_index() {
 }
 
 void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit) {
-  if (def_.grammar.label_address == 0 && !def_.behaviour.subprograms_by_section) return;
+  if (def_.grammar.label_address == 0 && !def_.has_sections()) return;
   if (!indexed_) make_index();
   auto block = std::make_unique<Block>();
   BlockReader& reader = elsewhere();
@@ -286,8 +286,8 @@ void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, cons
     for (;;) {
       const auto got = reader.next(*block);
       if (got && *got == BlockReader::Got::end) break;
-      const bool other = block->marker != Marker::none ||
-                         (def_.behaviour.subprograms_by_section && block->number_digits == 5 && block->number / 1000 != name);
+      const bool other =
+          block->marker != Marker::none || (def_.has_sections() && block->number_digits == 5 && block->number / 1000 != name);
       if (!first && other) break;
       visit(got, *block);
       first = false;
@@ -301,7 +301,7 @@ std::string Flow::name_of(const ControlDef& def, const CallFrame& frame) {
   switch (frame.kind) {
     case CallFrame::Kind::repetition: return "H … M20";
     case CallFrame::Kind::cycle_body: return def.cycles[frame.name].name;
-    default: return def.behaviour.subprograms_by_section ? "L" + two_digits(frame.name) : "O" + std::to_string(frame.name);
+    default: return def.has_sections() ? "L" + two_digits(frame.name) : "O" + std::to_string(frame.name);
   }
 }
 

@@ -5,9 +5,9 @@
 
 #include "base/tolerance.h"
 #include "control/block/arc.h"
+#include "control/emitter.h"
 #include "control/functions/contour.h"
 #include "control/functions/functions.h"
-#include "control/emitter.h"
 
 namespace kadr {
 namespace {
@@ -38,7 +38,7 @@ class Circular {
     KADR_TRY(m_.target(end, named));
     const bool corrected = m_.dialect->adds_to_motion(m_);
     const std::uint64_t used =
-        m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
+        m_.letters.axes | m_.letters.centers | (m_.def.behaviour.reads_arc_radius() ? letter_bit('R') : std::uint64_t{0});
     if ((m_.block->letters & used) == 0 && !corrected) return {};  // the code alone: only the mode
     if (corrected) KADR_TRY(correct(named));
     KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
@@ -67,7 +67,7 @@ class Circular {
   Result<PlaneArc> shape(const Axes& start, const Axes& end, Span where) {
     const Vec2 from = in_plane(start, axes_);
     const Vec2 to = in_plane(end, axes_);
-    if (m_.def.behaviour.arc_radius_word && m_.has('R')) {
+    if (m_.def.behaviour.reads_arc_radius() && m_.has('R')) {
       if (has_center(axes_.first) || has_center(axes_.second)) return fail(alarm(AlarmId::not_together, m_.where('R'), "R", "I J K"));
       const auto arc = arc_by_radius(from, to, m_.length_value('R'), turn_, rule_.difference);
       if (!arc) return placed(m_, arc.error());
@@ -174,7 +174,7 @@ ArcRule BlockContext::plain_arc_rule() const {
   const bool as_distance = b.arc_centers == ArcCenters::as_distance, by_code = b.arc_centers == ArcCenters::by_code;
   const bool absolute = (as_distance && modal.absolute) || (by_code && modal.centers_absolute);
   const double difference = modal.inch && b.arc_difference_inch > 0 ? b.arc_difference_inch : b.arc_radius_difference;
-  return {true, absolute, b.helix_by_lead, difference};
+  return {true, absolute, b.helix_by_lead(), difference};
 }
 
 Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }

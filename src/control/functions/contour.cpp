@@ -82,7 +82,7 @@ bool compensates(const Modal& modal) { return modal.contour != ContourPhase::off
 
 Status begin_contour(BlockContext& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
-  const bool queued = m.def.behaviour.contour_queued;
+  const bool queued = m.def.behaviour.queues_contours();
   if (modal.contour == ContourPhase::leaving && !queued &&
       mask_of(modal.contour_axes) != plane_mask(m))  // beside a contour in another plane
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -117,11 +117,11 @@ void note_arc_end(BlockContext& m, const Motion& arc) {
 
 Status end_contour(Emitter& m, const Call& call) {
   Modal& modal = m.modal;
-  if (modal.contour == ContourPhase::approached && m.def.behaviour.contour_blocks_checked)
+  if (modal.contour == ContourPhase::approached && m.def.gives(AlarmId::compensation_two_blocks))
     return fail(alarm(AlarmId::compensation_two_blocks, call.where));
   modal.radius_side = 0;
   modal.radius_by_word = -1;
-  if (m.def.behaviour.contour_queued) {
+  if (m.def.behaviour.queues_contours()) {
     if (modal.contour == ContourPhase::following) m.emit(ContourBreak{true});
     if (modal.contour != ContourPhase::leaving)
       modal.contour = modal.contour == ContourPhase::following ? ContourPhase::leaving : ContourPhase::off;
@@ -132,22 +132,22 @@ Status end_contour(Emitter& m, const Call& call) {
 }
 
 void stop_beside_contour(Emitter& m) {
-  if (m.def.behaviour.contour_queued && m.modal.contour == ContourPhase::following) m.emit(ContourBreak{});
+  if (m.def.behaviour.queues_contours() && m.modal.contour == ContourPhase::following) m.emit(ContourBreak{});
 }
 
 bool leads_without_words(const BlockContext& m) {
-  if (!m.def.behaviour.contour_queued || m.modal.contour == ContourPhase::off) return false;
+  if (!m.def.behaviour.queues_contours() || m.modal.contour == ContourPhase::off) return false;
   return m.modal.contour == ContourPhase::leaving || m.radius_in_force() != 0;
 }
 
 Status contour_allows_infeed(const BlockContext& m, Span where) {
-  if (!m.def.behaviour.contour_blocks_checked || !only_begun(m)) return {};
+  if (!only_begun(m) || !m.def.gives(AlarmId::compensation_two_blocks)) return {};
   if (m.has_code({Function::radius_comp_left, Function::radius_comp_right})) return {};
   return fail(alarm(AlarmId::compensation_two_blocks, where));
 }
 
 Status contour_allows_motion(const BlockContext& m) {
-  if (!m.def.behaviour.contour_blocks_checked || m.modal.contour == ContourPhase::off || !m.has_axis_words()) return {};
+  if (m.modal.contour == ContourPhase::off || !m.has_axis_words() || !m.def.gives(AlarmId::compensation_two_blocks)) return {};
   Axes to;
   AxisMask named = 0;
   KADR_TRY(m.target(to, named));
@@ -165,10 +165,10 @@ Status arc_beside_contour(const BlockContext& m, Span where, std::string_view co
 }
 
 void note_contour(Emitter& m, Motion& motion, const Axes& from) {
-  if (m.def.behaviour.contour_queued) return note_queued(m, motion, from);
+  if (m.def.behaviour.queues_contours()) return note_queued(m, motion, from);
   Modal& modal = m.modal;
   const bool named = (motion.named & plane_mask(m)) != 0;
-  motion.entry = m.def.behaviour.contour_entry_tangent ? ContourEntry::tangent : ContourEntry::normal;
+  motion.entry = m.def.behaviour.compensation_entry == CompensationEntry::tangent ? ContourEntry::tangent : ContourEntry::normal;
   motion.join_corner = modal.corner_join;
   if (modal.contour == ContourPhase::leaving) return lead_off(m, motion, from);
   const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);

@@ -12,15 +12,15 @@ Status end_program(Interpreter& m, Span where) {
   if (m.program().depth() != 0) {
     const CallFrame& top = m.flow.frames().back();
     if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
-    if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
+    if (m.def.has_sections()) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
   }
-  if (!m.def.behaviour.goes_on_behind_end) m.flow.end();
+  if (!m.def.has_lines_alone()) m.flow.end();
   if (m.dialect->end_program(m)) return {};
   for (const std::int32_t row_index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||
                               (row.function == Function::coolant_off && (m.modal.flood || m.modal.mist));
-    const bool told = m.def.behaviour.goes_on_behind_end && switches_off;  // the next lines run without them
+    const bool told = m.def.has_lines_alone() && switches_off;  // the next lines run without them
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
     if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 itself stops spindle and coolant

@@ -100,14 +100,14 @@ Status linear(Emitter& m, const Call& call) { return straight(m, call, MotionKin
 
 /// G80 (Mach3 10.7.23): axis words of its block need another code that takes them.
 Status no_motion(Emitter& m, const Call& call) {
-  if (m.def.behaviour.arc_radius_word && m.has_axis_words() && !axes_taken_by_code(m)) {
+  if (m.def.behaviour.reads_arc_radius() && m.has_axis_words() && !axes_taken_by_code(m)) {
     const Word* first = nullptr;
     for (std::uint32_t i = 0; i < m.block->word_count && first == nullptr; ++i)
       if ((m.letters.axes & letter_bit(m.block->words[i].address)) != 0) first = &m.block->words[i];
     return fail(alarm(AlarmId::no_motion_mode, first->where, first->address));
   }
   m.modal.motion = MotionMode::none;
-  m.modal.motion_row = call.row->modal && m.def.behaviour.arc_radius_word ? std::int16_t{-1} : m.modal.motion_row;
+  m.modal.motion_row = call.row->modal && m.def.behaviour.reads_arc_radius() ? std::int16_t{-1} : m.modal.motion_row;
   m.cycle_memory.row = -1;
   return {};
 }

@@ -6,8 +6,8 @@
 
 #include "action/by_kind.h"
 #include "base/tolerance.h"
-#include "control/functions/contour.h"
 #include "control/emitter.h"
+#include "control/functions/contour.h"
 
 namespace kadr {
 

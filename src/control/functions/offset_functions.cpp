@@ -17,7 +17,7 @@ Result<std::uint32_t> offset_number(const BlockContext& m, char letter, std::uin
 
 /// Mach3 10.7.13: XY plane only, not when on already; D or the tool in the spindle; P overrides the radius.
 Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
-  if (m.def.behaviour.arc_radius_word) {
+  if (m.def.behaviour.reads_arc_radius()) {
     if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
     if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
     const auto number = offset_number(m, 'D', m.modal.tool < m.tables.offsets.size() ? m.modal.tool : 0);
@@ -44,7 +44,7 @@ Status length(Emitter& m, const Call& call, std::int8_t sign) {
 
 /// 2С42, note to 6.4.1: a work zero changes on a straight section, with G90 and G40.
 Status check_zero_change(const BlockContext& m, Span where) {
-  if (!m.def.behaviour.zero_change_checked) return {};
+  if (!m.def.gives(AlarmId::zero_change)) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
   const bool arc_coded = m.has_code({Function::arc_cw, Function::arc_ccw});
   const bool straight = m.has_code({Function::rapid, Function::linear}) || (in_force && !arc_coded);

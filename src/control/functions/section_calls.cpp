@@ -91,7 +91,7 @@ Status call_section(Interpreter& m, const Call& call) {
 }
 
 void restore_zero(Emitter& m, const CallFrame& left) {
-  if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
+  if (!m.def.has_sections() || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
   m.zero_shift = left.zero_shift;
   if (left.zero_row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(left.zero_row)].group] = left.zero_row;

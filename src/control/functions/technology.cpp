@@ -139,7 +139,7 @@ Status tool_word(Emitter& m, const Call& call) {
   if (!number) return fail(number.error());
   constexpr std::uint32_t marked =
       100;  // T112 of the 2С42: tool 12, which stands in the spindle; INFERRED: of another one the digit is one too many
-  if (m.def.behaviour.tool_in_spindle && *number >= marked) {
+  if (m.def.grammar.word('T').one_more && *number >= marked) {
     if (m.modal.tool != *number % marked) return fail(alarm(AlarmId::too_many_digits, call.where, 'T', 3.0, 2.0));
     m.modal.tool_selected = m.modal.tool;
     m.use.change_to(m.modal.tool);

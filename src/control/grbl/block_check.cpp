@@ -9,9 +9,9 @@
 
 #include "base/code_literals.h"
 #include "base/units.h"
+#include "control/block_context.h"
 #include "control/grbl/arc_readings.h"
 #include "control/grbl/grbl.h"
-#include "control/block_context.h"
 
 namespace kadr::grbl {
 namespace {

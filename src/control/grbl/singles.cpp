@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/units.h"
-#include "control/grbl/block_check.h"
 #include "control/block_context.h"
+#include "control/grbl/block_check.h"
 #include "lang/block/line_word_reader.h"
 
 namespace kadr::grbl {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/code_literals.h"
-#include "control/grbl/grbl.h"
 #include "control/block_context.h"
+#include "control/grbl/grbl.h"
 
 namespace kadr::grbl {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "control/emitter.h"
 #include "control/functions/contour.h"
 #include "control/functions/functions.h"
-#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::functions {

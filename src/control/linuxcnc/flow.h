@@ -10,7 +10,7 @@
 namespace kadr {
 class BlockContext;
 class Interpreter;
-}
+}  // namespace kadr
 
 namespace kadr::linuxcnc {
 

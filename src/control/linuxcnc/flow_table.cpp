@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "control/flow/program_file.h"
 #include "control/block_context.h"
+#include "control/flow/program_file.h"
 
 namespace kadr::linuxcnc {
 

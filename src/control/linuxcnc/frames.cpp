@@ -9,8 +9,8 @@
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
-#include "control/functions/functions.h"
 #include "control/emitter.h"
+#include "control/functions/functions.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {

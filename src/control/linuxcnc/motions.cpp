@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "control/emitter.h"
 #include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
 #include "control/functions/probe_unstated.h"
-#include "control/emitter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/spindles.h"
 

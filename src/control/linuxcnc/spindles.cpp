@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "control/functions/functions.h"
 #include "control/emitter.h"
+#include "control/functions/functions.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {

@@ -7,7 +7,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
-}
+}  // namespace kadr
 
 namespace kadr::linuxcnc {
 

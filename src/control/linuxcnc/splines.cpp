@@ -9,8 +9,8 @@
 
 #include "action/plane_spline.h"
 #include "base/code_literals.h"
-#include "control/functions/functions.h"
 #include "control/emitter.h"
+#include "control/functions/functions.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {

@@ -104,7 +104,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   /// The parameters have changed, and the settings follow.
   virtual void read_parameters(BlockContext& m);
   /// What the program has set is as at power-on (3.4).
-  void reset_macros(BlockContext& m);
+  void reset_macros();
   /// Words of a block like the one before are read by no macro: Dialect::lines_follow.
   bool words_follow() const {
     return !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none && state.active_modal_calls == 0 &&

@@ -123,6 +123,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
   if (!std::all_of(digits.begin(), digits.end(), is_digit)) return Failed("only digits may follow");
   if (digits[0] == '0') return Failed("at least one digit stands before the point");
+  format.one_more = one_more;
   format.whole_digits = static_cast<std::uint8_t>(digits[0] - '0' + (one_more ? 1 : 0));
   if (digits.size() == 2) format.fraction_digits = static_cast<std::uint8_t>(digits[1] - '0');
   format.implied = format.fraction_digits > 0;

@@ -71,6 +71,7 @@ struct WordFormat {
   bool second_number = false;        // a second number may follow: `L2 15` (spec/correctors 1)
   bool parameter = false;            // takes a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
   bool increment = false;            // the operator I may stand before the number (nct 5.1)
+  bool one_more = false;             // a further digit before it says that the tool stands in the spindle: T112 (spec/s2c42 6.4.4)
   bool bare = false;                 // may stand without a number: `G17 X` (nct 10.4)
 };
 

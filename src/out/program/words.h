@@ -23,7 +23,7 @@ class Words {
         format_(def.grammar.word(letter)),
         letter_(letter),
         more_(more),
-        counts_(letter == 'F' && (def.behaviour.feed_counts_increments || !def.grammar.least_increments.empty())),
+        counts_(letter == 'F' && !def.grammar.least_increments.empty()),
         decimals_(decimals_of()),
         increment_(row_.scale / ten_to(decimals_)),
         most_(format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals_) - 1 : most_counts) {}

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "base/code_literals.h"
 #include "out/text/cycle_text.h"
 
 namespace kadr {
@@ -60,16 +61,18 @@ std::string_view unit_of(WordUnit unit, Lang lang) {
   return "";
 }
 
+bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
+
 /// Where the control says it otherwise than the NCT.
 std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
   const bool pecks = (used >> ('Q' - 'A') & 1u) != 0, shifts = (used >> ('K' - 'A') & 1u) != 0;
   if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, "number of repetitions", "число повторений"};
-  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q)
+  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q())
     return Meaning{code.function, letter, length, "shift of the oriented tool, positive",
                    "смещение ориентированного инструмента, положительное"};
-  if (!pecks || !def.behaviour.pecks_by_ijk) return std::nullopt;
+  if (!pecks || is_tap(code) || def.behaviour.cycle_words != CycleWords::pecks_by_ijk) return std::nullopt;
   switch (letter) {
     case 'I': return Meaning{code.function, letter, length, "depth of the first peck, without Q", "глубина первого прохода, без Q"};
     case 'J': return Meaning{code.function, letter, length, "how much less each next peck is", "на сколько каждый следующий проход меньше"};

@@ -305,7 +305,7 @@ void TextWatch::finish(Advices& to) {
       if (found == s.twice.end()) to.add(AlarmId::jump_to_nowhere, origin, 0, double(target));
       else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
     }
-    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.behaviour.goes_on_behind_end)
+    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
     constexpr std::uint32_t of_codes = 9000;  // from here on codes may call them by parameters
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))

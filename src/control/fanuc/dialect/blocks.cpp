@@ -36,24 +36,25 @@ Status take_bare_words(BlockContext& m) {
 }
 
 /// Numbers without a point count in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is whole
-/// (spec/fanuc 1.3).
+/// (spec/fanuc 1.3), unless a parameter says otherwise.
 void count_increments(BlockContext& m) {
+  const Settings& s = fanuc_of(m).settings;
   const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
   const bool turns = m.has_code({Function::feed_per_revolution}) ||
                      (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     const WordFormat& format = m.def.grammar.word(w.written);
-    if (w.expression && format.counted != 0 && m.def.behaviour.rounds_words && !m.has_code({Function::macro_call, Function::macro_modal})) {
+    if (w.expression && format.counted != 0 && !m.has_code({Function::macro_call, Function::macro_modal})) {
       const double parts = inch && (w.written < 'A' || w.written > 'C') ? 10'000 : 1000;
       w.value = std::round(w.value * parts) / parts;
     }
     if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
     if (format.counted == 0 && w.written != 'F') continue;
     const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
-    const bool as_length = w.written != 'F' || (m.def.behaviour.feed_counts_increments && !fanuc_of(m).settings.feed_whole);
-    const int least = as_length ? 3 : (m.def.behaviour.feed_counts_increments || !turns) ? 0 : 2;
-    const int finer = !inch || !length ? 0 : as_length ? 1 : m.def.behaviour.feed_counts_increments ? 0 : 2;
+    const bool as_length = w.written != 'F' || s.feed_counts_increments;
+    const int least = as_length || (s.feed_in_thousandths && !turns) ? 3 : (s.feed_whole || !turns) ? 0 : 2;
+    const int finer = !inch || !length ? 0 : as_length ? 1 : s.feed_whole ? 0 : 2;
     const int decimals = least + finer;
     if (decimals == w.counted) continue;
     w.value *= std::pow(10.0, int{w.counted} - decimals);
@@ -202,7 +203,7 @@ Result<bool> before_plan(Interpreter& m) {
     return false;
   }
   KADR_TRY(check_points(m));
-  if (m.def.behaviour.last_word_counts) drop_repeated(m);
+  if (m.def.behaviour.later_word_counts == LaterWord::everywhere) drop_repeated(m);
   if (!m.def.grammar.least_increments.empty()) count_increments(m);
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/code_literals.h"
@@ -106,9 +105,7 @@ void Fanuc::read_parameters(BlockContext& m) {
   settings = fanuc::read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
   if (const ParameterId most = parameters.named("1400"); most != ParameterId::none)
     settings.offset_numbers = static_cast<int>(parameters.value(most));
-  if (m.def.behaviour.length_axis_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
-  if (m.def.behaviour.arc_difference_free && settings.radius_unlimited)
-    settings.radius_difference = std::numeric_limits<double>::infinity();
+  if (m.def.behaviour.tool_along_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
   take_reference_points(m);
 }
 
@@ -218,7 +215,7 @@ void Fanuc::stop_machine(Interpreter& m) {
 }
 
 void Fanuc::reset_program(Interpreter& m) {
-  reset_macros(m);
+  reset_macros();
   finishing.clear();
   state.turning.code = 0;
   end_gear(m);

@@ -35,7 +35,7 @@ bool moves_by_code(const BlockContext& m) {
 
 /// X, Y, Z by number: the direction in which the plane drills.
 int drilling_direction(const BlockContext& m) {
-  if (m.def.behaviour.drills_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
@@ -77,7 +77,7 @@ class Drilling {
  public:
   Drilling(Emitter& m, const Call& call)
       : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(fanuc_of(m).state.drilling) {
-    const bool rigid = fanuc_of(m).state.rigid_tap || fanuc_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
+    const bool rigid = fanuc_of(m).state.rigid_tap || fanuc_of(m).settings.taps_rigid;
     if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
     if (code_ == only_back) code_ = 87_g;
   }
@@ -91,7 +91,7 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    const bool by_level = m_.def.behaviour.drills_by_level;             // spec/fanuc 10.1
+    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1
     if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: not carried out
     KADR_TRY(remember(*bottom));
     double passes = 1;
@@ -128,7 +128,7 @@ class Drilling {
 
   bool is_tap() const { return code_ == 84.2_g || code_ == 84.3_g; }
   bool shifts() const { return code_ == 76_g || (code_ == 87_g && (spindle().orients || by_q())); }
-  bool by_q() const { return m_.def.behaviour.shifts_by_q; }
+  bool by_q() const { return m_.def.behaviour.shifts_by_q(); }
   bool has_percent() const { return code_ == 85_g || code_ == 89_g || is_tap(); }
   const SpindleSettings& spindle() const {
     return fanuc_of(m_).settings.spindles[static_cast<std::size_t>(fanuc_of(m_).state.current_spindle)];
@@ -138,7 +138,7 @@ class Drilling {
   Status possible() const {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
     if (code_ == 76_g && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
-    if (is_tap() && !spindle().indexes && !m_.def.behaviour.drills_by_level)
+    if (is_tap() && !spindle().indexes && !m_.def.behaviour.shifts_by_q())
       return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(fanuc_of(m_).state.current_spindle)));
     if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
     for (const char letter : {'I', 'J', 'K'})
@@ -149,7 +149,7 @@ class Drilling {
   /// G17: I J, G18: K I, G19: J K; I also where it is a percentage.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
-    if (m_.def.behaviour.drills_by_level) return true;
+    if (m_.def.behaviour.shifts_by_q()) return true;
     switch (m_.modal.plane) {
       case Plane::zx: return letter != 'J';
       case Plane::yz: return letter != 'I';
@@ -184,7 +184,7 @@ class Drilling {
       kept_.level = m_.length_value('R');
       kept_.level_added = !m_.modal.absolute || r->incremental;
     }
-    const bool percent = has_percent() && !m_.def.behaviour.drills_by_level;
+    const bool percent = has_percent() && !m_.def.behaviour.shifts_by_q();
     if (m_.has('I') && percent) KADR_TRY(positive('I', m_.value('I'), kept_.percent));
     if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
     if (m_.has('J')) kept_.shift.y = m_.length_value('J');
@@ -192,7 +192,7 @@ class Drilling {
     if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: its sign is ignored
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
-    if (m_.has('P') && m_.def.behaviour.dwell_in_milliseconds) {
+    if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
       const auto seconds = dwell_by_digits(m_);
       if (!seconds) return fail(seconds.error());
       KADR_TRY(not_negative('P', *seconds, kept_.dwell));
@@ -249,14 +249,16 @@ class Drilling {
         job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
       }
     }
-    if (m_.def.behaviour.pecks_by_ijk && kept_.shift.x > 0 && (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
+    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && kept_.shift.x > 0 &&
+        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
       if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
         return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
     }
-    if (m_.def.behaviour.pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0)) job.clear_after = std::max(kept_.shift.z, 0.0);
+    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0))
+      job.clear_after = std::max(kept_.shift.z, 0.0);
     job.rise = code_ == 83_g ? s.return_rise : 0;
     if ((code_ == 73_g || code_ == 83_g) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));

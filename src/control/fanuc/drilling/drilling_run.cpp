@@ -211,7 +211,7 @@ Status DrillingRun::close_loop(Emitter& m) {
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
 Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
-  if (m.def.behaviour.dwell_in_milliseconds) {
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
     m.emit(Dwell{job_.dwell});
     return {};
   }

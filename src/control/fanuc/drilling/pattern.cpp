@@ -3,8 +3,8 @@
 #include "control/fanuc/drilling/pattern.h"
 
 #include "base/code_literals.h"
-#include "control/fanuc/fanuc.h"
 #include "control/emitter.h"
+#include "control/fanuc/fanuc.h"
 
 namespace kadr::fanuc {
 

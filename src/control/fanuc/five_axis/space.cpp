@@ -1,10 +1,10 @@
 // From the codes in force to the space of the work coordinates (spec/nct/25a 6.3). For control/fanuc/frames/frames, the functions of this
 // folder.
 
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 #include "kinematics/part_space.h"
 
 namespace kadr::fanuc {

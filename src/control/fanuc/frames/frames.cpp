@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 namespace {

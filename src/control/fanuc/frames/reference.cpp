@@ -14,7 +14,7 @@ constexpr double same_place = 1e-4;  // mm
 
 /// A drilling cycle ends by G80 first, where the control says so (spec/fanuc 10.1: PS0044).
 Status outside_cycles(const BlockContext& m, const Call& call) {
-  if (!m.def.behaviour.reference_outside_cycles || !fanuc::drilling_on(m)) return {};
+  if (!fanuc::drilling_on(m) || !m.def.gives(AlarmId::reference_in_cycle)) return {};
   return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
 }
 
@@ -48,15 +48,15 @@ Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
   if (call.row->arg == 2) {
-    const bool usual = m.def.behaviour.second_reference_usual && !m.has('P');  // spec/fanuc 6.6
-    if (!m.has('P') && !usual) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6
+    if (needed && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
     const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
     if (!number) return fail(number.error());
     point = *number;
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (m.def.behaviour.second_reference_usual) {  // spec/fanuc 6.6, unknown: no motion
+    if (!call.row->needs_axis) {  // spec/fanuc 6.6, unknown: no motion
       m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
       return {};
     }

@@ -85,7 +85,7 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   for (const char letter : {'P', 'I', 'J', 'K'})
     if (m.has(letter) && m.value(letter) == 0) return fail(alarm(AlarmId::scale_zero, m.where(letter), letter));
   if (!each) {
-    const bool counted = m.def.behaviour.scale_in_increments && !m.word('P')->has_point && !m.word('P')->expression;
+    const bool counted = !m.word('P')->has_point && !m.word('P')->expression;
     const double factor = m.value('P') * (counted ? settings.scale_unit : 1);
     if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K mirror
     for (std::size_t a = 0; a < m.axis_count; ++a)

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -39,7 +39,7 @@ class Arc {
   }
 
   Status run() {
-    const bool radius_first = m_.def.behaviour.arc_radius_first;
+    const bool radius_first = m_.def.behaviour.arc_radius_word == ArcRadius::before_centre;
     if (has_geometry_words(m_) || (m_.has('R') && has_center() && !radius_first)) KADR_TRY(geometry());
     const double angle_before = m_.modal.polar_data ? start_angle() : 0;
     fanuc_of(m_).absolute_block = over_determined();
@@ -55,7 +55,7 @@ class Arc {
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
-    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !fanuc_of(m_).settings.arc_without_data_stops) {
+    if (!has_data && fanuc_of(m_).settings.arc_without_data_straight) {
       m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
       return straight_line();
     }

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 

@@ -10,7 +10,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
-}
+}  // namespace kadr
 
 namespace kadr::fanuc {
 

@@ -53,8 +53,8 @@ Status smoothing(Emitter& m, const Call& call) {
 
 /// G4 P (8): seconds, or in G95 revolutions of the main spindle.
 Status dwell_or_turns(Emitter& m, const Call& call) {
-  if (m.def.behaviour.dwell_in_milliseconds) {  // spec/fanuc 4.1
-    const bool by_point = m.def.behaviour.dwell_by_point;
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1
+    const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
     if (!m.has(letter)) {
@@ -139,7 +139,7 @@ double take_lead(BlockContext& m) {
 
 Result<double> dwell_by_digits(BlockContext& m) {
   const Word& p = *m.word('P');
-  const bool by_point = m.def.behaviour.dwell_by_point;
+  const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
   if (by_point && (p.has_point || p.expression)) return p.value;
   if (p.has_point) return fail(alarm(AlarmId::point_not_allowed, p.where, 'P'));
   constexpr double ms_per_s = 1000;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace kadr::fanuc {
@@ -55,7 +56,7 @@ void read_spindles(Settings& s, const ParameterSource& p) {
 /// Of the Fanuc and the Haas alone.
 void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.drills_across = p.value("drills_across", 0) != 0;
-  s.scale_unit = p.value("scale_in_thousandths", 0) != 0 ? 1e-3 : 1e-5;
+  s.scale_unit = !p.has("scale_in_thousandths") ? 1 : p.value("scale_in_thousandths", 0) != 0 ? 1e-3 : 1e-5;
   s.scale_each = p.value("scale_each", 0) != 0;
   s.scale_usual = p.value("scale_usual", 0);
   s.rotation_adds = p.value("rotation_adds", 0) != 0;
@@ -70,14 +71,17 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   for (unsigned i = 0; i < 4; ++i)
     if (p.value(mirrored[i], 0) != 0) s.mirrored |= 1U << i;
   s.feed_whole = p.value("feed_whole", 0) != 0;
+  s.feed_counts_increments = p.has("feed_whole") && !s.feed_whole;
+  s.feed_in_thousandths = p.value("feed_in_thousandths", 0) != 0;
 }
 
 void read_interpretation(Settings& s, const ParameterSource& p) {
-  const double difference = p.value("1339", 0);
+  const bool free_at_zero = p.has("arc_difference");  // spec/fanuc 3.2: 3410
+  const double difference = p.value(free_at_zero ? "arc_difference" : "1339", 0);
   s.radius_difference = s.radius_shortfall = difference > 0 ? difference : 0.01;
-  s.radius_unlimited = !(difference > 0);
+  if (free_at_zero && !(difference > 0)) s.radius_difference = std::numeric_limits<double>::infinity();
   s.length_of_block = p.value("length_of_block", 0) != 0;
-  s.arc_without_data_stops = p.value("arc_needs_data", 0) != 0;
+  s.arc_without_data_straight = p.has("arc_needs_data") && p.value("arc_needs_data", 0) == 0;
   s.angles_from_minus = p.value("angles_from_minus", 0) != 0;
   s.without_length = p.bit("1755", "6", 0);
   s.in_frame = p.bit("1755", "5", 0);

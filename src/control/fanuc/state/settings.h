@@ -45,41 +45,42 @@ struct Settings {
   std::array<AxisSettings, max_axes> axes;                  // by index in the channel
   std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
   // interpretation
-  double radius_difference = 0.01;      // N1339, mm; infinite where 0 means "not checked" (spec/fanuc 3.2)
-  double radius_shortfall = 0.01;       // by how much 2R may be less than the chord, mm; checked even where radius_difference is not
-  bool dwell_seconds = false;           // N1337 #1 SEC
-  bool centers_absolute = false;        // N1337 #2 CCA
-  bool feed_along_helix = false;        // N1337 #3 HEF
-  std::array<bool, 8> default_1{};      // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
-  bool default_per_rev = false;         // N1301 #0
-  bool keeps_codes = false;             // N1301 CLR
-  std::array<bool, 40> kept_groups{};   // CLR G Table: Cnn
-  bool in_position_check = false;       // N1337 PCH
-  bool length_of_block = false;         // spec/fanuc 7.1: 5001#0
-  bool radius_unlimited = false;        // N1339 is 0
-  bool arc_without_data_stops = false;  // spec/fanuc 3.2: 3403#5
-  bool angles_from_minus = false;       // spec/fanuc 5.3: 6004#0
-  bool offsets_are_diameters = false;   // spec/haas 2.4: setting 40
-  double return_rise = 0;               // spec/haas 8.3: setting 52
-  bool taps_rigid = false;              // spec/fanuc 10.4: 5200#0
-  bool drills_across = false;           // spec/fanuc 10.1: 5101#0
-  double scale_unit = 1e-5;             // of G51 P without a point, spec/fanuc 6.9: 5400#7
-  bool scale_each = false;              // 5400#6: G51 I J K
-  double scale_usual = 0;               // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
-  bool rotation_adds = false;           // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
-  double rotation_usual = 0;            // 5410, setting 72, degrees
-  bool holes_exact = false;             // spec/haas 8.1: setting 57
-  bool length_of_tool = false;          // spec/haas 10: setting 15
-  int shift_direction = 0;              // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
-  bool shift_is_global = false;         // spec/haas 5.3: setting 33 = 1
-  unsigned mirrored = 0;                // spec/haas 6.1: settings 45 to 48, a bit an axis
-  bool feed_whole = false;              // spec/haas 1.2: setting 77: F without a point is as it stands
-  bool shift_negative = false;          // spec/fanuc 10.5: 5101#4
-  bool shift_second = false;            // … #5
-  int length_axes = 0;                  // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
-  bool turning_offsets = false;         // N1416 #2 TOL
-  ContourCheck contour_check;           // N1403 … N1405
-  bool skip_breaks_contour = true;      // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
+  double radius_difference = 0.01;         // N1339, mm; infinite where 0 means "not checked" (spec/fanuc 3.2)
+  double radius_shortfall = 0.01;          // by how much 2R may be less than the chord, mm; checked even where radius_difference is not
+  bool dwell_seconds = false;              // N1337 #1 SEC
+  bool centers_absolute = false;           // N1337 #2 CCA
+  bool feed_along_helix = false;           // N1337 #3 HEF
+  std::array<bool, 8> default_1{};         // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
+  bool default_per_rev = false;            // N1301 #0
+  bool keeps_codes = false;                // N1301 CLR
+  std::array<bool, 40> kept_groups{};      // CLR G Table: Cnn
+  bool in_position_check = false;          // N1337 PCH
+  bool length_of_block = false;            // spec/fanuc 7.1: 5001#0
+  bool arc_without_data_straight = false;  // spec/fanuc 3.2: 3403#5 is 0
+  bool angles_from_minus = false;          // spec/fanuc 5.3: 6004#0
+  bool offsets_are_diameters = false;      // spec/haas 2.4: setting 40
+  double return_rise = 0;                  // spec/haas 8.3: setting 52
+  bool taps_rigid = false;                 // spec/fanuc 10.4: 5200#0
+  bool drills_across = false;              // spec/fanuc 10.1: 5101#0
+  double scale_unit = 1;                   // of G51 P without a point, spec/fanuc 6.9: 5400#7
+  bool scale_each = false;                 // 5400#6: G51 I J K
+  double scale_usual = 0;                  // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
+  bool rotation_adds = false;              // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
+  double rotation_usual = 0;               // 5410, setting 72, degrees
+  bool holes_exact = false;                // spec/haas 8.1: setting 57
+  bool length_of_tool = false;             // spec/haas 10: setting 15
+  int shift_direction = 0;                 // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
+  bool shift_is_global = false;            // spec/haas 5.3: setting 33 = 1
+  unsigned mirrored = 0;                   // spec/haas 6.1: settings 45 to 48, a bit an axis
+  bool feed_counts_increments = false;     // spec/haas 1.2: setting 77 is 0: F without a point counts as a length does
+  bool feed_whole = false;                 // … 1: it is as it stands
+  bool feed_in_thousandths = false;        // spec/fanuc 1.3: 1403#0: F per minute without a point counts 0.001
+  bool shift_negative = false;             // spec/fanuc 10.5: 5101#4
+  bool shift_second = false;               // … #5
+  int length_axes = 0;                     // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
+  bool turning_offsets = false;            // N1416 #2 TOL
+  ContourCheck contour_check;              // N1403 … N1405
+  bool skip_breaks_contour = true;         // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
   // positions as system variables show them
   bool without_length = false;  // N1755 #6 TLC
   bool in_frame = false;        // N1755 #5 PCS

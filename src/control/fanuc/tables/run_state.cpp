@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 #include "control/macro_b/variables/system_variables.h"
 
 namespace kadr::fanuc {

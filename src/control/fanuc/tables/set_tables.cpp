@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/fanuc/words/data_lines.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -15,7 +15,7 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 /// v of G10 L2, L20: written, or in G91 and with the operator I added.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  Axes& shift = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;  // spec/haas 5.4
+  Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;  // spec/haas 5.4
   Axes& table = common ? shift : m.tables.zeros[index];
   Axes zero = table;                          // all or nothing
   const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: refused

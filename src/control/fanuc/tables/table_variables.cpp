@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/units.h"
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 #include "kinematics/part_space.h"
 
 namespace kadr::fanuc {
@@ -119,7 +119,7 @@ double* rotation_field(BlockContext& m, const FoundVariable& f) {
 
 bool is_zero(VariableKind kind) {
   return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended ||
-         kind == VariableKind::zero_dynamic;
+         kind == VariableKind::zero_dynamic || kind == VariableKind::zero_local;
 }
 
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
@@ -142,9 +142,8 @@ double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
 }
 
 double* zero_field(BlockContext& m, const FoundVariable& f, int axis) {
-  Axes& common = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;
-  Axes* const zero = f.row->kind == VariableKind::zero_common ? &common : &m.tables.zeros[system_of(f)];
-  return zero->data() + axis;
+  if (f.row->kind == VariableKind::zero_local) return m.modal.local.data() + axis;
+  return (f.row->kind == VariableKind::zero_common ? m.tables.common : m.tables.zeros[system_of(f)]).data() + axis;
 }
 
 }  // namespace

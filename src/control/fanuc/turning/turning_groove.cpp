@@ -5,10 +5,10 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning.h"
 #include "control/fanuc/turning/turning_plane.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 namespace {

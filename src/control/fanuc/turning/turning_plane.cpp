@@ -3,8 +3,8 @@
 #include "control/fanuc/turning/turning_plane.h"
 
 #include "base/tolerance.h"
-#include "control/fanuc/fanuc.h"
 #include "control/emitter.h"
+#include "control/fanuc/fanuc.h"
 #include "control/macro_b/dialect/blocks.h"
 
 namespace kadr::fanuc {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/turning/turning.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/emitter.h"
 
 namespace kadr::fanuc {
 namespace {

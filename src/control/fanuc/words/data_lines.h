@@ -6,7 +6,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
-}
+}  // namespace kadr
 
 namespace kadr::fanuc {
 

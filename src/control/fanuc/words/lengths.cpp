@@ -18,7 +18,7 @@ std::uint32_t fanuc::most_offsets(const BlockContext& m) {
 }
 
 Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
-  if (m.def.behaviour.offset_numbers_checked && m.has(letter) && m.value(letter) > fanuc::most_offsets(m))  // spec/fanuc 7.1: PS0030
+  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // spec/fanuc 7.1: PS0030
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, fanuc::most_offsets(m));
   if (!number) return number;
@@ -150,7 +150,7 @@ Status radius_number(Emitter& m, const Call&) {
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
 Status radius_side(Emitter& m, const Call& call) {
   fanuc::Volatile& state = fanuc_of(m).state;
-  if (m.def.behaviour.compensation_in_xy && call.row->arg != 0 && m.modal.plane != Plane::xy)
+  if (call.row->arg != 0 && m.modal.plane != Plane::xy && m.def.gives(AlarmId::compensation_plane))
     return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;

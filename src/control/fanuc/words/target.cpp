@@ -3,10 +3,10 @@
 #include <bit>
 #include <cmath>
 
+#include "control/block_context.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
-#include "control/block_context.h"
 
 namespace kadr::fanuc {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "base/vec.h"
-#include "control/functions/functions.h"
 #include "control/emitter.h"
+#include "control/functions/functions.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/motions.h"
 #include "control/linuxcnc/spindles.h"

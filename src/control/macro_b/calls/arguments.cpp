@@ -47,7 +47,7 @@ class Assigner {
 }  // namespace
 
 Status arguments_of(const BlockContext& m, std::uint32_t caller, Locals& to) {
-  const bool later_counts = m.def.behaviour.later_argument_counts;  // spec/fanuc 9.3: G, L, N, O, P are none there
+  const bool later_counts = m.def.behaviour.later_word_counts != LaterWord::nowhere;  // spec/fanuc 9.3: G, L, N, O, P are none there
   Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];

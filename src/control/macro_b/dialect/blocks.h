@@ -7,7 +7,7 @@
 namespace kadr {
 class BlockContext;
 class Interpreter;
-}
+}  // namespace kadr
 
 namespace kadr::macro_b {
 

@@ -93,13 +93,13 @@ bool MacroB::lose_power(Interpreter&) {
   return true;
 }
 
-void MacroB::reset_macros(BlockContext& m) {
+void MacroB::reset_macros() {
   output.abort();
   state.data_mode = DataMode::none;
   state.modal_calls.clear();
   state.active_modal_calls = 0;
   repeated_arguments.clear();
-  if (m.def.behaviour.common_cleared && !settings.common_kept) variables.power_off();
+  if (settings.common_cleared) variables.power_off();
   variables.close_levels();
   control_1 = control_2 = 0;
   state.interrupt_program.reset();
@@ -164,9 +164,7 @@ void MacroB::set_time(double at_ms, double cut_ms) {
 
 // ---- what the interpreter asks
 
-void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
-  macro_b::add_variables(m, ending, watch);
-}
+void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) { macro_b::add_variables(m, ending, watch); }
 
 /// A clock variable stands in the block, or one by a computed number, or a text with variables (23.1.9). Its value must be that of the
 /// moment: all actions before it are handed over first, and from then on each block's.

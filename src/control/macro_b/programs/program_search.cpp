@@ -100,7 +100,7 @@ Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files&
         return found != 0 && (digits == 0 || found == digits) && (in_capitals(file.extension().string()) == extension) == same_extension;
       });
     };
-    if (m.def.behaviour.numbers_by_five)
+    if (m.def.behaviour.program_digits == digits_of_haas)
       for (const std::size_t digits : {digits_of_haas, digits_of_fanuc})
         if (const Files some = of(digits); !some.empty()) return only_one(some, shown, where);
     if (const Files some = of(0); !some.empty()) return only_one(some, shown, where);
@@ -145,10 +145,11 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
   for (const bool by_word : {false, true})
     for (const fs::path& folder : folders) {
       const Files files = files_in(folder);
-      const Files headed =
-          by_word ? files_that(files,
-                               [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).number == number; })
-                  : Files();
+      const Files headed = by_word ? files_that(files,
+                                                [&](const fs::path& file) {
+                                                  return first_word(file, m.def.grammar, m.program().limits().door).number == number;
+                                                })
+                                   : Files();
       const auto found = by_word ? only_one(headed, "O" + std::to_string(number), where) : by_file_name(m, files, number, where);
       if (!found) return fail(found.error());
       if (!*found) continue;
@@ -157,7 +158,7 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
       return numbers_[key] = *place;
     }
   if (const auto built_in = m.flow.open_built_in(program_name(number))) return numbers_[key] = ProgramPlace{*built_in, {}};
-  const std::string name = m.def.behaviour.numbers_by_five ? fmt::format("O{:05}", number) : program_name(number);
+  const std::string name = m.def.behaviour.program_digits == digits_of_haas ? fmt::format("O{:05}", number) : program_name(number);
   return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
 }
 

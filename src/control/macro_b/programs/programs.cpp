@@ -136,7 +136,8 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
       const fs::path& path = entry.path();
       const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is the number
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
-      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path)) continue;
+      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path))
+        continue;
       files.push_back(path.string());
     }
     if (files.size() > 1) return fail(alarm(AlarmId::label_twice, where, double(number)));
@@ -160,7 +161,7 @@ std::uint32_t number_of_file(const std::string& path) {
 }
 
 Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
-  if (m.def.behaviour.own_programs_first) return by_steps(m, number, where);
+  if (m.def.grammar.programs_by_label) return by_steps(m, number, where);
   const bool of_main = beside == Beside::main_program;
   const std::pair key{of_main ? 0 : std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
@@ -215,7 +216,7 @@ Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Sp
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();
   auto file = in_folder(whole.parent_path(), whole.filename().string());
-  if (!file && m.def.behaviour.own_programs_first) {  // spec/fanuc 9.2
+  if (!file && m.def.grammar.programs_by_label) {  // spec/fanuc 9.2
     file = in_folder(whole.parent_path(), whole.filename().string() + caller.extension().string());
     if (!file) {
       const auto headed = by_heading(m, name, where);

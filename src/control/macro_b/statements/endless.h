@@ -19,7 +19,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
-}
+}  // namespace kadr
 
 namespace kadr::macro_b {
 

@@ -7,7 +7,7 @@
 namespace kadr {
 class Emitter;
 class Interpreter;
-}
+}  // namespace kadr
 
 namespace kadr::macro_b {
 

@@ -10,7 +10,8 @@ namespace kadr::macro_b {
 int whole_parameter(double value) { return std::fabs(value) < 1e9 ? static_cast<int>(std::lround(value)) : 0; }
 
 ParameterSource source_of(const ParameterStore& store) {
-  return {[&store](const char* name, int index) {
+  return {[&store](const char* name) { return store.meaning(name).row != ParameterId::none; },
+          [&store](const char* name, int index) {
             const ParameterStore::Meaning meant = store.meaning(name);
             if (meant.bit >= 0) return store.bit(meant.row, meant.bit, index) ? 1.0 : 0.0;
             return store.value(meant.row != ParameterId::none ? meant.row : store.named(name), index);
@@ -49,7 +50,7 @@ void code_block(std::vector<CodeRun>& runs, const ParameterSource& p, int from, 
 }
 
 void read_macros(Settings& s, const ParameterSource& p) {
-  s.common_kept = p.value("common_kept", 0) != 0;
+  s.common_cleared = p.has("common_kept") && p.value("common_kept", 0) == 0;
   s.shared_100 = whole_parameter(p.value("1700", 0));
   s.shared_500 = whole_parameter(p.value("1701", 0));
   s.protect_low = whole_parameter(p.value("1702", 0));

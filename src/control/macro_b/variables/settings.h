@@ -20,7 +20,7 @@ struct CodeRun {
 };
 
 struct Settings {
-  bool common_kept = false;               // spec/fanuc 2.5: 6001#6
+  bool common_cleared = false;            // spec/fanuc 2.5: 6001#6 is 0: M2, M30 empty #100 to #199
   int protect_low = 0, protect_high = 0;  // N1702, N1703
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701
   std::vector<CodeRun> g_macros, m_macros, m_programs;
@@ -39,6 +39,7 @@ struct Settings {
 
 /// Where parameters come from. `index`: axis, spindle or channel number from 1; 0: the own channel, or none.
 struct ParameterSource {
+  std::function<bool(const char* meaning)> has;  // the control has a parameter that the engine calls that
   std::function<double(const char* name, int index)> value;
   std::function<bool(const char* name, const char* bit, int index)> bit;
   std::function<char(const char* name, int index)> letter;  // 0: none

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/fanuc/words/coordinates.h"
 #include "control/emitter.h"
+#include "control/fanuc/words/coordinates.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "control/fanuc/words/coordinates.h"
 #include "control/emitter.h"
+#include "control/fanuc/words/coordinates.h"
 #include "control/nct/axes/coupling.h"
 #include "control/nct/nct.h"
 

@@ -12,7 +12,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
-}
+}  // namespace kadr
 
 namespace kadr::nct {
 
