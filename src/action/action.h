@@ -145,41 +145,56 @@ enum class HoleWork : std::uint8_t {
   stands_off,  // the spindle is oriented, its one edge away from the wall (fine boring, back boring)
 };
 
-/// What of a motion its block's modes and words say, but for where it goes.
-struct MotionModes {
+/// The form of a motion: what of its path is not its end.
+struct MotionPath {
   MotionKind kind = MotionKind::rapid;
   std::uint8_t first = 0;   // axes of an arc's plane, by index: counter-clockwise turns the first towards the second
   std::uint8_t second = 1;  //
+  EndGiven end_given = EndGiven::by_work;
+  AxisMask named = 0;          // axes whose position it gives
+  Vec2 center;                 // of an arc: of its first and second axis, work coordinates
+  double turns = 0;            // swept angle / 360, positive; the radius changes linearly with the angle
+  bool as_programmed = false;  // its end is what the program's words say: reported where frames in space may be (nct 25)
+  bool inch = false;           // its block was read in inches
+};
+
+/// How fast a motion goes, and how exactly.
+struct MotionFeed {
+  double feed = 0;       // as commanded, in `unit`
+  double tolerance = 0;  // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  double join = 0;       // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
-  bool exact = false;                             // exact stop at its end
-  bool own_override = false;                      // feed and spindle override count as 100 % (tapping, threads, G23, M49)
-  bool no_hold = false;                           // nor does the operator's feed stop act (nct 6.3.4)
-  bool in_position = false;                       // at its end the axes must come into position (nct 4.1.1, 6.3)
-  AxisMask named = 0;                             // axes whose position it gives anew
-  Vec2 center;                                    // of an arc: of its first and second axis, work coordinates
-  double turns = 0;                               // swept angle / 360, positive; the radius changes linearly with the angle
-  double feed = 0;                                // as commanded, in `unit`
-  double tolerance = 0;                           // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
-  std::uint8_t smoothing = 0;                     // Q of G5.1 in force for it: 2 smooth, 3 fine (nct 4.7); 0: none
-  std::int8_t side = 0;                           // of the path that the tool is on: +1 left, -1 right; 0: no compensation
-  SideStep side_step = SideStep::none;            //
-  CornerJoin join_corner = CornerJoin::extended;  // with the next motion
   CornerSpeed corner_speed = CornerSpeed::limited;
-  ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
-  HoleWork in_hole = HoleWork::none;             //
-  EndGiven end_given = EndGiven::by_work;        //
-  std::uint8_t spindle = 1;                      // whose turns a feed per revolution and a thread count
-  std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
-  std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
-  bool inch = false;                             // its block was read in inches
-  bool of_cycle = false;                         // a drilling cycle has made it
-  std::uint16_t length_offset = 0;               // row of the offset table whose length is in force; 0: none
-  std::uint16_t radius_offset = 0;               // … whose radius, where the tool is on a side of the path; 0: none
-  bool as_programmed = false;                    // its end is what the program's words say: told where frames in space may be (nct 25)
-  double tool_radius = 0;                        // mm, at its end
-  double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
+  std::uint8_t spindle = 1;    // whose turns a feed per revolution and a thread count
+  std::uint8_t smoothing = 0;  // Q of G5.1 in force for it: 2 smooth, 3 fine (nct 4.7); 0: none
+  bool exact = false;          // exact stop at its end
+  bool own_override = false;   // feed and spindle override count as 100 % (tapping, threads, G23, M49)
+  bool no_hold = false;        // nor does the operator's feed stop act (nct 6.3.4)
+  bool in_position = false;    // at its end the axes must come into position (nct 4.1.1, 6.3)
 };
+
+/// On which side of the programmed path the tool goes, and how it comes there.
+struct MotionCompensation {
+  double tool_radius = 0;           // mm, at its end
+  std::uint16_t radius_offset = 0;  // row of the offset table, where the tool is on a side of the path; 0: none
+  std::int8_t side = 0;             // of the path that the tool is on: +1 left, -1 right; 0: no compensation
+  std::uint8_t nose = 0;            // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
+  SideStep side_step = SideStep::none;
+  CornerJoin join_corner = CornerJoin::extended;  // with the next motion
+  ContourEntry entry = ContourEntry::by_corner;   // where it begins compensation
+};
+
+/// What a motion belongs to: work system, tool length, drilling cycle.
+struct MotionContext {
+  std::uint16_t system = 0;         // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
+  std::uint16_t length_offset = 0;  // row of the offset table whose length is in force; 0: none
+  HoleWork in_hole = HoleWork::none;
+  bool of_cycle = false;  // a drilling cycle has made it
+};
+
+/// What of a motion its block's modes and words say, but for where it goes. `MotionModes{}` is a rapid motion in which nothing is in force.
+struct MotionModes : MotionPath, MotionContext, MotionFeed, MotionCompensation {};
 
 /// A motion along a line, an arc, a spiral or a helix, of the tool point.
 struct Motion : MotionModes {
