@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <stdexcept>
+#include <type_traits>
 
 namespace kadr {
 namespace {
@@ -74,6 +75,20 @@ class Unpacker {
     return table;
   }
 
+  template <class Take>
+  void texts(const Take& take) {
+    for (std::uint64_t tables = number(); tables != 0; --tables) {
+      const std::string_view name = text();
+      if (static_cast<Kind>(byte()) != Kind::table) throw std::invalid_argument("no table");
+      for (std::uint64_t left = number(); left != 0; --left) {
+        const std::string_view key = text();
+        node([&](auto&& value) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string_view>) take(name, key, value);
+        });
+      }
+    }
+  }
+
  private:
   std::uint64_t byte() { return static_cast<unsigned char>(bytes_[at_++]); }
   std::uint64_t number() {
@@ -129,5 +144,10 @@ std::string packed(const toml::table& table) {
 }
 
 toml::table unpacked(std::string_view bytes) { return Unpacker(bytes).pairs(); }
+
+void each_text(std::string_view bytes,
+               const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take) {
+  Unpacker(bytes).texts(take);
+}
 
 }  // namespace kadr

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,9 @@ std::string packed(const toml::table& table);
 
 /// `bytes` must come from packed().
 toml::table unpacked(std::string_view bytes);
+
+/// Of a table of tables: each text, with the key of its table and its own, without making tables. Texts stay where `bytes` are.
+void each_text(std::string_view bytes,
+               const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take);
 
 }  // namespace kadr
