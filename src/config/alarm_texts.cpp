@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "config/embedded.h"
@@ -70,12 +69,6 @@ std::string* place_of(AlarmText& row, std::string_view key) {
   return key == "hint_ru" ? &row.hint.ru : nullptr;
 }
 
-/// The table of the built-in file as bytes.
-std::string_view packed_texts() {
-  const std::span<const EmbeddedFile> files = embedded_files();
-  return std::find_if(files.begin(), files.end(), [](const EmbeddedFile& file) { return file.name == file_name; })->table;
-}
-
 void overlay(AlarmText& row, const AlarmText& own) {
   const auto take = [](std::string& to, const std::string& from) {
     if (!from.empty()) to = from;
@@ -92,7 +85,7 @@ void overlay(AlarmText& row, const AlarmText& own) {
 tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
   AlarmTexts texts;
   std::string fault;
-  each_text(packed_texts(), [&](std::string_view name, std::string_view key, std::string_view text) {
+  each_text(embedded(file_name)->table, [&](std::string_view name, std::string_view key, std::string_view text) {
     const AlarmId id = alarm_named(name);
     if (id == no_alarm) {
       fault = "no alarm '" + std::string(name) + "'";

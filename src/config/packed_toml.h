@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kadr {
 
@@ -16,6 +17,9 @@ std::string packed(const toml::table& table);
 
 /// `bytes` must come from packed().
 toml::table unpacked(std::string_view bytes);
+
+/// The texts of the list that stands under `key`, without making the rest; none where there is no such list.
+std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key);
 
 /// Of a table of tables: each text, with the key of its table and its own, without making tables. Texts stay where `bytes` are.
 void each_text(std::string_view bytes,
