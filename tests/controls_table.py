@@ -51,9 +51,9 @@ EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "oper
 MOST_AXES = 16
 
 # Keys that are not named as the field they fill.
-GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address",
+GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address", "custom_macros",
                                                                              "expression"}
-GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
+GRAMMAR_KEYS |= {"macro", "formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert"}
 TEXT_KEYS = {"en", "ru", "manual"}

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """What a control takes over from the control that it extends stands in its notes, with the reason: each key of [behaviour] that its file does
-not write anew is named there, and no other. A parameter of one control must not decide for another.
+not write anew is named there, and no other. A parameter of one control must not decide for another. What is told of a control names neither the
+control at the root of what it extends nor its parameters.
 
     inherited.py --kadr PROGRAM
 """
 import re
+import subprocess
 import tomllib
 
 import harness
@@ -38,11 +40,25 @@ def faults_of(control):
            [f'{control}: its notes name {key}, which is not taken over' for key in sorted(named - taken_over)]
 
 
+def strangers_in(kadr, control, table):
+    """What `kadr explain` and the page of the documentation say of the control at the root, or of parameters that are none of this one's."""
+    root = control
+    while 'extends' in (under := tomllib.loads((CONTROLS / f'{root}.toml').read_text(encoding='utf-8'))):
+        root = under['extends']
+    own = tomllib.loads((CONTROLS / f'{table["parameters"]}.toml').read_text(encoding='utf-8'))
+    numbers = {f'N{int(number):04}' for number in own if number.isdigit()}
+    for options in ([], ['--markdown']):
+        text = subprocess.run([kadr, 'explain', control, *options], capture_output=True, text=True, check=True).stdout
+        yield from sorted(set(re.findall(rf'(?i)\b{root}\b', text)) | set(re.findall(r'\bN[0-9]{4}\b', text)) - numbers)
+
+
 def main():
-    harness.kadr_of(__doc__)
+    kadr = harness.kadr_of(__doc__)
     tables = {path.stem: tomllib.loads(path.read_text(encoding='utf-8')) for path in CONTROLS.glob('*.toml')}
     extending = sorted(control for control, table in tables.items() if 'extends' in table)
     faults = [fault for control in extending for fault in faults_of(control)]
+    faults += [f'{control}: {word} stands in what is told of it' for control in extending if 'parameters' in tables[control]
+               for word in strangers_in(kadr, control, tables[control])]
     for fault in faults:
         print(f'FAIL {fault}')
     print(f'{len(extending)} passed, {len(faults)} failed')

@@ -7,13 +7,13 @@
 
 #include <cmath>
 
-#include "config/toml_tools.h"
+#include "config/embedded.h"
+#include "config/packed_toml.h"
 
 namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
-using toml_tools::place;
 
 constexpr std::string_view file_name = "controls/alarms.toml";
 
@@ -61,19 +61,12 @@ const std::string& in(const Text& text, Lang lang) {
   return !asked.empty() ? asked : lang == Lang::ru ? text.en : text.ru;
 }
 
-tl::expected<AlarmText, std::string> row_of(const toml::table& table) {
-  AlarmText row;
-  for (const auto& [key, node] : table) {
-    std::string* to = nullptr;
-    if (key == "en") to = &row.text.en;
-    else if (key == "ru") to = &row.text.ru;
-    else if (key == "hint_en") to = &row.hint.en;
-    else if (key == "hint_ru") to = &row.hint.ru;
-    else if (key != "args" && key != "severity")
-      return Failed(place(std::string(file_name), node) + "unknown key '" + std::string(key.str()) + "'");
-    if (to != nullptr) *to = node.value_or(std::string());
-  }
-  return row;
+/// Where a key of a row is kept; null: there is no such key. What has no text (args) is not asked for.
+std::string* place_of(AlarmText& row, std::string_view key) {
+  if (key == "en") return &row.text.en;
+  if (key == "ru") return &row.text.ru;
+  if (key == "hint_en") return &row.hint.en;
+  return key == "hint_ru" ? &row.hint.ru : nullptr;
 }
 
 void overlay(AlarmText& row, const AlarmText& own) {
@@ -91,15 +84,17 @@ void overlay(AlarmText& row, const AlarmText& own) {
 
 tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
   AlarmTexts texts;
-  const std::string file(file_name);
-  const toml::table table = toml_tools::embedded_table(file_name).value();
-  for (const auto& [name, node] : table) {
-    const AlarmId id = alarm_named(name.str());
-    if (id == no_alarm || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
-    auto row = row_of(*node.as_table());
-    if (!row) return Failed(row.error());
-    texts.rows_[static_cast<std::size_t>(id)] = std::move(*row);
-  }
+  std::string fault;
+  each_text(embedded(file_name)->table, [&](std::string_view name, std::string_view key, std::string_view text) {
+    const AlarmId id = alarm_named(name);
+    if (id == no_alarm) {
+      fault = "no alarm '" + std::string(name) + "'";
+      return;
+    }
+    if (std::string* const to = place_of(texts.rows_[static_cast<std::size_t>(id)], key)) *to = text;
+    else if (key != "severity") fault = "unknown key '" + std::string(key) + "'";
+  });
+  if (!fault.empty()) return Failed(std::string(file_name) + ": " + fault);
   if (def != nullptr)
     for (const auto& [id, own] : def->alarms) overlay(texts.rows_[static_cast<std::size_t>(id)], own);
   return texts;

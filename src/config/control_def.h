@@ -332,7 +332,7 @@ struct ControlDef {
     return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
   }
   /// It may give that alarm, because it has a row for it. Some checks are made only then: `[alarms]` in docs/own-control.md.
-  bool gives(AlarmId id) const { return alarms.contains(id); }
+  bool gives(AlarmId which) const { return alarms.contains(which); }
   /// Some parameter of the control is called that by the engine (`as` of its row).
   bool has_parameter(std::string_view meaning) const {
     return std::any_of(parameters.begin(), parameters.end(),

@@ -10,6 +10,7 @@
 #include "config/embedded.h"
 #include "config/loader_texts.h"
 #include "config/nearest.h"
+#include "config/packed_toml.h"
 #include "config/parameter_table.h"
 #include "config/read_file.h"
 #include "config/told.h"
@@ -250,12 +251,9 @@ std::vector<std::string> built_in_controls() {
 const std::vector<std::pair<std::string, std::string>>& control_aliases() {
   static const std::vector<std::pair<std::string, std::string>> all = [] {
     std::vector<std::pair<std::string, std::string>> rows;
-    for (const std::string& id : built_in_controls()) {
-      const auto table = toml_tools::embedded_table("controls/" + id + ".toml");
-      const toml::array* const aliases = table ? (*table)["aliases"].as_array() : nullptr;
-      if (aliases == nullptr) continue;
-      for (const toml::node& alias : *aliases) rows.emplace_back(alias.value_or(std::string()), id);
-    }
+    for (const std::string& id : built_in_controls())
+      for (std::string& alias : texts_of_list(embedded("controls/" + id + ".toml")->table, "aliases"))
+        rows.emplace_back(std::move(alias), id);
     std::sort(rows.begin(), rows.end());
     return rows;
   }();

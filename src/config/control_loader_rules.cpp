@@ -15,7 +15,7 @@ namespace {
 
 /// A setting of [grammar] that only the machine of the NCT carries out.
 constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
-    {"macro", &Grammar::macro},
+    {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
     {"comma_words", &Grammar::comma_words},
     {"file_names", &Grammar::file_names},
@@ -106,8 +106,8 @@ Done ControlLoader::check_machine() {
     if (g.*flag && !def_.machine_axes())
       return Failed(at(key) + say("[grammar] {} needs the machine of the NCT: extends = \"nct\" (dialect = \"nct\")", key));
   if (!def_.machine_axes()) return {};
-  if (!g.macro || !g.expressions)
-    return Failed(at(g.macro ? "expressions" : "macro") + say("dialect = \"nct\" needs [grammar] macro and expressions"));
+  if (!g.custom_macros || !g.expressions)
+    return Failed(at(g.custom_macros ? "expressions" : "macro") + say("dialect = \"nct\" needs [grammar] macro and expressions"));
   if (file_.get("parameters") == nullptr) return Failed(at("macro") + say("dialect = \"nct\" needs `parameters` = \"nct-parameters\""));
   if (g.variables < 100'000) return Failed(at("variables") + say("dialect = \"nct\" needs [grammar] variables of 100000 and more"));
   if (g.label_address != 'O') return Failed(at("label") + say("dialect = \"nct\" needs [grammar] label = \"O\""));

@@ -30,7 +30,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"skip_levels", &Grammar::skip_levels},
     {"mark_everywhere", &Grammar::mark_everywhere},
     {"zero_between_slashes", &Grammar::zero_between_slashes},
-    {"macro", &Grammar::macro},
+    {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
     {"comments_span_lines", &Grammar::comments_span_lines},
     {"comma_words", &Grammar::comma_words},

@@ -14,4 +14,11 @@ struct EmbeddedFile {
 
 std::span<const EmbeddedFile> embedded_files();
 
+/// The built-in file of that name, or null.
+inline const EmbeddedFile* embedded(std::string_view name) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.name == name) return &file;
+  return nullptr;
+}
+
 }  // namespace kadr

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <stdexcept>
+#include <type_traits>
 
 namespace kadr {
 namespace {
@@ -74,6 +75,35 @@ class Unpacker {
     return table;
   }
 
+  std::vector<std::string> list_of(std::string_view key) {
+    std::vector<std::string> texts;
+    for (std::uint64_t left = number(); left != 0; --left) {
+      if (text() != key) {
+        pass();
+        continue;
+      }
+      node([&](auto&& value) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, toml::array>)
+          for (const toml::node& item : value) texts.push_back(item.value_or(std::string()));
+      });
+    }
+    return texts;
+  }
+
+  template <class Take>
+  void texts(const Take& take) {
+    for (std::uint64_t tables = number(); tables != 0; --tables) {
+      const std::string_view name = text();
+      if (static_cast<Kind>(byte()) != Kind::table) throw std::invalid_argument("no table");
+      for (std::uint64_t left = number(); left != 0; --left) {
+        const std::string_view key = text();
+        node([&](auto&& value) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string_view>) take(name, key, value);
+        });
+      }
+    }
+  }
+
  private:
   std::uint64_t byte() { return static_cast<unsigned char>(bytes_[at_++]); }
   std::uint64_t number() {
@@ -88,6 +118,26 @@ class Unpacker {
     const std::uint64_t size = number();
     at_ += size;
     return bytes_.substr(at_ - size, size);
+  }
+
+  /// Goes behind the next node.
+  void pass() {
+    switch (static_cast<Kind>(byte())) {
+      case Kind::text: text(); return;
+      case Kind::whole: number(); return;
+      case Kind::real: at_ += 8; return;
+      case Kind::no:
+      case Kind::yes: return;
+      case Kind::list:
+        for (std::uint64_t left = number(); left != 0; --left) pass();
+        return;
+      case Kind::table:
+        for (std::uint64_t left = number(); left != 0; --left) {
+          text();
+          pass();
+        }
+        return;
+    }
   }
 
   /// Hands the value of the next node, in its own type, to `take`.
@@ -129,5 +179,12 @@ std::string packed(const toml::table& table) {
 }
 
 toml::table unpacked(std::string_view bytes) { return Unpacker(bytes).pairs(); }
+
+std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key) { return Unpacker(bytes).list_of(key); }
+
+void each_text(std::string_view bytes,
+               const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take) {
+  Unpacker(bytes).texts(take);
+}
 
 }  // namespace kadr

@@ -4,8 +4,10 @@
 
 #include <toml++/toml.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kadr {
 
@@ -15,5 +17,12 @@ std::string packed(const toml::table& table);
 
 /// `bytes` must come from packed().
 toml::table unpacked(std::string_view bytes);
+
+/// The texts of the list that stands under `key`, without making the rest; none where there is no such list.
+std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key);
+
+/// Of a table of tables: each text, with the key of its table and its own, without making tables. Texts stay where `bytes` are.
+void each_text(std::string_view bytes,
+               const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take);
 
 }  // namespace kadr

@@ -82,7 +82,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
              !numbers_zeros_itself(def);
     case SetupNeeds::zeros: return numbers_zeros_itself(def);
     case SetupNeeds::correctors: return def.has_correctors();
-    case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.macro || def.grammar.parameter_address != 0;
+    case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.parameter_address != 0;
     case SetupNeeds::parameters: return !def.parameters.empty();
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x);
@@ -169,10 +169,10 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       if (def_ == nullptr) return kind == SetupNames::axis_or_plane || is_like_work_offset(name);
       return among(all(kind));
     case SetupNames::variable: {
-      const bool macro = def_ == nullptr || def_->grammar.variables > 0 || def_->grammar.macro;
+      const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
-      if (def_ == nullptr || def_->grammar.macro || formal) return true;  // the control itself knows which of them it has
+      if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;  // the control itself knows which of them it has
       const int number = name[1] == '_' ? 0 : std::atoi(std::string(name.substr(1)).c_str());
       return number >= 1 && static_cast<std::uint32_t>(number) <= def_->grammar.variables;
     }
@@ -230,9 +230,9 @@ SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
   switch (kind) {
     case SetupNames::variable: {
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
-      const bool macro = def_ == nullptr || def_->grammar.variables > 0 || def_->grammar.macro;
+      const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       if (!macro) return {"named R0 to R9", "имя от R0 до R9"};
-      if (!formal && !def_->grammar.macro)
+      if (!formal && !def_->grammar.has_vacant_variables())
         return {fmt::format("named #1 to #{}", def_->grammar.variables), fmt::format("имя от #1 до #{}", def_->grammar.variables)};
       if (!formal) return {"named #n or #_NAME", "имя вида #n или #_NAME"};
       return {"named #n, #_NAME, or R0 to R9", "имя вида #n, #_NAME или от R0 до R9"};

@@ -15,15 +15,7 @@
 
 namespace kadr::toml_tools {
 
-namespace {
-
-const EmbeddedFile* embedded(std::string_view name) {
-  for (const EmbeddedFile& file : embedded_files())
-    if (file.name == name) return &file;
-  return nullptr;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<std::string_view> embedded_text(std::string_view name) {
   const EmbeddedFile* const file = embedded(name);

@@ -18,7 +18,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
     : shared_(std::move(shared)) {
   std::unique_ptr<ControlDef> own;
   std::string error;
-  if (def.machine_axes()) {
+  if (def.machine_axes() || !setup.parameters.empty()) {
     own = std::make_unique<ControlDef>(def);
     error = fit_to_machine(*own, setup);
   }

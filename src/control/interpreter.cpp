@@ -282,7 +282,7 @@ Status Interpreter::execute() {
     if (is_skipped()) return {};
   }
   const bool data = block->has_number && dialect->takes_data();
-  if (def.grammar.macro && !data) KADR_TRY(check_numbers());
+  if (def.machine_axes() && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) {
     pass_varies = true;

@@ -58,7 +58,7 @@ void Interpreter::decode_arguments(Alarm& alarm) const {
 }
 
 AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
-  AlarmReport r{def.grammar.names.empty() && !def.grammar.macro ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
+  AlarmReport r{def.grammar.names.empty() && !def.grammar.comma_words ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "control/block_context.h"
+#include "control/emitter.h"
 #include "control/state/snapshot.h"
 
 namespace kadr {

@@ -60,7 +60,7 @@ class BlockRewriter {
   bool is_other_code(const Word& word, const CodeRow& row) const;
   bool machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const;
   std::optional<char> letter_of(const Word& word, const Kinds& kinds) const;
-  bool is_to_o_lines() const { return from_.grammar.macro && to_.grammar.o_words; }
+  bool is_to_o_lines() const { return from_.grammar.has_statements() && to_.grammar.o_words; }
   Status o_line(const Block& block, BlockMaker& out);
   Status macro_call(const Block& block, BlockMaker& out);
   Status exact_stop(const Kinds& kinds, BlockMaker& out);

@@ -11,7 +11,8 @@ namespace kadr {
 /// RS274/NGC wants a value with operators in brackets; macros need none.
 std::string BlockRewriter::assignment(std::string_view text) const {
   const std::size_t equals = text.find('=');
-  if (!from_.grammar.macro || to_.grammar.macro || equals == std::string_view::npos) return std::string(text);
+  if (!from_.grammar.sums_without_brackets() || to_.grammar.sums_without_brackets() || equals == std::string_view::npos)
+    return std::string(text);
   std::string_view value = text.substr(equals + 1);
   while (!value.empty() && value.front() == ' ') value.remove_prefix(1);
   const bool has_operators = value.find_first_of("+-*/ABCDEFGHIJKLMNOPQRSTUVWXYZ", 1) != std::string_view::npos;
@@ -29,10 +30,10 @@ Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
 /// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
 Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
   if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words &&
-      (to_.grammar.macro || to_.grammar.label_address != 0 || flow_.has_sections()))
+      (to_.grammar.has_statements() || to_.grammar.label_address != 0 || flow_.has_sections()))
     return flow_.write(block, out);
   const bool is_assignment = block.statement.kind == StatementKind::assign && !block.statement.with_if;
-  const bool both = from_.grammar.macro && to_.grammar.macro && block.statement.kind != StatementKind::o_word &&
+  const bool both = from_.grammar.has_statements() && to_.grammar.has_statements() && block.statement.kind != StatementKind::o_word &&
                     block.statement.kind != StatementKind::system;
   if (!both && !(is_assignment && to_.grammar.expressions)) return cannot(block.text_of(block.statement.where));
   std::size_t begin = block.has_number ? block.number_where.end : block.where.begin;

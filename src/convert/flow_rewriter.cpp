@@ -65,7 +65,7 @@ bool FlowRewriter::ends_subprogram(const Block& block) {
 Status FlowRewriter::write(const Block& block, BlockMaker& out) {
   const Statement& s = block.statement;
   const std::string_view label = block.text_of(s.label_where), rest = behind_word(block);
-  const bool has_macros = to_.grammar.macro;
+  const bool has_macros = to_.grammar.has_statements();
   switch (s.o_word) {
     case OWord::label:
       if (has_sections()) return no_way("O");
@@ -192,7 +192,7 @@ Status FlowRewriter::leave(bool goes_on, BlockMaker& out) {
 
 Status FlowRewriter::call(std::string_view label, std::string_view arguments, BlockMaker& out) {
   if (arguments.empty() && has_sections()) return call_in_section(label_of(label), 1, out);
-  if (arguments.empty() && !to_.grammar.macro) {
+  if (arguments.empty() && !to_.grammar.has_statements()) {
     KADR_TRY(out.code({{Function::call_subprogram, any_argument}, {Function::call_program, any_argument}}));
     out.text(fmt::format("P{}", number_of(label)));
     return {};
@@ -311,7 +311,7 @@ Result<std::string> FlowRewriter::expression(std::string_view text) {
       if (!number) return fail(alarm(AlarmId::function_has_no_code, {}, "#" + digits));
       made += std::to_string(*number);
       i = end - 1;
-    } else if (text.substr(i, 2) == "**" && to_.grammar.macro) {
+    } else if (text.substr(i, 2) == "**" && to_.grammar.custom_macros) {
       return fail(alarm(AlarmId::function_has_no_code, {}, "**"));
     } else {
       made += raises ? static_cast<char>(std::toupper(static_cast<unsigned char>(text[i]))) : text[i];

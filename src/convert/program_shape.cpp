@@ -59,7 +59,7 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     if ((def.address(letter).function == Function::axis || def.address(letter).function == Function::machine_axis) && letter != 'S' &&
         letter != 'T' && letter != 'P' && !def.grammar.word(letter).code)
       plain_letters_ |= std::uint64_t{1} << (letter - 'A');
-  has_jumps_ = def.grammar.macro;
+  has_jumps_ = def.grammar.has_statements();
   BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
   Block block;
   while (!stop.asked()) {
@@ -107,7 +107,7 @@ void ProgramShape::take_number(const Block& block) {
 
 void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   take_number(block);
-  if (!def.grammar.macro) return;
+  if (!def.grammar.has_statements()) return;
   if (block.statement.kind != StatementKind::go_to) return;
   const std::string_view text = block.text_of(block.where);
   const std::size_t digits = text.find_last_not_of("0123456789 ");

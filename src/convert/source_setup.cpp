@@ -143,7 +143,7 @@ bool probe_elsewhere(Setup& setup) {
 }
 
 bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
-  const auto kind = [](const ControlDef& def) { return def.grammar.macro ? 1 : def.grammar.expressions ? 2 : 0; };
+  const auto kind = [](const ControlDef& def) { return def.grammar.has_statements() ? 1 : def.grammar.expressions ? 2 : 0; };
   return kind(from) == kind(to) && kind(from) != 0;
 }
 

@@ -62,7 +62,7 @@ std::uint32_t place_in_kind(const VariablePlace& place) {
 /// Of numbers that no row names, macros have their local and common variables (nct 23, spec/fanuc 5).
 bool is_plain(const ControlDef& def, std::uint32_t number) {
   constexpr std::uint32_t last_local = 33, first_common = 100, last_common = 999;
-  return !def.grammar.macro || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);
+  return !def.grammar.has_vacant_variables() || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);
 }
 
 bool is_written(const ControlDef& def, std::uint32_t number) {

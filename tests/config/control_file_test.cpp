@@ -111,8 +111,8 @@ const VariableRow& nct_variable(const std::string& symbol) {
 
 TEST(nct, writes_macros) {
   const Grammar& g = nct().grammar;
-  EXPECT_TRUE(g.macro && g.operator_i && g.comments_span_lines && g.comma_words && g.file_names);
-  EXPECT_FALSE(load_control("mach3").value().grammar.macro);
+  EXPECT_TRUE(g.custom_macros && g.operator_i && g.comments_span_lines && g.comma_words && g.file_names);
+  EXPECT_FALSE(load_control("mach3").value().grammar.custom_macros);
   EXPECT_TRUE(nct().machine_axes());
 }
 

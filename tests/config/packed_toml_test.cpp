@@ -36,6 +36,33 @@ TEST(PackedToml, EveryKindComesBack) {
   EXPECT_TRUE(unpacked(packed(table)) == table);
 }
 
+TEST(PackedToml, OneListIsReadWithoutTheRest) {
+  const std::string bytes = packed(toml::parse(R"(
+    before = { a = [1, "x", { b = 0.5 }], c = true, d = -7 }
+    list = ["one", "два"]
+    text = "list"
+  )"));
+  EXPECT_EQ(texts_of_list(bytes, "list"), (std::vector<std::string>{"one", "два"}));
+  EXPECT_TRUE(texts_of_list(bytes, "text").empty());
+  EXPECT_TRUE(texts_of_list(bytes, "nothing").empty());
+}
+
+TEST(PackedToml, EachTextOfTheTablesIsHandedOver) {
+  std::string all;
+  each_text(packed(toml::parse(R"(
+    [first]
+    args = 2
+    en = "a"
+    [second]
+    list = ["no"]
+    ru = "б"
+  )")),
+            [&](std::string_view table, std::string_view key, std::string_view text) {
+              all.append(table).append(".").append(key).append("=").append(text).append(" ");
+            });
+  EXPECT_EQ(all, "first.en=a second.ru=б ");
+}
+
 TEST(PackedToml, ADateIsRefused) { EXPECT_THROW((void)packed(toml::parse("day = 2026-11-22")), std::invalid_argument); }
 
 RC_GTEST_PROP(PackedToml, RandomTablesComeBack, (const std::map<std::string, std::vector<std::int64_t>>& rows, double real)) {

@@ -39,7 +39,7 @@ std::string sample_name(SetupNames kind, const ControlDef* def) {
     case SetupNames::axis_or_all:
     case SetupNames::axis_or_plane: return "X";
     case SetupNames::work_offset: return "G54";
-    case SetupNames::variable: return def != nullptr && def->grammar.variables == 0 && !def->grammar.macro ? "R2" : "#100";
+    case SetupNames::variable: return def != nullptr && def->grammar.variables == 0 && !def->grammar.custom_macros ? "R2" : "#100";
     case SetupNames::parameter: return "N1501";
     case SetupNames::place: return "10/1";
     case SetupNames::signal: return "CP_NOWT";
@@ -77,8 +77,10 @@ Json setup_with(const SetupKey& row, const ControlDef* def) {
     setup["events"][0]["when"] = when;
   }
   // of all controls: names of other controls in the example of a table
-  if (def != nullptr && top == "parameters" && !def->parameters.empty())
-    setup = {{top, {{"N" + def->parameters.front().name, def->parameters.front().initial}}}};
+  if (def != nullptr && top == "parameters" && !def->parameters.empty()) {
+    const ParameterRow& parameter = def->parameters.front();
+    setup = {{top, {{(parameter.number >= 0 ? "N" : "") + parameter.name, parameter.initial}}}};
+  }
   if (def != nullptr && top == "variables") setup = {{top, {{sample_name(SetupNames::variable, def), 2}}}};
   return setup;
 }
@@ -105,8 +107,8 @@ TEST(setup_keys, each_is_read_where_the_control_has_it_and_nowhere_else) {
 TEST(setup_keys, what_the_controls_have) {
   using H = SetupNeeds;
   const std::map<std::string, std::set<H>> expected = {
-      {"s2c42", {H::nothing, H::zeros, H::variables}},
-      {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
+      {"s2c42", {H::nothing, H::zeros, H::variables, H::parameters}},
+      {"mach3", {H::nothing, H::work_offsets, H::variables, H::parameters, H::probe}},
       {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::ini, H::probe}},
       {"grbl", {H::nothing, H::work_offsets, H::parameters, H::probe}},
       {"fanuc",

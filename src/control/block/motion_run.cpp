@@ -136,7 +136,7 @@ void MotionRun::begin(const Emitter& m, const Form& form) {
   arcs_ = m.arc_rule();
   rolling_ = m.dialect->rolling_axes(m);
   const AddressRow& number = m.def.address('N');
-  const bool checks_numbers = m.def.grammar.macro;  // nct 1.1
+  const bool checks_numbers = m.def.machine_axes();  // nct 1.1
   number_least_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.least, 0.0, 4e9)) : 0;
   number_most_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.most, 0.0, 4e9)) : ~std::uint32_t{0};
 }

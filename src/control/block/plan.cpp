@@ -20,7 +20,7 @@ class BlockPlanner {
   Status run(std::int16_t motion_row) {
     plan_.count = 0;
     plan_.taken = plan_.passed_over = 0;
-    if (def_.grammar.macro && macro_call()) return {};
+    if (def_.grammar.has_statements() && macro_call()) return {};
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
       const Word& word = block_.words[i];
       if (word.address == 0) continue;
@@ -65,7 +65,8 @@ class BlockPlanner {
 
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
-    if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
+    if (row_index < 0 && def_.grammar.custom_macros && word.expression)
+      return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
     if (row_index < 0) {
       const bool listed = word.address == 'M' && def_.gives(AlarmId::machine_code_unknown);
       return fail(alarm(listed ? AlarmId::machine_code_unknown : AlarmId::code_unknown, word.where, block_.text_of(word.where)));
@@ -109,7 +110,7 @@ class BlockPlanner {
                            0;
       if (!allowed) {
         const Word& first = block_.words[other.word];
-        const AlarmId id = def_.grammar.macro && word.address == 'M' ? AlarmId::m_codes_contradict : AlarmId::group_conflict;
+        const AlarmId id = def_.machine_axes() && word.address == 'M' ? AlarmId::m_codes_contradict : AlarmId::group_conflict;
         return fail(alarm(id, word.where, block_.text_of(first.where), block_.text_of(word.where)));
       }
     }

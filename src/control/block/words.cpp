@@ -24,7 +24,7 @@ Status Interpreter::evaluate_word(Word& w) {
   }
   if (w.written == indirect_axis) KADR_TRY(find_axis(w));
   if (!def.grammar.word(w.address).code) return {};
-  const double written = def.grammar.macro && def.address(w.address).whole ? std::round(w.value) : w.value;  // nct 23.1.1
+  const double written = def.grammar.custom_macros && def.address(w.address).whole ? std::round(w.value) : w.value;  // nct 23.1.1
   const double nearest = std::round(written * 10);
   const bool is_code = std::fabs(written * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
   w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;
@@ -32,7 +32,7 @@ Status Interpreter::evaluate_word(Word& w) {
 }
 
 Result<double> Emitter::value_of(std::string_view expression) {
-  const bool brackets = !def.grammar.macro && def.grammar.expressions;  // there a sum stands between them only
+  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // there a sum stands between them only
   const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
   Cursor cursor{text};
   Block looked_at;
@@ -44,10 +44,10 @@ Result<double> Emitter::value_of(std::string_view expression) {
   cursor.skip_blanks();
   if (cursor.at == text.size()) return wrong(0);
   for (int i = 0; i < variables.parameter_count(); ++i)  // R2, QN15: without brackets they stand alone
-    if (!brackets && !def.grammar.macro && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
-  if (!brackets && !def.grammar.macro && def.grammar.variables == 0) return wrong(0);
-  const auto compiled = def.grammar.macro ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
-                                          : compile_value(cursor, def.grammar, looked_at);
+    if (!brackets && !def.grammar.sums_without_brackets() && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
+  if (!brackets && !def.grammar.sums_without_brackets() && def.grammar.variables == 0) return wrong(0);
+  const auto compiled = def.grammar.sums_without_brackets() ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
+                                                            : compile_value(cursor, def.grammar, looked_at);
   if (!compiled) return fail(compiled.error());
   cursor.skip_blanks();
   if (cursor.at < text.size()) return wrong(cursor.at);
@@ -72,7 +72,7 @@ Status Interpreter::evaluate_words() {
   if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (Word& w = block->words[i]; w.expression) KADR_TRY(evaluate_word(w));
-  if (def.grammar.macro && block->evaluates) note_addresses();
+  if (def.grammar.has_vacant_variables() && block->evaluates) note_addresses();
   return {};
 }
 

@@ -7,7 +7,6 @@ namespace kadr {
 
 class BlockContext;
 class Emitter;
-class Interpreter;
 
 class FrameDialect {
  public:

@@ -10,7 +10,8 @@
 
 namespace kadr {
 
-class Interpreter;
+class BlockContext;
+class Emitter;
 struct SearchRules;
 
 /// What the machine, its logic and its operator tell a control that can be told it, and ask of it. NCT 11.7, 11.8, 20.2, 23.1, 23.4.

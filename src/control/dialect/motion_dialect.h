@@ -11,7 +11,6 @@ namespace kadr {
 
 class BlockContext;
 class Emitter;
-class Interpreter;
 struct Call;
 
 class MotionDialect {

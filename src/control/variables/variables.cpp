@@ -29,7 +29,7 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 }  // namespace
 
 Variables::Variables(const ControlDef& def, Journal& journal) : def_(def), journal_(journal) {
-  all_.values.resize(def.grammar.macro ? 1 : def.grammar.variables + 1);  // custom macros: MacroVariables
+  all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);  // custom macros: MacroVariables
   all_.set.resize(all_.values.size());
   all_.parameters.resize(parameters_of(def.grammar));
   all_.parameters_set.resize(all_.parameters.size());

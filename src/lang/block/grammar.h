@@ -111,7 +111,7 @@ struct Grammar {
   std::shared_ptr<VariableNames> named_variables;  // #<name>; nullptr: there are none
   bool filtered_lines = false;                     // each line by itself, filtered first: blanks, `/`, control characters (spec/grbl 1.2)
   // Custom macros and names of several characters (nct).
-  bool macro = false;                                       // statements: IF, WHILE, GOTO, … (nct 23)
+  bool custom_macros = false;                               // values are those of custom macros (nct 23), not of RS274/NGC: below
   bool operator_i = false;                                  // XI-40: an increment in that word (nct 5.1)
   bool comments_span_lines = false;                         // (…) may hold ends of line (nct 14.3)
   bool comma_words = false;                                 // ,C ,R ,A (nct 17)
@@ -133,6 +133,14 @@ struct Grammar {
   std::uint32_t named = 0;                                  // bit per first letter of a name
   std::vector<VariableName> symbols;                        // sorted by text
   std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: no axis
+
+  // What custom macros have and the expressions of RS274/NGC have not.
+  /// Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is one too, in a block without words.
+  bool has_statements() const { return custom_macros; }
+  /// Each call has its own #1 to #33, and a variable may be vacant: its word is not there.
+  bool has_vacant_variables() const { return custom_macros; }
+  /// `#1=#2+3`; RS274/NGC wants [#2+3].
+  bool sums_without_brackets() const { return custom_macros; }
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }
   WordFormat& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }

@@ -134,7 +134,7 @@ class Lexer {
       case '[': return statements_.bracket();
       case '\x1a': return end_of_dos_file();
       case ']':
-      case '=': return grammar_.macro ? out_of_place(c) : unexpected();
+      case '=': return grammar_.has_statements() ? out_of_place(c) : unexpected();
       default: break;
     }
     if (is_high(c) || c == '\x0e') return wide();
@@ -148,7 +148,7 @@ class Lexer {
     const std::size_t begin = cursor_.at;
     if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
     if (letter == 'O' && grammar_.o_words) return o_line();
-    if (grammar_.macro) {
+    if (grammar_.has_statements()) {
       const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
       if (is_letter(next)) {
         if (const Keyword keyword = statements_.keyword_here(); statements_.knows(keyword)) return statements_.read(keyword);
@@ -175,9 +175,9 @@ class Lexer {
     if (!format.known && letter > 'Z')
       return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
-    if (letter == 'N' && !(grammar_.macro && (block_.has_number || !begins()))) return words_.block_number(begin, format);
-    if (letter == grammar_.label_address && !(grammar_.macro && !begins())) return words_.label(begin, format);
-    if (grammar_.macro && cursor_.peek() == '=') {
+    if (letter == 'N' && !(grammar_.custom_macros && (block_.has_number || !begins()))) return words_.block_number(begin, format);
+    if (letter == grammar_.label_address && !(grammar_.custom_macros && !begins())) return words_.label(begin, format);
+    if (grammar_.custom_macros && cursor_.peek() == '=') {
       ++cursor_.at;
       cursor_.skip_blanks();
     }
@@ -243,7 +243,7 @@ class Lexer {
 
   Status assignment() {
     const std::size_t begin = cursor_.at++;
-    if (grammar_.macro) return statements_.assignment(begin);
+    if (grammar_.has_statements()) return statements_.assignment(begin);
     return read_assignment(cursor_, grammar_, block_, begin);
   }
 

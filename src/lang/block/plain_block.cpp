@@ -119,7 +119,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   const auto address = static_cast<std::size_t>(letter - 'A');
   const WordFormat& format = grammar_.words[address];
   const char sign = at != end && (*at == '-' || *at == '+') ? *at++ : '\0';
-  if (sign != 0 && (format.code || !(format.sign || grammar_.macro))) return nullptr;
+  if (sign != 0 && (format.code || !(format.sign || grammar_.custom_macros))) return nullptr;
   Digits digits;
   at = digits_at(at, end, digits);
   if (digits.count() == 0 || digits.count() > most_digits_ || block.word_count == limits::block_words) return nullptr;

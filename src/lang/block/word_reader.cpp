@@ -46,7 +46,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (is_digit(c) || c == '.') [[likely]] {  // of a macro's argument any sign is good (nct 23.3); otherwise the range tells
-    if (sign != 0 && !format.sign && (!grammar_.macro || (sign == '-' && format.code)))
+    if (sign != 0 && !format.sign && (!grammar_.custom_macros || (sign == '-' && format.code)))
       return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
@@ -60,15 +60,16 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     return {};
   }
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-  if (grammar_.macro && c != '#' && c != '[') return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-  auto expression =
-      grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand) : compile_value(cursor_, grammar_, block_);
+  if (grammar_.sums_without_brackets() && c != '#' && c != '[')
+    return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
+  auto expression = grammar_.sums_without_brackets() ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand)
+                                                     : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
   if (grammar_.rounds_in_address && format.counted != 0)  // spec/haas 2.2
     for (std::size_t i = expression->begin; i < expression->end; ++i)
       if (block_.code[i].op == Op::round) block_.code[i].op = Op::round_increment;
   if (sign == '-') {
-    block_.code.push_back({grammar_.macro ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
+    block_.code.push_back({grammar_.has_vacant_variables() ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
     ++expression->end;
   }
   block_.evaluates = true;
@@ -93,7 +94,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
   if (cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at])) {
-    if (grammar_.expressions && !grammar_.macro) KADR_TRY(digits_apart(read, w, begin));
+    if (grammar_.expressions && !grammar_.custom_macros) KADR_TRY(digits_apart(read, w, begin));
     else if (grammar_.word('L').second_number && !read.has_point) KADR_TRY(point_apart(read, w, begin));
   }
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
@@ -297,7 +298,7 @@ Expression WordReader::constant(double number, Span where) {
 
 Status WordReader::block_number(std::size_t begin, const WordFormat& format) {
   Number read;
-  if (grammar_.macro && (cursor_.peek() == '#' || cursor_.peek() == '['))
+  if (grammar_.custom_macros && (cursor_.peek() == '#' || cursor_.peek() == '['))
     return fail(alarm(AlarmId::number_by_variable, span(begin, cursor_.at + 1), 'N'));
   if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), 'N'));
   if (grammar_.code_by_rounding) read.has_point = false, read.value = std::floor(read.value);

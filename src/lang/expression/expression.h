@@ -38,7 +38,7 @@ enum class MacroValue : std::uint8_t {
   sum,       // a whole expression
   assigned,  // the same after `#n=`, where alone PRM may stand (nct 24.2)
 };
-/// The same in the language of custom macros (grammar.macro). ATAN[a]/[b], which other controls read otherwise, gets a warning.
+/// The same in the language of custom macros (nct 23). ATAN[a]/[b], which other controls read otherwise, gets a warning.
 ///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
 /// What stands between the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong

@@ -1,6 +1,6 @@
 // Expressions: text → instructions. Operators, functions and relations are rows of the control's file (ExpressionRules); what a row cannot
-// say differs between two families, Grammar::macro: RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). For
-// lexer, word_reader and statement_reader; tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
+// say differs between two families, Grammar::custom_macros: RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end).
+// For lexer, word_reader and statement_reader; tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ class Compiler : public StepWriter {
       const std::size_t begin = cursor_.at;
       std::size_t length = 0;
       const ExpressionRow* const found = row_here(grammar_.expression.operators, length);
-      if (found == nullptr) return grammar_.macro ? Status() : end_of_expression(begin);
+      if (found == nullptr) return grammar_.sums_without_brackets() ? Status() : end_of_expression(begin);
       if (found->binding == 0) return fail(alarm(AlarmId::operator_unknown, span(begin, begin + length), std::string_view(found->text)));
       if (found->binding < least_binding) return {};
       const bool left_is_condition = is_condition_;
@@ -150,7 +150,7 @@ class Compiler : public StepWriter {
     if (c == '#') {
       ++cursor_.at;
       if (grammar_.named_variables != nullptr && named_here()) return named(begin, Op::variable_at);
-      return grammar_.macro ? variable(begin) : variable_of_value(begin);
+      return grammar_.custom_macros ? variable(begin) : variable_of_value(begin);
     }
     if (is_letter(c)) return word();
     return wrong(begin);
@@ -188,11 +188,11 @@ class Compiler : public StepWriter {
       if (found->operand == Operand::value) return function_of_value(*found, begin);
       if (cursor_.peek() == '[') return function_of_bracket(*found, begin);
     }
-    if (grammar_.macro && starts_with("AXNUM", begin)) return axis_number(begin);
-    if (grammar_.macro && starts_with("PRM", begin)) return control_value(begin);
+    if (grammar_.custom_macros && starts_with("AXNUM", begin)) return axis_number(begin);
+    if (grammar_.custom_macros && starts_with("PRM", begin)) return control_value(begin);
     std::size_t end = begin;
     while (end < cursor_.text.size() && is_letter(cursor_.text[end])) ++end;
-    const AlarmId id = end - begin > 1 || !grammar_.macro ? AlarmId::function_unknown : AlarmId::expression_syntax;
+    const AlarmId id = end - begin > 1 || !grammar_.custom_macros ? AlarmId::function_unknown : AlarmId::expression_syntax;
     return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
   }
 

@@ -34,7 +34,7 @@ class StepWriter {
   }
 
   tl::unexpected<Alarm> wrong(std::size_t at) const {
-    if (!grammar_.macro) return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), character_at(at)));
+    if (!grammar_.custom_macros) return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), character_at(at)));
     if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
       const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
       return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
@@ -83,7 +83,7 @@ class StepWriter {
 
   Status close(std::size_t begin) {
     cursor_.skip_blanks();
-    if (cursor_.peek() != ']' && (!grammar_.macro || is_open(begin)))
+    if (cursor_.peek() != ']' && (!grammar_.custom_macros || is_open(begin)))
       return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
     if (cursor_.peek() != ']') return wrong(cursor_.at);
     ++cursor_.at;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/ascii.h"
+#include "config/control_file.h"
 #include "out/text/asked_code.h"
 #include "out/text/cycle_text.h"
 #include "out/text/in_language.h"
@@ -23,6 +24,12 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   for (int i = 0; i <= comma_vector - 'A'; ++i)
     if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", address_written(static_cast<char>('A' + i)));
   return text;
+}
+
+/// What its file extends is of no concern to whoever has such a machine.
+bool is_built_in(const ControlDef& def) {
+  const std::vector<std::string> all = built_in_controls();
+  return std::find(all.begin(), all.end(), def.id) != all.end();
 }
 
 const char* axes_of(const CodeRow& row, Lang lang) { return !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes"; }
@@ -221,7 +228,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
 
 std::string explain_control(const ControlDef& def, Lang lang) {
   std::string text = fmt::format("{}: {}\n", def.id, in_language(def.name, lang));
-  if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
+  if (!def.lineage.empty() && !is_built_in(def)) text += fmt::format("  extends {}\n", def.lineage.front());
   if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
   const char* const not_yet = lang == Lang::ru ? " (ещё нет)" : " (not yet)";
   const char* const in_part = lang == Lang::ru ? " (отчасти)" : " (in part)";

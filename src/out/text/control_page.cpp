@@ -78,15 +78,17 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   if (def.parameters.empty()) return;
   constexpr const char* scopes[] = {"control", "channel", "axis", "spindle"};
   constexpr const char* types[] = {"bits", "whole", "real", "text"};
-  page +=
-      "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
-      "that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n";
+  const bool by_program = def.machine_axes();  // G10 L52
+  page += by_program
+              ? "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all "
+                "but those that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n"
+              : "\n## Parameters\n\nThe set-up states them. \"no effect\": nothing follows from it in Kadr.\n\n";
   page += table_head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
   for (const ParameterRow& row : def.parameters) {
     std::string bits;
     for (std::size_t i = 0; i < row.bits.size(); ++i)
       if (!row.bits[i].empty()) bits += fmt::format("{}{}{}", bits.empty() ? "" : " ", i < 8 ? fmt::format("#{} ", i) : "", row.bits[i]);
-    const bool writable = row.when == ParameterClass::run_time;
+    const bool writable = by_program && row.when == ParameterClass::run_time;
     page +=
         fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.number >= 0 ? "N" : "", row.name,
                     scopes[static_cast<std::size_t>(row.scope)], types[static_cast<std::size_t>(row.type)], bits, number_text(row.initial),
@@ -94,14 +96,16 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   }
 }
 
-/// The alarms the control has numbers or words of its own for, by number, those without one last.
+/// The alarms that its file has rows for, by number, those without one last.
 void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& page) {
   if (def.alarms.empty()) return;
   std::vector<AlarmId> ids;
   for (const auto& [id, row] : def.alarms) ids.push_back(id);
   const auto rank = [&](AlarmId id) { return texts.number(id).empty() ? 1e9 : std::atof(texts.number(id).c_str()); };
   std::stable_sort(ids.begin(), ids.end(), [&](AlarmId a, AlarmId b) { return rank(a) < rank(b); });
-  page += "\n## Alarms\n\nThose that have a number or words of the control's own; `{0}` stands for the figure of the case.\n\n";
+  page +=
+      "\n## Alarms\n\nThose that have a number or words of the control's own, and those that only some controls give; `{0}` stands for the "
+      "figure of the case.\n\n";
   page += table_head("| number | alarm | text | текст | hint | подсказка |");
   for (const AlarmId id : ids) {
     const Text text = {texts.pattern(id, Lang::en), texts.pattern(id, Lang::ru)};

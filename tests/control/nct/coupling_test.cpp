@@ -58,8 +58,8 @@ TEST(gearbox, spindle_by_name_number_or_the_main_one) {
   EXPECT_EQ(none.first_alarm(), "coupling_parameter");
 }
 
-std::string setup_error(const std::string& json) {
-  const Control machine(control("nct"), parse_setup("{" + json + "}").value(), Program{"test", text_source("M30\n"), {}}, RunLimits{});
+std::string setup_error(const std::string& json, const char* of = "nct") {
+  const Control machine(control(of), parse_setup("{" + json + "}").value(), Program{"test", text_source("M30\n"), {}}, RunLimits{});
   return machine.setup_fault().en;
 }
 
@@ -67,6 +67,7 @@ TEST(coupling, the_set_up_must_name_a_master) {
   const std::string event = R"("axes": ["X", "Y", "V"], "events": [{"when": {"code": "M41"}, "do": "synchronise", "axes": ["V"]}])";
   EXPECT_EQ(setup_error(event), "events: N2101.V is not the number of another axis");
   EXPECT_NE(setup_error(event + R"(, "parameters": {"N2101.V": 3})"), "");  // itself
+  EXPECT_EQ(setup_error(event, "fanuc"), "events: no parameter of this control says which axis V follows");
   EXPECT_EQ(setup_error(event + R"(, "parameters": {"N2101.V": 2})"), "");
 }
 

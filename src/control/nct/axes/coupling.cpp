@@ -93,11 +93,17 @@ bool is_far_axis(const BlockContext& m, double number) {
 }
 
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events) {
+  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // the NCT has that parameter, others have not
   for (const SetupEvent& event : events)
-    for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
-      if (const int axis = axis_named(m, name); axis >= 0 && !has_master(m, static_cast<std::size_t>(axis)))
+    for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>()) {
+      const int axis = axis_named(m, name);
+      if (axis < 0 || has_master(m, static_cast<std::size_t>(axis))) continue;
+      if (names_masters)
         return {"events", "events: N2101." + name + " is not the number of another axis",
                 "events: N2101." + name + " не задаёт номер другой оси"};
+      return {"events", "events: no parameter of this control says which axis " + name + " follows",
+              "events: ни один параметр этого УЧПУ не задаёт, за какой осью следует " + name};
+    }
   return {};
 }
 
