@@ -166,7 +166,7 @@ constexpr SetupKey keys[] = {
   {"events.answer", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "ok yes no cancel", R"("no")", "", "of answer: to the message box", "для answer: ответ в окне сообщения"},
   {"events.spindle", F::whole, N::fixed, spindles, U::none, stated, H::machine_axes, "", "2", "", "of synchronise, release, spindle_to_axis, axis_to_spindle", "для synchronise, release, spindle_to_axis, axis_to_spindle"},
   {"events.master", F::whole, N::fixed, spindles, U::none, stated, H::machine_axes, "", "1", "", "of synchronise: the leading spindle", "для synchronise: ведущий шпиндель"},
-  {"events.axis", F::text, N::axis_of_any, any, U::none, stated, H::machine_axes, "", R"("X")", "", "of synchronise, release: the following axis; of exchange: that with N2104; of reverse, park", "для synchronise, release: ведомая ось; для exchange: та, у которой N2104; для reverse, park"},
+  {"events.axis", F::text, N::axis_of_any, any, U::none, stated, H::machine_axes, "", R"("X")", "", "of synchronise, release: the following axis; of exchange: that whose parameter names the other; of reverse, park", "для synchronise, release: ведомая ось; для exchange: та, параметр которой называет другую; для reverse, park"},
   {"events.axes", F::texts, N::axis_of_any, any, U::none, stated, H::machine_axes, "", R"(["X", "Y"])", "", "the same, several", "то же, несколько"},
   {"channel", F::whole, N::fixed, channels, U::none, null, H::machine_axes, "", "1", "", "channel of the program", "канал программы"},
   {"channels", F::table, N::channel, any, U::none, null, H::machine_axes, "", R"({"2": {"axes": ["X", "Z"], "program": "M30"}})", "", "the other channels", "другие каналы"},
@@ -200,9 +200,9 @@ constexpr SetupSignal signals[] = {
   {"CP_NOWT", "channels do not wait for each other", "каналы не ждут друг друга", "14.5"},
   {"CP_LIM2DIS", "zone 2 is suspended", "зона 2 отключена", "22.2"},
   {"CP_LIM3DIS", "zone 3 is suspended", "зона 3 отключена", "22.3"},
-  {"AP_SYNCR", "the axis follows the one that N2101 names", "ось движется вслед за осью из N2101", "20.2", true},
+  {"AP_SYNCR", "the axis follows its master, which its parameter names", "ось движется вслед за ведущей, названной её параметром", "20.2", true},
   {"AP_PARKR", "the axis is parked", "ось запаркована", "20.2", true},
-  {"AP_MIXR", "the axis is exchanged with the one that N2104 names", "ось обменяна с осью из N2104", "20.3", true},
+  {"AP_MIXR", "the axis is exchanged with its partner, which its parameter names", "ось обменяна с парной, названной её параметром", "20.3", true},
   {"AP_MIRR", "the axis goes the other way round", "направление оси обращено", "20.4", true},
 };
 // clang-format on

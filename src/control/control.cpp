@@ -58,7 +58,6 @@ void Control::hand_over_each_block() { interpreter_->each_block = true; }
 bool Control::hands_over_each_block() const { return interpreter_->each_block; }
 void Control::refused() {
   interpreter_->refused();
-  interpreter_->block_open = false;
   release();
 }
 void Control::set_waiting(Waiting waiting) { interpreter_->waiting.mode = waiting; }

@@ -63,7 +63,7 @@ bool Interpreter::goes_on_with_last() {
     if (const Status status = after_cycle(); !status) fail_with(status.error());
     return true;
   }
-  if (!block_open) return false;
+  if (phase_ != RunPhase::end_of_block) return false;
   end_block();
   return true;
 }
@@ -82,7 +82,7 @@ std::optional<Control::State> Interpreter::close_file(Block* last) {
   if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
   if (const Status closed = end_of_file(); !closed) {
     fail_with(closed.error());
-    return stopped_ ? Control::State::stopped : Control::State::running;
+    return is_stopped() ? Control::State::stopped : Control::State::running;
   }
   flow.end();
   return Control::State::ended;
@@ -92,7 +92,8 @@ std::optional<Control::State> Interpreter::close_file(Block* last) {
 std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::Got>& got) {
   if (got && !reads_clock && !block->no_clock && !block->code.empty()) {
     if (dialect->reads_clock(*block)) {
-      reads_clock = each_block = again_ = true;
+      reads_clock = each_block = true;
+      phase_ = RunPhase::same_block;
       return Control::State::running;
     }
     block->no_clock = true;
@@ -124,7 +125,7 @@ Control::State Interpreter::run(ActionBatch& to) {
   begin_batch(to);
   const bool looked_at = line_marks != nullptr || (holds_before != nullptr && *holds_before);
   const std::uint64_t until = flow.blocks() + most_unseen;
-  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
+  while (to.size() < batch_size && !is_stopped() && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
     if (goes_on_with_last()) continue;
     if (flow.ended()) return Control::State::ended;
@@ -132,11 +133,11 @@ Control::State Interpreter::run(ActionBatch& to) {
     std::optional<Flow::Mark> before;
     if (looked_at) [[unlikely]] {
       if (line_marks != nullptr && flow.blocks() >= until) break;
-      if (!again_) before = flow.mark();
+      if (phase_ != RunPhase::same_block) before = flow.mark();
     }
     Block* const last = block;
-    const auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
-    again_ = false;
+    const auto got = phase_ == RunPhase::same_block ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    phase_ = RunPhase::next_block;
     if (got && *got == BlockReader::Got::end) {
       if (const auto state = close_file(last)) return *state;
       continue;
@@ -151,7 +152,7 @@ Control::State Interpreter::run(ActionBatch& to) {
       return *state;
     }
   }
-  return stopped_ ? Control::State::stopped : Control::State::running;
+  return is_stopped() ? Control::State::stopped : Control::State::running;
 }
 
 void Interpreter::watch_states() {
@@ -173,7 +174,7 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
   else report_changes();
-  block_open = !stopped_ && dialect->watches_blocks();  // M96 has come
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 has come
 }
 
 /// The machine's logic looks at each block, or an interrupt macro may come.
@@ -202,17 +203,17 @@ void Interpreter::watch_block() {
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   else report_changes();
-  block_open = !stopped_ && !skipped;
+  if (!is_stopped() && !skipped) phase_ = RunPhase::end_of_block;
 }
 
 /// The end of a watched block: the interrupt macro, then the machine's logic.
 void Interpreter::end_block() {
-  block_open = false;
+  phase_ = RunPhase::next_block;
   if (!in_interrupt) {
     const auto called = dialect->interrupt(*this, BlockMoment::end);
     if (!called) fail_with(called.error());
   }
-  if (!stopped_ && on_block != nullptr && *on_block) (*on_block)(origin, true);
+  if (!is_stopped() && on_block != nullptr && *on_block) (*on_block)(origin, true);
 }
 
 /// Power off and on (nct 23.5): the program is over.
@@ -221,7 +222,7 @@ void Interpreter::power_cycle() {
   stop_cycles();
   waiting_count_ = 0;
   waiting.meeting.reset();
-  block_open = false;
+  close_block();
   flow.end();
 }
 
@@ -260,10 +261,10 @@ void Interpreter::stop_cycles() {
 void Interpreter::fail_with(const Alarm& failed) {
   stop_cycles();
   waiting_count_ = 0;
-  block_open = false;
+  close_block();
   report = report_of(failed, origin, block->text);
   if (follows_refused_motion(failed.id)) return keep_from_faulty_block();
-  stopped_ = true;
+  phase_ = RunPhase::stopped;
   dialect->failed(*this);
 }
 

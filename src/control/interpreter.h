@@ -38,7 +38,7 @@ class Interpreter final : public Emitter {
   void go_on();
   void refused();
   void power_cycle();
-  bool is_stopped() const { return stopped_; }
+  bool is_stopped() const { return phase_ == RunPhase::stopped; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
   /// From now on the states of blocks are kept: state_of() tells them.
@@ -55,7 +55,7 @@ class Interpreter final : public Emitter {
   /// Values of the words written as expressions, ranges of all.
   Status evaluate_words();
   /// A block has been begun and is not over: its cycle is being carried out, or what waits for the cycle's end.
-  bool in_block() const { return cycling() || waiting_count_ != 0 || block_open || again_; }
+  bool in_block() const { return cycling() || waiting_count_ != 0 || phase_ == RunPhase::end_of_block || phase_ == RunPhase::same_block; }
   /// Calls and repetitions that are open, the outermost first.
   std::vector<AlarmReport::Call> calls() const;
   /// From now on ways of calls are kept: calls_of() tells them.
@@ -98,7 +98,6 @@ class Interpreter final : public Emitter {
   // ---- what the functions work on
 
   using BlockContext::flow;  // where the program is, and goes on
-  bool block_open = false;   // a watched block has been carried out, its end is to come
 
   Block first_block;  // before the first one is read, and in the middle of which a snapshot was taken
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
@@ -170,6 +169,12 @@ class Interpreter final : public Emitter {
   std::shared_ptr<const BlockMemory> block_memory() const;
   void go_on_in_block(const BlockMemory& then);
 
+  /// The end of a watched block will not come.
+  void close_block() {
+    if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
+  }
+
+  RunPhase phase_ = RunPhase::next_block;
   Plan plan_;
   /// Plans of blocks that loops carry out again, found by the block's place in memory.
   struct KeptPlan {
@@ -192,9 +197,6 @@ class Interpreter final : public Emitter {
   std::string first_text_;                     // of first_block
   std::vector<double> assigned_;
   StopToken stop_;
-  bool stopped_ = false;
-  // of a block that the machine's logic watches (nct 23.4)
-  bool again_ = false;  // the current block comes once more
   std::vector<std::string> watch_;
 };
 

@@ -13,7 +13,8 @@ bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;
   skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];
   emit(Message{std::string(block->text) + " ?", -1, true});
-  return again_ = true;
+  phase_ = RunPhase::same_block;
+  return true;
 }
 
 bool Interpreter::is_skipped() const {

@@ -90,10 +90,8 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
   if (cycle_run.active()) now->cycle = static_cast<std::size_t>(cycle_run.cycle() - def.cycles.data());
   now->ellipse_run = ellipse_run;
   if (running) now->running = running->clone();
-  now->block_open = block_open;
-  now->again = again_;
-  now->stopped = stopped_;
-  if (stopped_) now->report = report;
+  now->phase = phase_;
+  if (is_stopped()) now->report = report;
   now->exact = block_exact;
   now->machine_coordinates = block_machine_coordinates;
   now->axes_taken = block_axes_taken;
@@ -113,10 +111,8 @@ void Interpreter::go_on_in_block(const BlockMemory& then) {
   if (cycle_run.active()) cycle_run.lead_to(&def.cycles[then.cycle]);
   ellipse_run = then.ellipse_run;
   if (then.running) running = then.running->clone();
-  block_open = then.block_open;
-  again_ = then.again;
-  stopped_ = then.stopped;
-  if (stopped_) report = then.report;
+  phase_ = then.phase;
+  if (is_stopped()) report = then.report;
   block_exact = then.exact;
   block_machine_coordinates = then.machine_coordinates;
   block_axes_taken = then.axes_taken;
@@ -127,7 +123,8 @@ Status Interpreter::restore(const Snapshot& from) {
   KADR_TRY(flow.remember(then.flow));
   stop_cycles();
   waiting_count_ = 0;
-  block_open = again_ = stopped_ = needs_probe = state_kept_ = false;
+  phase_ = RunPhase::next_block;
+  needs_probe = state_kept_ = false;
   flow_before_.reset();
   journal.begin();
   first_block = Block();

@@ -18,7 +18,7 @@ struct BlockMemory {
   std::size_t cycle = 0;  // row of it
   EllipseRun ellipse_run;
   std::shared_ptr<const Running> running;
-  bool block_open = false, again = false, stopped = false;
+  RunPhase phase = RunPhase::next_block;
   AlarmReport report;                                                   // of a control that has stopped
   bool exact = false, machine_coordinates = false, axes_taken = false;  // of Interpreter
 };

@@ -195,6 +195,7 @@ void Interpreter::take_back(std::size_t actions) {
 void Interpreter::refused() {
   if (batch != nullptr) take_back(0);
   state_kept_ = false;
+  close_block();
   if (block_states_) block_states_->note(origin.number, *this);
   dialect->failed(*this);
 }

@@ -38,7 +38,7 @@ bool Interpreter::may_have_steered() const {
 
 /// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
 void Interpreter::go_on() {
-  stopped_ = false;
+  phase_ = RunPhase::next_block;
   motion_run_.end();
   dialect->note_fault(*this, may_have_steered());
   keep_from_faulty_block();
@@ -121,7 +121,7 @@ void Interpreter::stand_where_meant() {
 
 /// A block has been carried out: the axes that it gives a coordinate stand there.
 void Interpreter::note_placed() {
-  if (stopped_ || !modal.absolute || block->statement.kind != StatementKind::none) return;
+  if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
     const char letter = letters.axis_letter[a];
     if (letter != 0 && has(letter) && !word(letter)->incremental) unplaced &= ~(AxisMask{1} << a);

@@ -15,6 +15,14 @@
 
 namespace kadr {
 
+/// What the interpreter does when the cycle of its block is over, and what waits for the cycle's end.
+enum class RunPhase : std::uint8_t {
+  next_block,    // reads the next block
+  same_block,    // executes the block that was read: a question was asked first, or the time had to be that of the moment
+  end_of_block,  // a watched block has been executed: an interrupt macro and the machine's logic look at its end (nct 23.4)
+  stopped,       // an alarm
+};
+
 struct RunMemory {
   Origin origin;          // of the block being carried out
   Axes moved_from{};      // work coordinates before the last motion, in inches mode and with radius compensation
