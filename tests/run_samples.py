@@ -18,6 +18,7 @@ import argparse
 import json
 import math
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -37,6 +38,8 @@ OVER_CHANGED = 1.02    # while the override changes: the plan's own jerk between
 OVERRIDES = '0.05:40,0.7:0,0.9:70,1.2:20,1.6:100,2.5:0,2.9:30,4:100'  # s, %
 OVER_FAST = 1.04       # beyond 1 kHz the jerk between the places where the planner looks at it is seen too: 3.5 % at most are known
 FAST = 2000            # Hz
+LED_AXES = 0.1         # mm: so far the axes may leave their way where the tip is led and keeps the tolerance (docs/planner.md); five_axis_samples.py looks at the tip
+LEADS_TIP = re.compile(r'G43\.[4589]')
 PATH_RATE = 1000       # Hz: of the samples whose way to the path is measured
 NO_ROWS = np.empty((0, 1))
 ROTARY = 'ABC'         # may roll over: they end on the same place of the turn
@@ -135,7 +138,7 @@ def check(kadr, folder, rate, item):
         faults += end_faults(names, sampled_rows[-1][1:], actions[-1].get('machine_position', {}), greatest, probes_last)
     every = max(1, round(rate / PATH_RATE))
     away, when = furthest(rows[::every], exact)
-    tolerance = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0)
+    tolerance = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0, LED_AXES if LEADS_TIP.search(text) else 0)
     greatest.take('distance from the path over its tolerance, mm', away - tolerance, f'at {when:.3f} s')
     if away > tolerance + EXACT_PATH:
         faults.append(f'{away:.4f} mm from the path at {when:.3f} s')

@@ -84,7 +84,7 @@ FILES = [
     ('s2c42', '{"variables": {"#100": 1}}', 1, must_be('variables.#100', 'named R0 to R9', 'имя от R0 до R9')),
     ('s2c42', '{"offsets": {"100": {"length": 1}}}', 1, must_be('offsets.100', 'named by a whole number, 1 to 99', 'номер — целое число от 1 до 99')),
     ('s2c42', '{"skip": [2]}', 1, must_be('skip', 'a list of whole numbers, 1 to 1', 'список целых чисел, от 1 до 1')),
-    ('s2c42', '{"parameters": {"N0308": 1}}', 1, not_of('parameters', 's2c42')),
+    ('gost', '{"parameters": {"N0308": 1}}', 1, not_of('parameters', 'gost')),
     ('s2c42', '{"probe": {"1": {"X": 1}}}', 1, not_of('probe', 's2c42')),
     ('s2c42', '{"offsets": {"1": {"corner_radius": 1}}}', 1, not_of('offsets.1.corner_radius', 's2c42')),
     ('mach3', '{"work_offsets": {"G53": {"X": 1}}}', 1, ("setup key 'work_offsets.G53': no work offset 'G53'; did you mean 'G54'?",

@@ -59,7 +59,7 @@ TEST_F(Explained, page_has_codes_variables_and_alarms) {
   EXPECT_THAT(page, HasSubstr("| code | group | lasts | words | works | meaning |"));
   EXPECT_THAT(page, HasSubstr("| #5021–#5040, #100051–#100100 | #_ABSMT[1–50] | R | yes |"));
   EXPECT_THAT(page, HasSubstr("| 2012 | `radius_mismatch` | Radius difference error in circle | Ошибка разности радиуса в окружности |"));
-  const ControlDef plain = load_control("mach3").value();
+  const ControlDef plain = load_control("gost").value();
   EXPECT_THAT(control_page(plain, AlarmTexts::load(&plain).value()), Not(HasSubstr("| works |")));
 }
 
