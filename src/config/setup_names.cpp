@@ -21,6 +21,16 @@ constexpr int turning_zeros = 9;                                   // G92 /A/ of
 constexpr int dynamic_systems = 8;                                 // G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // tenths: G54 … G59, G59.3
 
+/// "N5114, N5200#1 or N1006.X".
+std::string alternatives(const std::vector<std::string>& all, std::string_view or_word) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i != 0) text += i + 1 == all.size() ? fmt::format(" {} ", or_word) : ", ";
+    text += all[i];
+  }
+  return text;
+}
+
 /// "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
   constexpr std::size_t longest_number = 7, longest_symbol = 31;
@@ -226,6 +236,24 @@ std::vector<std::string> SetupNamesOf::all(SetupNames kind) const {
   }
 }
 
+std::vector<std::string> SetupNamesOf::forms_of_parameters() const {
+  if (def_ == nullptr) return {"N0308", "N0306#0", "N0402.X", "N0106.X#1"};
+  std::vector<std::string> forms;
+  const auto add_first = [&](bool of_axis, bool bits) {
+    const auto row = std::find_if(def_->parameters.begin(), def_->parameters.end(), [&](const ParameterRow& parameter) {
+      return parameter.used && parameter.type != ParameterType::text && (parameter.scope == ParameterScope::axis) == of_axis &&
+             (parameter.type == ParameterType::bits) == bits;
+    });
+    if (row == def_->parameters.end()) return;
+    std::size_t bit = 0;
+    while (bits && bit + 1 < row->bits.size() && row->bits[bit].empty()) ++bit;
+    forms.push_back(text_of({row->name, of_axis ? def_->axes.front() : "", bits ? std::to_string(bit) : ""}));
+  };
+  for (const bool of_axis : {false, true})
+    for (const bool bits : {false, true}) add_first(of_axis, bits);
+  return forms;
+}
+
 SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
   switch (kind) {
     case SetupNames::variable: {
@@ -237,7 +265,10 @@ SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
       if (!formal) return {"named #n or #_NAME", "имя вида #n или #_NAME"};
       return {"named #n, #_NAME, or R0 to R9", "имя вида #n, #_NAME или от R0 до R9"};
     }
-    case SetupNames::parameter: return {"named N0308, N0306#0, N0402.X or N0106.X#1", "имя вида N0308, N0306#0, N0402.X или N0106.X#1"};
+    case SetupNames::parameter: {
+      const std::vector<std::string> forms = forms_of_parameters();
+      return {"named " + alternatives(forms, "or"), "имя вида " + alternatives(forms, "или")};
+    }
     case SetupNames::place: return {"named magazine/pocket, \"10/1\"", "имя вида магазин/гнездо, «10/1»"};
     case SetupNames::work_offset: return {"named common, G54 or \"G54.1 P2\"", "имя common, G54 или «G54.1 P2»"};
     case SetupNames::shift: return {"named G92 or G52", "имя G92 или G52"};

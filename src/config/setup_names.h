@@ -38,6 +38,8 @@ class SetupNamesOf {
     std::string en, ru;
   };
   Words form(SetupNames kind) const;
+  /// A parameter's name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
+  std::vector<std::string> forms_of_parameters() const;
   /// "axis", «оси».
   static SetupWords kind_name(SetupNames kind);
   /// A work system that the control has and Kadr does not do yet.

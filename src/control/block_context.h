@@ -70,6 +70,9 @@ class BlockContext : public ControlState, public RunMemory {
   double feed_limited(double feed) const;
   double feed_by_axes(const Motion& motion) const;
   bool axes_have_feeds() const;
+  /// The axis that the block's word `index`, an F, belongs to: that of the axis word before it, where another axis word follows; else F
+  /// is for all axes that have none of their own. Only where Behaviour::feed_of_axis is set (GOST 20999-83).
+  std::optional<std::size_t> axis_of_feed(std::uint32_t index) const;
   /// What of their origin is a shift of the work system: G92 and what acts like it.
   Axes shift_by_tables() const;
   /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).

@@ -83,6 +83,7 @@ Result<double> VariableDialect::control_value(BlockContext&, double, double, dou
 std::unique_ptr<Dialect> make_iso_dialect() {
   struct Iso final : Dialect {
     bool drills_plainly() const override { return true; }
+    bool lines_follow(const BlockContext&) const override { return true; }
   };
   return std::make_unique<Iso>();
 }

@@ -311,7 +311,7 @@ Result<std::string> FlowRewriter::expression(std::string_view text) {
       if (!number) return fail(alarm(AlarmId::function_has_no_code, {}, "#" + digits));
       made += std::to_string(*number);
       i = end - 1;
-    } else if (text.substr(i, 2) == "**" && to_.grammar.custom_macros) {
+    } else if (text.substr(i, 2) == "**" && !to_.grammar.expression.operators.has("**")) {
       return fail(alarm(AlarmId::function_has_no_code, {}, "**"));
     } else {
       made += raises ? static_cast<char>(std::toupper(static_cast<unsigned char>(text[i]))) : text[i];

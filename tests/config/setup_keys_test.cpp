@@ -103,6 +103,18 @@ TEST(setup_keys, each_is_read_where_the_control_has_it_and_nowhere_else) {
     }
 }
 
+TEST(setup_keys, parameters_are_shown_by_names_of_the_control) {
+  for (const ControlDef& def : controls()) {
+    const SetupNamesOf names(&def, def.axes, def.axes);
+    const std::vector<std::string> forms = names.forms_of_parameters();
+    EXPECT_EQ(forms.empty(), def.parameters.empty()) << def.id;
+    for (const std::string& name : forms) {
+      EXPECT_TRUE(names.allows(SetupNames::parameter, name)) << def.id << " " << name;
+      EXPECT_FALSE(names.parameter_fault(name, 1, false)) << def.id << " " << name;
+    }
+  }
+}
+
 /// What each of the built-in controls has, by its manual: work offsets by code or zeros by number, correctors, variables, …
 TEST(setup_keys, what_the_controls_have) {
   using H = SetupNeeds;

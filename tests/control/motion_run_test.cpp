@@ -118,31 +118,44 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
                "G67",     "G9 X4",         "G63",     "G1 X3 C4"}},
       {"gost", {"G90", "G91",    "G0",  "G1 F300", "F200",  "G41 D1", "G40",   "G92 X1", "G81 X1 Z-1 R1 F9", "G80", "M3 S5", "G95",
                 "G94", "G43 H1", "G49", "G4 P1",   "G9 X4", "U5",     "W7 X2", "G1 X F"}},
-      {"correctors", {"G90", "G91", "G0", "G1 F300", "F200", "G41 L17 X5", "G40", "L17 X9", "M3 S5", "G4 F1"}}};
-  std::string text = id == "gost" || id == "correctors" ? "%\nG90 G1 F100\n" : "G90 G1 F100\n";
+      {"correctors", {"G90", "G91", "G0", "G1 F300", "F200", "G41 L17 X5", "G40", "L17 X9", "M3 S5", "G4 F1"}},
+      {"s2c42", {"G90",     "G91", "G00",   "G01 F300",   "F200", "F6000",     "G41 D01", "G40", "G92 X1", "M03 S05", "G04 E50", "G09 X4",
+                 "G43 D01", "G49", "G25 X", "G17 G09 X5", "G18",  "X1 Y2 M00", "L81 Z1",  "G95", "G94",    "L90 X5",  "G60",     "G61"}},
+      {"grbl", {"G90",          "G91",       "G0",     "G1 F300", "F200",  "G20",      "G21", "G92 X1", "G92.1",
+                "G10 L2 P1 X3", "G54",       "G55",    "G93",     "G94",   "G43.1 Z3", "G49", "G4 P1",  "M3 S5",
+                "G38.3 X3 F10", "G53 G0 X1", "G28 X1", "A50",     "X1 X2", "G2 X3 R9", "(c)", "/X7",    "$J=X1F100"}}};
+  static const std::map<std::string, std::string> likes{{"fanuc", "nct"}, {"haas", "nct"}, {"mitsubishi", "nct"}};
+  const auto like = likes.find(id);
+  const auto& lines = others.at(like == likes.end() ? id : like->second);
+  const bool is_numbered = id == "s2c42", begins_with_sign = id == "gost" || id == "correctors" || is_numbered;
+  std::string text = begins_with_sign ? "%\n" : "";
+  const auto number = [&](std::size_t i) { return is_numbered ? "N" + std::to_string(i + 1) + " " : std::string(); };
+  text += number(0) + "G90 G01 F100\n";
+  static const char* const feeds[] = {"F100 ", "F200 ", "F50.5 ", "F7. ", "F0 ", "F6000 "};
   std::string form;
   for (std::size_t i = 0; i < 80; ++i) {
     if (below(12) == 0) {
-      text += others.at(id)[below(others.at(id).size())] + "\n";
+      text += number(i) + lines[below(lines.size())] + "\n";
       continue;
     }
+    text += number(i);
     if (form.empty() || below(8) == 0) {
-      static const char* const forms[] = {"X",   "XY", "XYZ", "1X", "1XZ", "YX", "0X",  "NXY", "Z",  "ZX",   "1XF", "F1X",
-                                          "QXF", "c",  "pc",  "2c", "3cZ", "3h", "p2h", "h",   "2k", "p2kF", "3XYc"};
+      static const char* const forms[] = {"X",   "XY",  "XYZ", "1X", "1XZ", "YX", "0X",  "NXY", "Z",   "ZX", "1XF", "F1X",  "XFY", "XYF",
+                                          "0XF", "2cF", "QXF", "c",  "pc",  "2c", "3cZ", "3h",  "p2h", "h",  "2k",  "p2kF", "3XYc"};
       form = forms[below(std::size(forms))];
     }
     for (const char c : form) {
-      if (c == 'N') text += "N" + std::to_string(i + 1) + " ";
-      else if (c >= '0' && c <= '3') text += std::string("G") + c + " ";
-      else if (c == 'F') text += below(6) == 0 ? "F200 " : "F100 ";
+      if (c == 'N') text += is_numbered ? "" : "N" + std::to_string(i + 1) + " ";
+      else if (c >= '0' && c <= '3') text += std::string("G0") + c + " ";
+      else if (c == 'F') text += feeds[below(3) == 0 ? below(std::size(feeds)) : 0];
       else if (c == 'Q') text += below(6) == 0 ? "G91 G94 " : "G90 G94 ";
       else if (c == 'p') text += below(6) == 0 ? "G18 " : "G17 ";
       else if (c == 'c') text += "I" + std::to_string(below(9)) + " J-2.5 ";  // whole circles, where nothing else stands there
       else if (c == 'k') text += "J" + std::to_string(below(3)) + " K" + std::to_string(below(3)) + " ";
       else if (c == 'h') text += "X" + std::to_string(2 * below(2)) + " I" + std::to_string(below(2)) + " ";  // half ones, now and then
       else
-        text +=
-            c + std::to_string(static_cast<int>(below(200)) - (id == "gost" && below(4) != 0 ? 0 : 100)) + (below(2) == 0 ? ".5 " : " ");
+        text += c + std::to_string(static_cast<int>(below(200)) - (id == "gost" && below(4) != 0 ? 0 : 100)) +
+                (!is_numbered && below(2) == 0 ? ".5 " : " ");
     }
     text += "\n";
   }
@@ -152,25 +165,10 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
 /// A loop of motions whose words are expressions, with what macros write between them.
 std::string loop_of(std::mt19937& choose) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
-  static const char* const motions[] = {"X[#1*2]",
-                                        "G1 X[#1] Y#2 F100",
-                                        "Y#3",
-                                        "Z[#1-#2]",
-                                        "G0 X[#1]",
-                                        "G2 I[#1+1] J0",
-                                        "X2 I[#1]",
-                                        "N5 X[#1]",
-                                        "X#1 F[#4]",
-                                        "G1 X#2 Y#1",
-                                        "G3 I-5 J#1",
-                                        "X#4 Y[#1/2]",
-                                        "G1 G90 X#1 F100",
-                                        "X1",
-                                        "G1 Y2 X[#1]",
-                                        "Z#1",
-                                        "Y[#4113/9]",
-                                        "Z[#4109/50]",
-                                        "X[#4114+#4115]"};
+  static const char* const motions[] = {"X[#1*2]",     "G1 X[#1] Y#2 F100", "Y#3",       "Z[#1-#2]",     "G0 X[#1]",   "G2 I[#1+1] J0",
+                                        "X2 I[#1]",    "N5 X[#1]",          "X#1 F[#4]", "X#1 F[#1*50]", "G1 X#2 Y#1", "G3 I-5 J#1",
+                                        "X#4 Y[#1/2]", "G1 G90 X#1 F100",   "X1",        "G1 Y2 X[#1]",  "Z#1",        "Y[#4113/9]",
+                                        "Z[#4109/50]", "X[#4114+#4115]"};
   static const char* const others[] = {"#2=#1*2",
                                        "#3=#0",
                                        "#3=5",
@@ -220,11 +218,12 @@ class MotionRuns : public testing::TestWithParam<const char*> {};
 TEST_P(MotionRuns, are_the_general_way) {
   const std::string id = GetParam();
   std::mt19937 choose(11);
+  const bool macros = id == "nct" || id == "fanuc" || id == "haas" || id == "mitsubishi";
   const std::string axes = id == "nct" ? R"("axes": ["X", "Y", "Z", "C"], "parameters": {"N0106.C#1": 1, "N0107.C#0": 1}, )" : "";
   const auto setup = parse_setup("{" + axes + R"("start": {"X": 3, "Z": 50}, "offsets": {"1": {"length": 10, "radius": 2}}})");
   ASSERT_TRUE(setup) << setup.error();
   std::size_t motions = 0;
-  for (int i = 0; i < (id == "nct" ? 1200 : 600); ++i) {
+  for (int i = 0; i < (macros ? 1200 : 600); ++i) {
     const std::string program = i < 600 ? program_of(id, choose) : loop_of(choose);
     const Given fast = run_as(id, program, *setup, false), general = run_as(id, program, *setup, true);
     motions += fast.actions.size();
@@ -236,7 +235,8 @@ TEST_P(MotionRuns, are_the_general_way) {
   EXPECT_GT(motions, 5000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(motion_run, MotionRuns, testing::Values("mach3", "linuxcnc", "nct", "gost", "correctors"),
+INSTANTIATE_TEST_SUITE_P(motion_run, MotionRuns,
+                         testing::Values("mach3", "linuxcnc", "nct", "gost", "correctors", "s2c42", "grbl", "fanuc", "haas", "mitsubishi"),
                          [](const auto& control) { return std::string(control.param); });
 
 }  // namespace

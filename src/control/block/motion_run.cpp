@@ -132,6 +132,8 @@ void MotionRun::begin(const Emitter& m, const Form& form) {
   known_ = static_cast<std::uint8_t>(known_ | 1u << kind);
   rows_[kind] = row;
   modes_[kind] = *motion;
+  if (m.modal.feed != feed_) note_feed(m.modal.feed);
+  old_feed_ = static_cast<std::uint8_t>(old_feed_ & ~(1u << kind));
   absolute_ = m.modal.absolute;
   arcs_ = m.arc_rule();
   rolling_ = m.dialect->rolling_axes(m);
@@ -177,7 +179,8 @@ bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) cons
       form.named |= AxisMask{1} << row.axis;
       form.slots[form.axes++] = slot;
     } else if (row.function == Function::feed_word) {
-      if (form.feed.word != no_word || m.def.behaviour.feed_of_axis || !m.def.feed_codes.empty()) return false;
+      const bool of_axis = m.def.behaviour.feed_of_axis && m.axis_of_feed(i);
+      if (form.feed.word != no_word || of_axis || !m.def.feed_codes.empty()) return false;
       form.feed = slot;
     } else {
       const auto* const axis = std::find(m.letters.center_letter.begin(), m.letters.center_letter.begin() + form.center.size(), w.address);
@@ -208,15 +211,14 @@ bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) co
   return true;
 }
 
-/// The codes that it repeats are in force, the numbers within their limits; the feed is the one in force.
+/// The codes that it repeats are in force, its number and its feed within their limits, and of the feed there is nothing to say.
 bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
     if (m.modal.rows[m.def.codes[static_cast<std::size_t>(form.steady[i])].group] != form.steady[i]) return false;
   if (form.feed.word != no_word) {
-    const double v = block.words[form.feed.word].value, most = m.def.behaviour.feed_most;
-    if (!(v >= form.feed.least && v <= form.feed.most) || !m.modal.feed_known || v * form.feed.scale != m.modal.feed) return false;
-    if (most > 0 && v * form.feed.scale > most) return false;
+    const double v = block.words[form.feed.word].value, feed = v * form.feed.scale, most = m.def.behaviour.feed_most;
+    if (!(v >= form.feed.least && v <= form.feed.most) || !(feed > 0) || (most > 0 && feed > most)) return false;
   }
   return number_fits(block);
 }
@@ -242,6 +244,15 @@ bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, con
   const auto found = arc_around(from, {to[plane.first], to[plane.second]}, center, kind == arc_cw ? Turn::cw : Turn::ccw, arcs_.difference);
   if (found) arc = *found;
   return found.has_value();
+}
+
+/// A new one comes into force: the modes of each motion code that goes with it follow when they are next used.
+void MotionRun::take_feed(BlockContext& m, double feed) {
+  if (m.modal.feed_known && feed == m.modal.feed) return;
+  m.modal.feed = feed;
+  m.modal.feed_known = true;
+  m.dialect->note_feed(m);
+  note_feed(feed);
 }
 
 bool MotionRun::changes_radius(const BlockContext& m, const Axes& to, Vec2 center) {
@@ -270,6 +281,7 @@ bool MotionRun::take(Interpreter& m) {
   }
   if (!form.fits) return refused();
   if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // the general way says what is wrong
+  if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
@@ -303,7 +315,13 @@ bool MotionRun::take(Interpreter& m) {
     m.modal.motion = mode_made[kind];
     m.modal.motion_row = m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
   }
+  if (form.feed.word != no_word) take_feed(m, block.words[form.feed.word].value * form.feed.scale);
   Motion& motion = m.add_motion_as(modes_[kind], named);
+  if (old_feed_ != 0 && (old_feed_ >> kind & 1u) != 0) [[unlikely]] {
+    m.set_feed(motion);
+    modes_[kind].feed = motion.feed;
+    old_feed_ = static_cast<std::uint8_t>(old_feed_ & ~(1u << kind));
+  }
   if (arc) {
     motion.center = found.center;
     motion.turns = found.turns;

@@ -1,8 +1,9 @@
 #pragma once
 // Plain motions one after another, as CAM systems write them: `G1 X1.5 Z-2 F300`, `G17 G3 X2 Y0 I1 J0`, thousands of lines long. Where a
 // block has gone the general way and only such blocks follow, all that it has looked up holds for them: frames, modes, and for each motion
-// code met so far what a motion takes from them; the end point, the centre and which of the codes it is are new. Loops and calls of macros
-// between them change nothing of that. What a block does is the same either way (tests/run_plain.py, tests/control/motion_run_test.cpp).
+// code met so far what a motion takes from them; the end point, the centre, the feed and which of the codes it is are new. Loops and calls
+// of macros between them change nothing of that. What a block does is the same either way (tests/run_plain.py,
+// tests/control/motion_run_test.cpp).
 
 #include <array>
 #include <cstdint>
@@ -23,7 +24,7 @@ class Interpreter;
 class MotionRun {
  public:
   bool is_on() const { return on_; }
-  void end() { on_ = false, known_ = 0; }
+  void end() { on_ = false, known_ = old_feed_ = 0; }
   /// The interpreter's block has gone the general way: it may be the first of a run, or the first of its motion code in one; or leave the
   /// run as it is; or end it.
   void note(const Emitter& m);
@@ -74,10 +75,17 @@ class MotionRun {
   }
   bool holds(const BlockContext& m, const Form& form) const;
   static bool changes_radius(const BlockContext& m, const Axes& to, Vec2 center);
+  void take_feed(BlockContext& m, double feed);
+  void note_feed(double feed) {
+    feed_ = feed;
+    old_feed_ = static_cast<std::uint8_t>(known_ & ~(1u << rapid));
+  }
   bool find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const;
 
   bool on_ = false;
-  std::uint8_t known_ = 0;  // motion codes met in this run, a bit a Kind
+  std::uint8_t known_ = 0;     // motion codes met in this run, a bit a Kind
+  std::uint8_t old_feed_ = 0;  // of these, those whose `modes_` have a feed that is no longer in force
+  double feed_ = 0;            // Modal::feed of the last line
   bool absolute_ = true;
   AxisMask rolling_ = 0;                              // axes with a way of their own
   std::uint32_t number_least_ = 0, number_most_ = 0;  // of N

@@ -65,8 +65,7 @@ class BlockPlanner {
 
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
-    if (row_index < 0 && def_.grammar.custom_macros && word.expression)
-      return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
+    if (row_index < 0 && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
     if (row_index < 0) {
       const bool listed = word.address == 'M' && def_.gives(AlarmId::machine_code_unknown);
       return fail(alarm(listed ? AlarmId::machine_code_unknown : AlarmId::code_unknown, word.where, block_.text_of(word.where)));

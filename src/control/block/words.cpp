@@ -24,7 +24,7 @@ Status Interpreter::evaluate_word(Word& w) {
   }
   if (w.written == indirect_axis) KADR_TRY(find_axis(w));
   if (!def.grammar.word(w.address).code) return {};
-  const double written = def.grammar.custom_macros && def.address(w.address).whole ? std::round(w.value) : w.value;  // nct 23.1.1
+  const double written = def.grammar.rounds_codes_of_expressions() && def.address(w.address).whole ? std::round(w.value) : w.value;
   const double nearest = std::round(written * 10);
   const bool is_code = std::fabs(written * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
   w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;

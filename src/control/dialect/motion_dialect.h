@@ -30,13 +30,16 @@ class MotionDialect {
   virtual Status arc(Emitter& m, const Call& call, Turn turn);
   /// A straight motion where the plane is a surface (PathSurface).
   virtual Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named);
-  /// Blocks that give only the end point of a motion, its centre, a feed that is in force, go on as the block before did: neither words,
+  /// Blocks that give only the end point of a motion, its centre, its feed go on as the block before did: neither words,
   /// modes nor anything else that is known here has to be looked at again (control/block/motion_run).
   virtual bool lines_follow(const BlockContext&) const { return false; }
   /// Axes for which this does not hold.
   virtual AxisMask rolling_axes(const BlockContext&) const { return 0; }
   /// How it reads the centre of an arc in such blocks.
   virtual ArcRule arc_rule(const BlockContext& m) const;
+  /// The numbers of such a block, as they are read, become what the control counts: of F without a point, of expressions. Called before
+  /// they are used.
+  virtual void count_words(BlockContext&) const {}
   /// Such a block has been carried out.
   virtual void note_line(BlockContext&) {}
   /// These axes may be moved.

@@ -75,6 +75,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   bool lines_follow(const BlockContext& m) const override;
   AxisMask rolling_axes(const BlockContext& m) const override;
   ArcRule arc_rule(const BlockContext& m) const override;
+  void count_words(BlockContext& m) const override;
   void note_line(BlockContext& m) override;
   void note_motion(Emitter& m, Motion& motion) override;
   double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;

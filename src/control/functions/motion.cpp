@@ -173,6 +173,14 @@ Status Emitter::feed_known(Span at) {
   return {};
 }
 
+std::optional<std::size_t> BlockContext::axis_of_feed(std::uint32_t index) const {
+  const auto is_axis = [&](std::uint32_t i) { return (letters.axes & letter_bit(block->words[i].address)) != 0; };
+  if (index == 0 || !is_axis(index - 1)) return std::nullopt;
+  for (std::uint32_t i = index + 1; i < block->word_count; ++i)
+    if (is_axis(i)) return static_cast<std::size_t>(letters.axis_of[static_cast<std::size_t>(block->words[index - 1].address - 'A')]);
+  return std::nullopt;
+}
+
 /// Each axis that the block names has a feed of its own.
 bool BlockContext::axes_have_feeds() const {
   const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;

@@ -48,17 +48,6 @@ Status dwell_for(Emitter& m, char letter) {
   return {};
 }
 
-/// GOST 20999-83: an F right after the word of an axis belongs to that axis; after the last of them it belongs to all that have none.
-///   returns  the axis, or nothing
-std::optional<std::size_t> axis_of_feed(const BlockContext& m, const Word& f) {
-  const auto index = static_cast<std::uint32_t>(&f - m.block->words.data());
-  const auto is_axis = [&](std::uint32_t i) { return (m.letters.axes & letter_bit(m.block->words[i].address)) != 0; };
-  if (index == 0 || !is_axis(index - 1)) return std::nullopt;
-  for (std::uint32_t i = index + 1; i < m.block->word_count; ++i)
-    if (is_axis(i)) return static_cast<std::size_t>(m.letters.axis_of[static_cast<std::size_t>(m.block->words[index - 1].address - 'A')]);
-  return std::nullopt;
-}
-
 /// F in the middle of the axes' words; at most one F of the block may belong to all of them.
 Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
@@ -75,13 +64,13 @@ Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double 
 /// A second F that belongs to no axis.
 Status only_common_feed(const BlockContext& m, const Word& f) {
   for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
-    if (m.block->words[i].address == 'F' && !axis_of_feed(m, m.block->words[i])) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
+    if (m.block->words[i].address == 'F' && !m.axis_of_feed(i)) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
   return {};
 }
 
 bool has_feed_of_axis(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
-    if (m.block->words[i].address == 'F' && axis_of_feed(m, m.block->words[i])) return true;
+    if (m.block->words[i].address == 'F' && m.axis_of_feed(i)) return true;
   return false;
 }
 
@@ -102,7 +91,8 @@ Status common_feed(Emitter& m, Span where, double value) {
 /// F of a control on which it may belong to one axis: until a new one of that axis, or a block with one for all.
 Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
-  if (const auto axis = axis_of_feed(m, *call.word)) return feed_of_axis(m, call, *axis, coded(m.def.feed_codes, value));
+  const auto index = static_cast<std::uint32_t>(call.word - m.block->words.data());
+  if (const auto axis = m.axis_of_feed(index)) return feed_of_axis(m, call, *axis, coded(m.def.feed_codes, value));
   KADR_TRY(only_common_feed(m, *call.word));
   if (!has_feed_of_axis(m)) m.modal.feeds_of_axes = 0;
   return common_feed(m, call.where, value);

@@ -97,6 +97,12 @@ class S2c42 final : public Dialect {
     return {};
   }
 
+  bool lines_follow(const BlockContext&) const override { return true; }
+  void note_line(BlockContext& m) override {
+    seen_.at_rest = m.modal.motion == MotionMode::rapid;
+    seen_.moved = true;
+  }
+
   void note_shadowed(Emitter& m, std::uint32_t number, Span where) override {
     const std::uint64_t bit = number < 128 && number >= 64 ? std::uint64_t{1} << (number - 64) : 0;
     if (bit == 0 || (seen_.shadows & bit) != 0) return;

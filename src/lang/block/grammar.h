@@ -141,6 +141,8 @@ struct Grammar {
   bool has_vacant_variables() const { return custom_macros; }
   /// `#1=#2+3`; RS274/NGC wants [#2+3].
   bool sums_without_brackets() const { return custom_macros; }
+  /// A code that is written as an expression counts by its nearest whole number, where its address takes only whole ones (nct 23.1.1).
+  bool rounds_codes_of_expressions() const { return custom_macros; }
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }
   WordFormat& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }

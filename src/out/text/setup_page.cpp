@@ -57,6 +57,14 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
   }
 }
 
+/// The row's example; of the table of parameters with names that the control has.
+std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
+  if (row.names != SetupNames::parameter) return std::string(row.example);
+  std::string rows;
+  for (const std::string& name : names.forms_of_parameters()) rows += fmt::format("{}\"{}\": 1", rows.empty() ? "" : ", ", name);
+  return "{" + rows + "}";
+}
+
 bool is_row_of_table(const SetupKey& row) { return row.path.ends_with(".*") && row.form == SetupForm::table; }
 
 /// "offsets.*.length": `offsets.N.length` for people.
@@ -134,7 +142,7 @@ std::string explain_setup(const ControlDef& def, Lang lang) {
     text += fmt::format("  {:<28}{}\n", path_shown(row.path), in(row, lang));
     const std::string below = names_text(row, names, lang);
     text += fmt::format("  {:<28}  {}{}\n", "", form_text(row, names.range(row), lang), below.empty() ? "" : "; " + below);
-    text += fmt::format("  {:<28}  {} {}\n", "", ru ? "пример:" : "example:", row.example);
+    text += fmt::format("  {:<28}  {} {}\n", "", ru ? "пример:" : "example:", example_of(row, names));
   }
   return text;
 }

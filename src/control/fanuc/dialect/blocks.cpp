@@ -35,34 +35,6 @@ Status take_bare_words(BlockContext& m) {
   return {};
 }
 
-/// Numbers without a point count in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is whole
-/// (spec/fanuc 1.3), unless a parameter says otherwise.
-void count_increments(BlockContext& m) {
-  const Settings& s = fanuc_of(m).settings;
-  const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
-  const bool turns = m.has_code({Function::feed_per_revolution}) ||
-                     (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    Word& w = m.block->words[i];
-    const WordFormat& format = m.def.grammar.word(w.written);
-    if (w.expression && format.counted != 0 && !m.has_code({Function::macro_call, Function::macro_modal})) {
-      const double parts = inch && (w.written < 'A' || w.written > 'C') ? 10'000 : 1000;
-      w.value = std::round(w.value * parts) / parts;
-    }
-    if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
-    if (format.counted == 0 && w.written != 'F') continue;
-    const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
-    const bool as_length = w.written != 'F' || s.feed_counts_increments;
-    const int least = as_length || (s.feed_in_thousandths && !turns) ? 3 : (s.feed_whole || !turns) ? 0 : 2;
-    const int finer = !inch || !length ? 0 : as_length ? 1 : s.feed_whole ? 0 : 2;
-    const int decimals = least + finer;
-    if (decimals == w.counted) continue;
-    w.value *= std::pow(10.0, int{w.counted} - decimals);
-    w.counted = static_cast<std::uint8_t>(decimals);
-    m.block->altered = true;
-  }
-}
-
 /// Of two words of an address, of two codes of a group, the one written last counts (spec/fanuc 1.2, 2.1).
 void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
@@ -166,6 +138,37 @@ Status take_spindle_words(BlockContext& m) {
 
 }  // namespace
 
+/// A number without a point counts least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is a whole number
+/// (spec/fanuc 1.3), unless a parameter says otherwise. What a number counts may change from one block to the next of the same shape, so
+/// this looks at every block; a word that has been counted already (Word::counted) stays as it is.
+void count_increments(BlockContext& m) {
+  if (m.def.grammar.least_increments.empty()) return;
+  const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
+  if (!inch && !m.block->evaluates && !m.has('F')) return;  // the reader has counted thousandths of a millimetre
+  const Settings& s = fanuc_of(m).settings;
+  const bool turns = m.has_code({Function::feed_per_revolution}) ||
+                     (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
+  const bool calls_macro = m.block->evaluates && m.has_code({Function::macro_call, Function::macro_modal});
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    const WordFormat& format = m.def.grammar.word(w.written);
+    if (w.expression && format.counted != 0 && !calls_macro) {
+      const double parts = inch && (w.written < 'A' || w.written > 'C') ? 10'000 : 1000;
+      w.value = std::round(w.value * parts) / parts;
+    }
+    if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
+    if (format.counted == 0 && w.written != 'F') continue;
+    const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
+    const bool as_length = w.written != 'F' || s.feed_counts_increments;
+    const int least = as_length || (s.feed_in_thousandths && !turns) ? 3 : (s.feed_whole || !turns) ? 0 : 2;
+    const int finer = !inch || !length ? 0 : as_length ? 1 : s.feed_whole ? 0 : 2;
+    const int decimals = least + finer;
+    if (decimals == w.counted) continue;
+    w.value *= std::pow(10.0, int{w.counted} - decimals);
+    w.counted = static_cast<std::uint8_t>(decimals);
+  }
+}
+
 Result<bool> before_plan(Interpreter& m) {
   Fanuc& fanuc = fanuc_of(m);
   fanuc.holds_vector = false;
@@ -181,7 +184,8 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {                                                           // known to be right from the pass before …
+      !looks_closer) {  // known to be right from the pass before …
+    if (!m.block->calls_macro) count_increments(m);
     if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
@@ -189,6 +193,7 @@ Result<bool> before_plan(Interpreter& m) {
   }
   if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
     KADR_TRY(check_points(m));
+    count_increments(m);
     KADR_TRY(check_values(m));
     note_words(m);
     m.block->calls_macro = false;
@@ -204,7 +209,7 @@ Result<bool> before_plan(Interpreter& m) {
   }
   KADR_TRY(check_points(m));
   if (m.def.behaviour.later_word_counts == LaterWord::everywhere) drop_repeated(m);
-  if (!m.def.grammar.least_increments.empty()) count_increments(m);
+  count_increments(m);
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
   KADR_TRY(five_axis_block(m));

@@ -5,6 +5,7 @@
 #include "base/result.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
 }
 
@@ -13,6 +14,8 @@ namespace kadr::fanuc {
 /// Looks at the evaluated words before they are planned.
 ///   returns  true: the block is done (a data line, or a macro was called with it)
 Result<bool> before_plan(Interpreter& m);
+/// The block's numbers, as they were read, become what the control counts (spec/fanuc 1.3).
+void count_increments(BlockContext& m);
 /// Calls that follow the block's motion: words that stand for subprograms, modal macros; the single-block stop.
 Status after_block(Interpreter& m);
 

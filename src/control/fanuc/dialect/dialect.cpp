@@ -78,6 +78,8 @@ ArcRule Fanuc::arc_rule(const BlockContext& m) const {
           m.def.behaviour.arc_angle_even};
 }
 
+void Fanuc::count_words(BlockContext& m) const { count_increments(m); }
+
 void Fanuc::note_line(BlockContext& m) {
   if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
     MacroB::state.words.o = m.block->label;                          // spec/fanuc 5.8
