@@ -1,6 +1,7 @@
 #pragma once
-// What the parameters say of axes, frames, spindles, cycles, in the form the interpreter works with; read anew after a parameter was
-// written (spec/nct, the chapters' parameter tables). Of macros: control/macro_b/variables/settings.h.
+// Settings: what the parameters state about axes, frames, spindles and cycles, in the form the interpreter works with. They are read
+// again after a parameter was written (spec/nct, the parameter tables of each chapter). Macros have their own:
+// control/macro_b/variables/settings.h.
 
 #include <array>
 #include <cstdint>
@@ -19,15 +20,15 @@ inline constexpr std::size_t most_spindles = 16;
 struct AxisSettings {
   bool diameter = false;              // N0106 #0 DIA
   bool switches_by_code = false;      // N0106 #5 MGD: G10.9 may switch
-  int role = 0;                       // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to them; 0 = neither
+  int role = 0;                       // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to X, Y, Z; 0 = neither
   bool rolls = false;                 // N0107 #0 REN
   bool shortest = false;              // N0107 #1 ASH
   bool by_sign = false;               // N0107 #2 ABS
-  bool cuts_turns = false;            // N0107, the unnamed bit of 5.6
+  bool cuts_turns = false;            // N0107, the bit of 5.6 that the manual does not name
   double period = 360;                // N0108 RollAmount
   double polar_offset = 0;            // N0217
   double feed_most = 0;               // N0305 Max Feed; 0: no limit
-  std::array<double, 4> reference{};  // N0200 … N0203, machine coordinates; 0: what the set-up says
+  std::array<double, 4> reference{};  // N0200 … N0203, machine coordinates; 0: the set-up's reference point is used
 };
 
 struct SpindleSettings {
@@ -40,13 +41,13 @@ struct SpindleSettings {
   int closing_code = 0;                 // N0823
 };
 
-/// What the parameters say of axes, spindles, cycles, five axes.
+/// What the parameters state about axes, spindles, canned cycles and five axes.
 struct Settings {
   std::array<AxisSettings, max_axes> axes;                  // by index in the channel
-  std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
+  std::array<SpindleSettings, most_spindles + 1> spindles;  // by spindle number
   // interpretation
-  double radius_difference = 0.01;         // N1339, mm; infinite where 0 means "not checked" (spec/fanuc 3.2)
-  double radius_shortfall = 0.01;          // by how much 2R may be less than the chord, mm; checked even where radius_difference is not
+  double radius_difference = 0.01;         // N1339, mm; infinite if 0 means "not checked" (spec/fanuc 3.2)
+  double radius_shortfall = 0.01;          // how much shorter than the chord 2R may be, mm; checked even if radius_difference is not
   bool dwell_seconds = false;              // N1337 #1 SEC
   bool centers_absolute = false;           // N1337 #2 CCA
   bool feed_along_helix = false;           // N1337 #3 HEF
@@ -62,33 +63,33 @@ struct Settings {
   double return_rise = 0;                  // spec/haas 8.3: setting 52
   bool taps_rigid = false;                 // spec/fanuc 10.4: 5200#0
   bool drills_across = false;              // spec/fanuc 10.1: 5101#0
-  double scale_unit = 1;                   // of G51 P without a point, spec/fanuc 6.9: 5400#7
-  bool scale_each = false;                 // 5400#6: G51 I J K
-  double scale_usual = 0;                  // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
+  double scale_unit = 1;                   // unit of G51 P without a point, spec/fanuc 6.9: 5400#7
+  bool scale_each = false;                 // 5400#6: G51 I J K, a factor per axis
+  double scale_usual = 0;                  // factor of G51 without P, spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
   bool rotation_adds = false;              // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
-  double rotation_usual = 0;               // 5410, setting 72, degrees
+  double rotation_usual = 0;               // angle of G68 without R, degrees: 5410, setting 72
   bool holes_exact = false;                // spec/haas 8.1: setting 57
   bool length_of_tool = false;             // spec/haas 10: setting 15
   int shift_direction = 0;                 // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
   bool shift_is_global = false;            // spec/haas 5.3: setting 33 = 1
-  unsigned mirrored = 0;                   // spec/haas 6.1: settings 45 to 48, a bit an axis
-  bool feed_counts_increments = false;     // spec/haas 1.2: setting 77 is 0: F without a point counts as a length does
-  bool feed_whole = false;                 // … 1: it is as it stands
-  bool feed_in_thousandths = false;        // spec/fanuc 1.3: 1403#0: F per minute without a point counts 0.001
+  unsigned mirrored = 0;                   // spec/haas 6.1: settings 45 to 48, one bit per axis
+  bool feed_counts_increments = false;     // spec/haas 1.2: setting 77 is 0: F without a point counts in the same increments as a length
+  bool feed_whole = false;                 // setting 77 is 1: F without a point is a whole number
+  bool feed_in_thousandths = false;        // spec/fanuc 1.3: 1403#0: F per minute without a point counts in 0.001
   bool shift_negative = false;             // spec/fanuc 10.5: 5101#4
-  bool shift_second = false;               // … #5
-  int length_axes = 0;                     // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
+  bool shift_second = false;               // spec/fanuc 10.5: 5101#5
+  int length_axes = 0;                     // N1416: 0 the axes of the block, 1 always Z, 2 normal to the plane
   bool turning_offsets = false;            // N1416 #2 TOL
   ContourCheck contour_check;              // N1403 … N1405
-  bool skip_breaks_contour = true;         // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
-  // positions as system variables show them
+  bool skip_breaks_contour = true;         // N1337 #4 CBB is 0: a block with / interrupts cutter compensation (15.5.2)
+  // positions as system variables report them
   bool without_length = false;  // N1755 #6 TLC
   bool in_frame = false;        // N1755 #5 PCS
   // M codes, spindles
-  std::array<std::pair<int, int>, 16> m_groups{};  // N1341…, N1357…
+  std::array<std::pair<int, int>, 16> m_groups{};  // first and last code of each exclusive group: N1341…, N1357…
   int part_code = 0;                               // N2305
   int offset_numbers = 999;                        // N1400: greatest number of H, D; 0: no limit
-  bool change_on_m6 = true;                        // N1338 #0 M06: in block search; INFERRED: of no effect outside it
+  bool change_on_m6 = true;                        // N1338 #0 M06: used in block search; INFERRED: it has no effect outside block search
   int default_spindle = 0;                         // N0604
   double surface_speed = 0;                        // N0686
   int css_axis = 0;                                // N0687
@@ -109,13 +110,14 @@ struct Settings {
   double measure_feed = 0, length_feed = 0;                                    // N0311, N0312, mm/min
   double length_rapid = 0, length_alarm = 0;                                   // N3004, N3005
   bool torque_known = true;                                                    // INFERRED: the virtual machine always knows the torque
-  FiveAxis five_axis;                                                          // N3200 … N3224; limits of its axes come with the machine
-  bool keeps_linear = false;                                                   // N3212 #7 FOS
-  bool leans_tool = false;                                                     // N3212 #4 BSE
-  double accuracy = 0;                                                         // N3103
+  FiveAxis five_axis;         // N3200 … N3224; the limits of the rotary axes come with the machine
+  bool keeps_linear = false;  // N3212 #7 FOS
+  bool leans_tool = false;    // N3212 #4 BSE
+  double accuracy = 0;        // N3103
 };
 
-/// `axis_numbers`: control-wide numbers of the channel's axes; `axis_names`: X, Y, Z, … decide the roles that N0103 leaves open.
+/// Reads all settings. `axis_numbers`: control-wide numbers of the channel's axes. `axis_names` (X, Y, Z, …) decide the roles
+/// that N0103 leaves open.
 Settings read_settings(const macro_b::ParameterSource& source, const std::vector<std::string>& axis_names,
                        const std::array<std::uint8_t, max_axes>& axis_numbers);
 
