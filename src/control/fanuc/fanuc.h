@@ -110,7 +110,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void read_parameters(BlockContext& m) override;
   /// Resets what the program has set to its power-on state (3.4).
   void reset_program(Interpreter& m);
-  /// Completes whatever is still in progress for the spindle; called when the program is reset.
+  /// Ends the electronic gearbox (NCT 20.1) if a reset ends it; called when the program is reset.
   virtual void end_gear(Emitter& m) = 0;
   /// True if a reset leaves the code of this group in force.
   virtual bool keeps_group(int group) const = 0;

@@ -81,7 +81,7 @@ Status feed_control(Emitter& m, const Call&) {
   return {};
 }
 
-/// Codes that end a state which Kadr never starts, so it is always off (G50.2, G69.1).
+/// G50.2: ends polygon turning, which Kadr never starts, so it is always off.
 Status transform_off(Emitter&, const Call&) { return {}; }
 
 /// G33 (4.4): a thread along one or two axes. F is the lead, or E the threads per inch; Q is the start angle.
