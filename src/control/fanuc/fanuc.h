@@ -134,7 +134,7 @@ struct FanucState : MacroState {
 
 /// Returns the number of rows of the offset table: N1400, or if it is not set, as many as the variables have room for (15.1).
 std::uint32_t most_offsets(const BlockContext& m);
-/// Finds the axes that the machine creates from spindles (11.8), as far as events in the set-up say that it does.
+/// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up say that it does.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
 /// Warns if one of these axes is moved while it turns as a spindle.
 void watch_spindle_axes(Emitter& m, AxisMask named);

@@ -20,8 +20,8 @@ enum class MotionKind : std::uint8_t;
 
 namespace kadr::fanuc {
 
-/// Returns the space that the codes in force define, or nullptr if no five-axis function is in force. Returns
-/// `before` if nothing has changed.
+/// Returns the space that the codes in force define, or nullptr for a machine without five-axis kinematics while no frame in space is on.
+/// Returns `before` if nothing has changed.
 std::shared_ptr<const WorkSpace> part_space(const Emitter& m, const std::shared_ptr<const WorkSpace>& before);
 /// Sets the frames by the codes in force: origin, length, rotation and space (10, 25). Called by refresh_frames().
 void refresh_space(Emitter& m);

@@ -71,7 +71,7 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
   const Settings& settings = fanuc_of(m).settings;
-  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: without the parameter, I, J, K have no meaning
+  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: a parameter decides whether I, J, K count
   const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
@@ -222,7 +222,7 @@ Status plane_rotation_on(Emitter& m, const Call& call) {
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
   const fanuc::Settings& settings = fanuc_of(m).settings;
-  // spec/fanuc 6.8, spec/haas 6.2: without the parameter, R is absolute in G91 too
+  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R adds in G91; if not, R is absolute there too
   const bool by_parameter = !m.def.grammar.least_increments.empty();
   const bool adds =
       by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;

@@ -101,7 +101,7 @@ struct Memory {
   double spindle_part = 1;                                        // spindle override / 100
   double singular = 0;                                            // degrees: tolerance of a singular direction (Setup::kinematics)
   Axes servo_lag{};                                               // following error of each axis by the set-up, mm
-  std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle it is created from (11.8)
+  std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
   Axes probe_position{}, probe_length{};  // at the probe's signal: work coordinates; tool length as a vector on the main axes
   Axes probe_machine{};
   Measurement measurement;  // of the probe motion in progress

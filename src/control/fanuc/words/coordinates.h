@@ -38,7 +38,7 @@ void note_motion(Emitter& m, Motion& motion);
 double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from);
 /// Adds a straight motion in the virtual plane (G12.1) or on the cylinder (G7.1).
 Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named);
-/// Returns the number of an H or D word. The number N2923 means the offset of the tool in the spindle.
+/// Returns the number of an H or D word. The number in N2923 means the offset of the tool in the spindle.
 Result<std::uint32_t> offset_number(const BlockContext& m, char letter);
 /// flat_point(): a point in the plane of the surface, mm. surface_work(): the real axes for a programmed point. finish_surface(): adds to
 /// a motion the data of the surface.
@@ -55,7 +55,7 @@ struct FlatArc {
 double swept_about_pole(const FlatArc& arc);
 /// Returns a programmed point after mirroring, scaling and rotation (16.0).
 Axes transformed(const BlockContext& m, const Axes& programmed);
-/// Returns the tool's position to which the transformations have led: work coordinates, in polar interpolation the virtual ones.
+/// Returns the tool's position after the transformations: work coordinates, in polar interpolation the virtual ones.
 Axes before_transform(const BlockContext& m);
 void finish_surface(BlockContext& m, Motion& motion, const Axes& from);
 /// Returns the detail of a motion, to be filled in.

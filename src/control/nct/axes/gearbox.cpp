@@ -123,8 +123,8 @@ Status gear_off(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// Retracts each axis on a straight line at N1805 (0: at rapid). INFERRED: of several feeds, the one that keeps every axis within its
-/// own; at rapid if no axis has a feed.
+/// Retracts the axes by N1804 on a straight line, each at N1805 (0: at rapid). INFERRED: of several feeds, the one that keeps every axis
+/// within its own; at rapid if no axis has a feed.
 Status withdraw(Emitter& m) {
   const auto& store = macro_b_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};

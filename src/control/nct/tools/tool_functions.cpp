@@ -57,7 +57,7 @@ Status exchange_tool(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// N2923 stands for the offset of the tool in the spindle (12.5.1).
+/// The number in N2923 means the offset of the tool in the spindle (12.5.1).
 Result<std::uint32_t> Nct::offset_meant(char letter, std::uint32_t number) const {
   const int by_tool = settings.offset_by_tool;
   if (by_tool == 0 || number != static_cast<std::uint32_t>(by_tool)) return number;
