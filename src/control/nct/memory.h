@@ -29,7 +29,7 @@ struct Memory {
   Couplings couplings;        // axes that follow others
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
-  bool counts_time = false;   // tool life has been counted in time since the last set_time()
+  bool counts_time = false;   // the life of a tool was counted in time at the last set_time()
   bool turned = false;        // the main spindle turned at the last set_time()
   double tool_magazine = 10;  // #8400
 };

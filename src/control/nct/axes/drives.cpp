@@ -18,8 +18,8 @@ constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 
 bool is_main(int role) { return role >= 1 && role <= 3; }  // X, Y, Z
 
-/// True if the axis may be exchanged or reversed. A rotary axis that rolls over cannot be converted back; other code depends on the axes
-/// of five-axis functions and on axes that follow or lead.
+/// True if the axis may be exchanged or reversed. The position of a rotary axis that rolls over cannot be converted back; other code
+/// depends on the axes of five-axis functions and on axes that follow or lead.
 bool is_free_axis(const BlockContext& m, std::size_t axis) {
   const Nct& nct = nct_of(m);
   const int number = static_cast<int>(axis);

@@ -26,7 +26,7 @@ struct AskedOfAxis {
 
 /// The state from which, with N2104 and N2105, fanuc::Memory::driven follows.
 struct Drives {
-  AxisMask exchanged = 0;  // axes for which an exchange was requested
+  AxisMask exchanged = 0;  // axes that have initiated an exchange
   AxisMask mirrored = 0;
   AxisMask parked = 0;
   AxisMask far = 0;           // axes that drive an axis of another channel
