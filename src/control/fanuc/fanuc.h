@@ -1,7 +1,8 @@
 #pragma once
-// What Fanuc, Haas and NCT share beyond macros (spec/fanuc, spec/nct): drilling and turning cycles, reference return, frames, five axes,
-// spindles, measuring. One object a channel; its memory is a value (memory.h). `settings` and `state` are this level's own; those of macros
-// are macro_b_of(m).settings and macro_b_of(m).state. What only the NCT has, it asks by the virtual functions below.
+// Fanuc: the dialect class that Fanuc, Haas and NCT share on top of macros (spec/fanuc, spec/nct): drilling and turning cycles, reference
+// return, frames, five axes, spindles, measuring. There is one object per channel; its memory is a plain value (memory.h). `settings` and
+// `state` belong to this class; the macro level has its own, macro_b_of(m).settings and macro_b_of(m).state. Behaviour that only the NCT
+// has is behind the virtual functions below.
 
 #include <memory>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace kadr::fanuc {
 
-using namespace macro_b;  // a Fanuc is a MacroB, and speaks its language
+using namespace macro_b;  // a Fanuc is a MacroB: its code uses the names of macro_b unqualified
 
 class Fanuc : public MacroB, public fanuc::Memory {
  public:
@@ -22,16 +23,16 @@ class Fanuc : public MacroB, public fanuc::Memory {
   ~Fanuc() override;
 
   // ---- start and end
-  /// Power-on state, then what the set-up says.
+  /// Sets the power-on state, then what the set-up states.
   bool start(Interpreter& m, const Setup& setup) override;
-  /// Variables, plane, diameter of the set-up, after its modal codes.
+  /// Reads variables, plane and diameter programming from the set-up, after the set-up's modal codes have been executed.
   void take_setup(Emitter& m, const Setup& setup) override;
   bool end_program(Interpreter& m) override;
   bool lose_power(Interpreter& m) override;
-  /// Whole state for the last line of a trace, in the form of a set-up.
+  /// Returns the whole state for the last line of a trace, in the form of a set-up.
   RunState run_state(const Emitter& m) const override;
 
-  // ---- what an alarm takes back
+  // ---- undoing a faulty block
   void begin_block(Emitter& m) override;
   void keep_all() override;
   void take_back(BlockContext& m) override;
@@ -43,20 +44,20 @@ class Fanuc : public MacroB, public fanuc::Memory {
   // ---- spindles
   SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
-  /// Speed of the main spindle now, rev/min; 0 if it stands.
+  /// Returns the present speed of the main spindle, rev/min; 0 if it does not turn.
   double spindle_rpm(const Emitter& m) const;
-  /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
+  /// Returns how G96, G97 determine the speed of the main spindle (11.5). tell_surface_speed() emits it whenever it changes.
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void tell_surface_speed(Emitter& m) const;
   double css_rpm(const Emitter& m) const;
 
-  // ---- what the machine tells
+  // ---- what the machine reports
   void synchronise(int slave, int master) override;
   bool rolls_over(std::size_t axis) const override { return settings.axes[axis].rolls; }
   void convert_spindle(int number, bool to_axis) override;
   SearchRules search_rules() const override;
 
-  // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
+  // ---- what the interpreter asks (dialect.cpp): each one is implemented by a function of this folder
   bool has_unfinished() const override { return !finishing.empty(); }
   Result<bool> finish(Interpreter& m) override;
   void note_skip_mark(Emitter& m) override;
@@ -87,10 +88,10 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void roll(const BlockContext& m, Axes& positions) const override;
   Status take_answer(Emitter& m, const ProbeAnswer& at) override;
   Status machine_code(Interpreter& m, const Call& call) override;
-  /// A code of a spindle (indexing, closing the loop), or any other one for the machine's logic.
+  /// Executes a code of a spindle (indexing, closing the position loop); passes any other code to the machine's logic.
   Status spindle_machine_code(Emitter& m, int code, Span where);
 
-  // ---- what macros ask
+  // ---- what the macro level asks
   Axes before_transform(const BlockContext& m) const override;
   void keep_cycles() override { interrupted_cycles = {state.drilling, state.turning}; }
   void bring_cycles_back() override;
@@ -99,20 +100,20 @@ class Fanuc : public MacroB, public fanuc::Memory {
   std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
-  // ---- what only the NCT has
-  /// The number of H or D: one of them may mean that of the tool in the spindle (12.5.1).
+  // ---- behaviour that only the NCT has
+  /// Returns the number that an H or D word means: one special number stands for the tool in the spindle (12.5.1).
   virtual Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const = 0;
-  /// G10 L75 to L77 open the tables of tools; a line of them (12.4).
+  /// open_tool_data() opens the tool tables for G10 L75 to L77; tool_line() reads one of the data lines that follow (12.4).
   virtual Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) = 0;
   virtual Status tool_line(Emitter& m) = 0;
 
  protected:
   void read_parameters(BlockContext& m) override;
-  /// What the program has set is as at power-on (3.4).
+  /// Resets what the program has set to its power-on state (3.4).
   void reset_program(Interpreter& m);
-  /// The program is reset: what goes on with the spindle ends first.
+  /// Ends the electronic gearbox (NCT 20.1) if a reset ends it; called when the program is reset.
   virtual void end_gear(Emitter& m) = 0;
-  /// A reset leaves the code of this group in force.
+  /// True if a reset leaves the code of this group in force.
   virtual bool keeps_group(int group) const = 0;
 
  private:
@@ -121,39 +122,40 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void reset_codes(Interpreter& m, bool keep);
   void stop_machine(Interpreter& m);
 
-  Volatile before_;                        // what keep_all() has kept
-  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up states by themselves
+  Volatile before_;                        // what keep_all() has saved
+  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up itself states, without the parameters
 };
 
-/// Its part of a snapshot.
+/// The part of a snapshot that belongs to this class.
 struct FanucState : MacroState {
   explicit FanucState(const Fanuc& of);
 
   fanuc::Memory cutting;
 };
 
-/// Groups of the offset table: N1400, else what the variables have room for (15.1).
+/// Returns the number of rows of the offset table: N1400, or if it is not set, as many as the variables have room for (15.1).
 std::uint32_t most_offsets(const BlockContext& m);
-/// Axes that the machine makes of spindles (11.8), as far as the set-up's events say that it does.
+/// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up say that it does.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
-/// A warning where one of these axes moves while it turns as a spindle.
+/// Warns if one of these axes is moved while it turns as a spindle.
 void watch_spindle_axes(Emitter& m, AxisMask named);
-/// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
+/// Returns the lead of a thread in mm, from the block's E or F, or the last one; 0: none (4.4).
 double take_lead(BlockContext& m);
-/// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
+/// Returns the dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Emitter& m, double p, Span where);
-/// P of a dwell by its digits: milliseconds; with a point seconds, or an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
+/// Returns a dwell P that is read by its digits, in seconds: P without a point is in milliseconds; P with a point is in seconds or an
+/// alarm, by the control (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
 Result<double> dwell_by_digits(BlockContext& m);
-/// The block has a word for a spindle.
+/// True if the block has a word for a spindle.
 bool has_spindle_word(const BlockContext& m);
-/// G10 L… (set_tables.cpp).
+/// Executes G10 L… (set_tables.cpp).
 Status set_tables(Emitter& m, const Call& call);
 
 }  // namespace kadr::fanuc
 
 namespace kadr {
 
-/// The object of an interpreter whose control is of the family of Fanuc.
+/// Returns the dialect object of an interpreter whose control belongs to the Fanuc family.
 fanuc::Fanuc& fanuc_of(const BlockContext& m);
 
 }  // namespace kadr

@@ -1,5 +1,4 @@
-// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on half a circle, as the manual's figure names
-// them.
+// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on a half circle, as in the manual's figure.
 
 #include "base/code_literals.h"
 #include "control/fanuc/fanuc.h"
@@ -9,7 +8,7 @@
 namespace kadr::functions {
 namespace {
 
-/// The circles of one level, about where the tool stands.
+/// The circles of one level, about the tool's position.
 class CircularBore {
  public:
   CircularBore(Emitter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
@@ -34,7 +33,7 @@ class CircularBore {
   }
 
  private:
-  /// I, K, Q and D: radii of the tool's path, mm. alarms word_missing, pocket_words_wrong, value_out_of_range
+  /// Reads I, K, Q and D and computes the radii of the tool's path, mm. alarms word_missing, pocket_words_wrong, value_out_of_range
   Status sizes() {
     if (!m_.has('I')) return fail(alarm(AlarmId::word_missing, call_.where, 'I', call_.row->code));
     const double given = m_.has('D') ? m_.value('D') : macro_b_of(m_).state.words.d;
@@ -76,7 +75,8 @@ class CircularBore {
     return arc(radius / 2, 0, 0.5);
   }
 
-  /// Around a point so far along the first axis, to a point there.
+  /// Adds an arc about the point at `around` on the first axis, to the point at `to` on the first axis; both relative
+  /// to the pocket's centre.
   Status arc(double around, double to, double turns) {
     Axes end = m_.position.programmed;
     end[plane_.first] = center_.x + to;
@@ -105,7 +105,7 @@ class CircularBore {
 
 }  // namespace
 
-/// G12 clockwise, G13 counter-clockwise.
+/// G12: clockwise, G13: counter-clockwise.
 Status circular_bore(Emitter& m, const Call& call) { return CircularBore(m, call).run(); }
 
 }  // namespace kadr::functions

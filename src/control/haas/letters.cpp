@@ -1,4 +1,4 @@
-// The font of engraved texts. For control/haas/engraving.
+// The font of engraved text. Used by control/haas/engraving.
 
 #include "control/haas/letters.h"
 
@@ -7,7 +7,7 @@
 namespace kadr::haas {
 namespace {
 
-/// Points on a grid of 5 by 7, x and y a digit each; a blank ends a stroke.
+/// Points on a grid of 5 by 7: one digit for x, one for y. A blank ends a stroke.
 struct LetterRow {
   char letter;
   std::string_view strokes;

@@ -1,5 +1,5 @@
 #pragma once
-// A font of single lines, Kadr's own, for engraved texts (spec/haas 7.2: the control's is not public).
+// Kadr's own single-line font for engraved text (spec/haas 7.2: the font of the control is not public).
 
 #include <optional>
 #include <string_view>
@@ -9,10 +9,11 @@
 
 namespace kadr::haas {
 
-/// Height of a capital, and how far one letter is from the next, in the units of the strokes.
+/// Height of a capital letter, and the distance from one letter to the next, in the units of the strokes.
 inline constexpr double letter_height = 6, letter_advance = 6;
 
-/// The strokes of a letter, from its lower left corner; small letters are drawn as capitals. Nothing: there is no such letter.
+/// Returns the strokes of a letter, relative to its lower left corner. Small letters are drawn as capitals. Returns nullopt if the
+/// font lacks the letter.
 std::optional<std::vector<std::vector<Vec2>>> strokes_of(char letter);
 
 }  // namespace kadr::haas

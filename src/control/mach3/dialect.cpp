@@ -1,5 +1,5 @@
-// What Mach3 does that no row says: the probe goes back from where it touched, and M40 opens the file of probed points (10.7.12.1). Tested
-// by tests/cases/mach3/probe.cases.
+// Behaviour of Mach3 that no row of its file can express: the probe moves back from the point of contact, and M40 opens the file of
+// probed points (10.7.12.1). Tested by tests/cases/mach3/probe.cases.
 
 #include "control/dialect.h"
 
@@ -17,7 +17,8 @@
 namespace kadr::mach3 {
 namespace {
 
-/// INFERRED: the operator is asked for the name (OpenDigFile); here it is this one, in the program memory, and it begins anew.
+/// INFERRED: Mach3 asks the operator for the file name (OpenDigFile). Kadr uses this name, in the program memory, and
+/// empties the file first.
 constexpr std::string_view points_file = "points.txt";
 constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
 
@@ -54,8 +55,8 @@ class Mach3 final : public Dialect {
     return {};
   }
 
-  /// "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid; the motion is told when the program
-  /// goes on with more than assignments.
+  /// "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid. The motion is emitted when the
+  /// program continues with more than assignments.
   void begin_block(Emitter& m) override {
     if (!back_ || sets_variables_only(*m.block)) return;
     const Back back = *std::exchange(back_, std::nullopt);
@@ -64,7 +65,7 @@ class Mach3 final : public Dialect {
     m.origin = now;
   }
 
-  /// INFERRED: M40 while the file is open leaves it open.
+  /// INFERRED: M40 has no effect on a file that is already open.
   Status machine_code(Interpreter& m, const Call& call) override {
     constexpr std::int32_t opens = 400;  // M40, in tenths
     if (call.word->code == opens && !points_.is_open()) {
@@ -93,7 +94,7 @@ class Mach3 final : public Dialect {
   }
 
  private:
-  /// The way back that is still to be told.
+  /// The retract that has not been emitted yet.
   struct Back {
     Origin origin;
     AxisMask named = 0;
@@ -113,7 +114,7 @@ class Mach3 final : public Dialect {
     return fail(alarm);
   }
 
-  /// X, Y, Z as #2000 to #2002 have them. INFERRED: a line each, separated by commas, four decimals.
+  /// Writes X, Y, Z, the values of #2000 to #2002, to the file. INFERRED: one line per point, separated by commas, four decimals.
   Status write_point(const BlockContext& m) {
     if (!points_.is_open()) return {};
     std::string line;
@@ -132,7 +133,7 @@ class Mach3 final : public Dialect {
 
   files::FileWriter points_;
   WrittenFiles written_;
-  Axes begin_{};  // of the probe motion, work coordinates
+  Axes begin_{};  // start of the probe motion, work coordinates
   std::optional<Back> back_;
 };
 

@@ -1,5 +1,5 @@
-// What the interpreter asks a dialect (control/dialect.h) and only the NCT answers in its own way: axes that hang on others, tools, waiting
-// codes.
+// Functions that the interpreter asks of a dialect (control/dialect.h) and that only the NCT implements in its own way: coupled
+// axes, tools, waiting codes.
 
 #include <utility>
 
@@ -21,12 +21,12 @@ namespace nct {
 
 void Nct::started(Emitter& m) {
   couple_gantries(m);
-  for (const auto& [name, value] : signals)  // what the machine's logic asks of axes from the start (20.2 to 20.4)
+  for (const auto& [name, value] : signals)  // signals of the machine's logic for axes that are on from the start (20.2 to 20.4)
     if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
       couple_axis(m, std::string(asked.axis), asked.link, true);
 }
 
-/// Tables of tools, pockets, forms (12.3).
+/// Takes over the tables of tools, pockets and forms (12.3), which all channels share.
 void Nct::take_common(BlockContext& m, const Dialect& from) {
   tools.take_tables(static_cast<const Nct&>(from).tools);
   Fanuc::take_common(m, from);
@@ -39,7 +39,7 @@ Result<bool> Nct::finish(Interpreter& m) {
 
 Status Nct::may_move(const BlockContext& m, AxisMask named) const { return not_following(m, named); }
 
-/// Axes that follow others go with the motion, parked ones stand.
+/// Axes that follow others move with the motion; parked axes do not move.
 void Nct::note_motion(Emitter& m, Motion& motion) {
   fanuc::note_motion(m, motion);
   if (following != 0) follow(m, motion);
@@ -53,14 +53,14 @@ Status Nct::take_answer(Emitter& m, const ProbeAnswer& at) {
   return taken;
 }
 
-/// Waiting codes stay in the control (14.5).
+/// Waiting codes are executed by the control and not passed to the machine (14.5).
 Status Nct::machine_code(Interpreter& m, const Call& call) {
   const auto waits = waiting_code(m, call);
   if (!waits) return fail(waits.error());
   return *waits ? Status() : Fanuc::machine_code(m, call);
 }
 
-// ---- the tables of tools, as system variables show them (12.5.3), and where they stand after a run
+// ---- the tool tables: as system variables report them (12.5.3), and their state after a run
 
 bool Nct::take_touched_tables() {
   bool touched = Fanuc::take_touched_tables();

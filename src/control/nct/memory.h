@@ -1,5 +1,5 @@
 #pragma once
-// What only the NCT remembers (spec/nct): tools, the gearbox, axes that hang on others. Values.
+// What only the NCT remembers (spec/nct): tools, the electronic gearbox, coupled axes. Plain values.
 
 #include "control/nct/axes/coupling.h"
 #include "control/nct/axes/drives.h"
@@ -11,16 +11,16 @@ namespace kadr::nct {
 /// The electronic gearbox (20.1).
 struct Gear {
   bool on = false;
-  double ratio = 0;  // revolutions of the table for one of the spindle
+  double ratio = 0;  // revolutions of the table per revolution of the spindle
   double teeth = 0;
 };
 
-/// What a run remembers of it; an alarm brings it back as one value.
+/// What a run remembers about the NCT. An alarm restores it as one value.
 struct Volatile {
   Gear gear;
 };
 
-/// All of it that is a plain value: a snapshot copies it.
+/// All memory that is a plain value: a snapshot copies it.
 struct Memory {
   Settings settings;
   Volatile state;
@@ -28,9 +28,9 @@ struct Memory {
   DataInput data_input;
   Couplings couplings;        // axes that follow others
   Drives drives;              // exchanged, reversed, parked axes
-  int axes_in_all = 0;        // of all channels
-  bool counts_time = false;   // of tools, since set_time came last
-  bool turned = false;        // the main spindle, then
+  int axes_in_all = 0;        // number of axes in all channels
+  bool counts_time = false;   // the life of a tool was counted in time at the last set_time()
+  bool turned = false;        // the main spindle turned at the last set_time()
   double tool_magazine = 10;  // #8400
 };
 

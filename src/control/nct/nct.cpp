@@ -1,5 +1,5 @@
-// The NCT control at power-on, by a set-up, at the end of a program (spec/nct/12, 20); what an alarm takes back, what a snapshot holds. For
-// the rest of control.
+// The NCT control at power-on, when a set-up is read, and at the end of a program (spec/nct/12, 20); what an alarm restores, and what a
+// snapshot holds. Used by the rest of control.
 
 #include "control/nct/nct.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-/// N1400, N2902, N2903.
+/// Reads the limits from N1400, N2902, N2903.
 ToolLimits tool_limits(const ParameterStore& p) {
   const ToolLimits usual;
   const auto whole = [&](const char* name, int otherwise) {
@@ -22,7 +22,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
   return {whole("2902", usual.rows), columns > 0 ? columns : usual.user_data, whole("1400", usual.offsets)};
 }
 
-/// Of all channels.
+/// Returns the number of axes in all channels.
 int axes_of_machine(const BlockContext& m, const Setup& setup) {
   int axes = static_cast<int>(m.axis_count);
   constexpr int by_default = 3;  // X, Y, Z
@@ -54,7 +54,7 @@ void Nct::take_setup(Emitter& m, const Setup& setup) {
   watch_tool_time(m);
 }
 
-/// Power off and on (23.5): the gear is off, each axis its own again.
+/// Power off and on (23.5): the gearbox is off, and every axis drives itself again.
 bool Nct::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);
@@ -69,13 +69,13 @@ bool Nct::lose_power(Interpreter& m) {
   return true;
 }
 
-/// Where a tool's life is counted in time, the machine's time is looked at after each block.
+/// If a tool's life is counted in time, the machine's time is read after each block.
 void watch_tool_time(Emitter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
 
-/// N1800 #0 RCE: a reset ends the gear (20.1.4).
+/// N1800 #0 RCE: a reset ends the gearbox (20.1.4).
 void Nct::end_gear(Emitter& m) {
   if (!parameters.bit(parameters.named("1800"), 0)) return;
   (void)withdraw(m);
@@ -84,10 +84,10 @@ void Nct::end_gear(Emitter& m) {
 
 bool Nct::keeps_group(int group) const {
   constexpr int gear_group = 34;
-  return group == gear_group && state.gear.on;  // 20.1.4: with RCE=0 a reset leaves it on
+  return group == gear_group && state.gear.on;  // 20.1.4: with RCE=0 a reset leaves the gearbox on
 }
 
-// ---- what an alarm takes back
+// ---- undoing a faulty block
 
 void Nct::keep_all() {
   if (keeps_nothing()) before_ = state;

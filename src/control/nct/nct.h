@@ -1,6 +1,7 @@
 #pragma once
-// The dialect of the NCT control (spec/nct): what it does that no row can say, and no other control. One object a channel; its memory is a
-// value (memory.h). `settings` and `state` are this level's own; those of the family are fanuc_of(m).settings and fanuc_of(m).state.
+// The dialect of the NCT control (spec/nct): what no row of its file can express and no other control has. There is one object per
+// channel; its memory is a plain value (memory.h). `settings` and `state` belong to this class; the Fanuc family has its own,
+// fanuc_of(m).settings and fanuc_of(m).state.
 
 #include <memory>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace kadr::nct {
 
-using namespace fanuc;  // an Nct is a Fanuc, and speaks its language
+using namespace fanuc;  // an Nct is a Fanuc: its code uses the names of fanuc unqualified
 
 class Nct : public Fanuc, public nct::Memory {
  public:
@@ -27,7 +28,7 @@ class Nct : public Fanuc, public nct::Memory {
   bool lose_power(Interpreter& m) override;
   RunState run_state(const Emitter& m) const override;
 
-  // ---- what an alarm takes back
+  // ---- undoing a faulty block
   void keep_all() override;
   void take_back(BlockContext& m) override;
   void taken_back(Emitter& m) override;
@@ -40,7 +41,7 @@ class Nct : public Fanuc, public nct::Memory {
   Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const override;
   Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) override;
   Status tool_line(Emitter& m) override;
-  /// Of the channel's default spindle (N0604; 12.3.2): 10, 20, …
+  /// The magazine number of the channel's default spindle (N0604; 12.3.2): 10, 20, …
   int spindle_magazine() const { return ToolManagement::main_spindle * std::max(Fanuc::settings.default_spindle, 1); }
   std::uint64_t common_version() const override { return tools.tables_version() + Fanuc::common_version(); }
   void take_common(BlockContext& m, const Dialect& from) override;
@@ -48,7 +49,7 @@ class Nct : public Fanuc, public nct::Memory {
   std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
-  // ---- what the machine tells (machine_side.cpp)
+  // ---- what the machine reports (machine_side.cpp)
   void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) override;
   const std::vector<FarAxis>& far_axes() const override { return couplings.far; }
   void drop_far(Emitter& m, const FarAxis& axis) override;
@@ -74,28 +75,28 @@ class Nct : public Fanuc, public nct::Memory {
   bool keeps_group(int group) const override;
 
  private:
-  Volatile before_;  // what keep_all() has kept
+  Volatile before_;  // what keep_all() has saved
 };
 
-/// Its part of a snapshot.
+/// The part of a snapshot that belongs to this class.
 struct NctState : FanucState {
   explicit NctState(const Nct& of);
 
   nct::Memory own;
 };
 
-/// The gearbox, if it is on, stops (20.1).
+/// Stops the electronic gearbox if it is on (20.1).
 void disengage(Emitter& m);
-/// The tool leaves the teeth (20.1.4), while the gearbox is on.
+/// Retracts the tool from the teeth if the gearbox is on (20.1.4).
 Status withdraw(Emitter& m);
-/// A tool's life may be counted in time (12.3.1).
+/// Makes the run provide the time if the life of a tool is counted in time (12.3.1).
 void watch_tool_time(Emitter& m);
 
 }  // namespace kadr::nct
 
 namespace kadr {
 
-/// The dialect of an interpreter that has this one.
+/// Returns the dialect object of an interpreter whose control is an NCT.
 nct::Nct& nct_of(const BlockContext& m);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// What the parameters say of that which only the NCT has. For control/nct/nct.
+// Reads the parameters of features that only the NCT has. Used by control/nct/nct.
 
 #include "control/nct/settings.h"
 

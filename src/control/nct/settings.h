@@ -1,5 +1,5 @@
 #pragma once
-// What the parameters say of that which only the NCT has: tools, waiting codes (spec/nct/12, 14.5).
+// What the parameters state about features that only the NCT has: tools, waiting codes (spec/nct/12, 14.5).
 
 #include "control/macro_b/variables/settings.h"
 

@@ -1,4 +1,4 @@
-// Waiting codes: the channels of a machine wait for each other at `M501 P12` (spec/nct/14 14.5). For the rest of control.
+// Waiting codes: the channels of a machine wait for each other at `M501 P12` (spec/nct/14 14.5). Used by the rest of control.
 
 #include "control/nct/waiting.h"
 
@@ -17,7 +17,7 @@ bool is_waiting_code(const Settings& s, int code) {
   return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + most_waiting_codes;
 }
 
-/// Only the block's number and P may stand beside it.
+/// True if the block has only the block number, P and the waiting code.
 bool stands_alone(const BlockContext& m) {
   std::size_t others = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
@@ -25,7 +25,7 @@ bool stands_alone(const BlockContext& m) {
   return others == 1;
 }
 
-/// "12" → bits 1 and 2. INFERRED: a digit that stands twice counts once.
+/// "12" → bits 1 and 2. INFERRED: a repeated digit counts once.
 Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   const std::string text = std::to_string(digits);
   std::uint32_t channels = 0;
@@ -62,7 +62,7 @@ Result<bool> waiting_code(BlockContext& m, const Call& call) {
   if (!digits) return fail(digits.error());
   const auto channels = channels_in(m, *digits);
   if (!channels) return fail(channels.error());
-  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // what the others do may differ
+  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // the other channels may act differently in the next pass
   const bool alone = *channels == 1u << m.def.channel;
   if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(nct_of(m))) return true;
   if (m.waiting.mode == Control::Waiting::alarm && !alone)

@@ -16,16 +16,16 @@ class Nct;
 
 inline constexpr int most_channels = 8;  // 1.2
 
-/// Channels of the set-up; 0 where it names no other one.
+/// Returns the channels of the set-up as bits; 0 if it lists no other channel.
 std::uint32_t channels_of(const Setup& setup);
 
-/// CP_NOWT: waiting codes have no effect.
+/// True if the signal CP_NOWT is on: waiting codes then have no effect.
 bool waiting_suspended(const Nct& nct);
 
-/// `Mm P…` with m from N2201 to N2202, at most 100 codes: the channel waits for those whose digits stand after P, in any order.
-///   returns  true: it was such a code
-///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine has not;
-///            channels_wait: this run has no other channels (Control::Waiting::alarm)
+/// Executes `Mm P…` with m from N2201 to N2202, at most 100 codes: the channel waits for the channels whose digits follow P, in any order.
+///   returns  true if the code was a waiting code
+///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine lacks; channels_wait: this run has no other
+///            channels (Control::Waiting::alarm)
 ///   manual   NCT 14.5
 Result<bool> waiting_code(BlockContext& m, const Call& call);
 

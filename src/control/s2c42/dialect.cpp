@@ -1,9 +1,9 @@
-// What the instruction of the 2С42 demands and its control does not stop for: warnings (6.3.6, 6.4.1, 6.7).
-//   reference_again, reference_late  G25 once only, at the beginning of the program (6.4.1)
-//   plane_without_stop               G9 at a change of planes, not needed with G0 (6.4.1); table 9 writes it beside G17
-//   return_not_alone                 M17 in a block of its own, without motions (6.4.2)
-//   length_beside_radius             one code of group 9 in a block (6.4.1): G43 beside G41
-//   subprogram_shadowed              a cycle hides the program's own subprogram of that number (6.7.1); once each
+// Warnings about rules in the manual of the 2С42 whose violation its control does not report (6.3.6, 6.4.1, 6.7).
+//   reference_again, reference_late  G25 may come once only, at the start of the program (6.4.1)
+//   plane_without_stop               G9 is needed at a change of plane, except with G0 (6.4.1); table 9 writes it next to G17
+//   return_not_alone                 M17 must be in a block of its own, without motions (6.4.2)
+//   length_beside_radius             only one code of group 9 in a block (6.4.1): G43 next to G41
+//   subprogram_shadowed              a canned cycle hides the program's own subprogram of this number (6.7.1); once per number
 
 #include "control/dialect.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::s2c42 {
 namespace {
 
-/// The first code of the block that calls one of these functions, or nullptr.
+/// Returns the first code of the block that calls one of these functions, or nullptr.
 const Word* code_of(const BlockContext& m, std::initializer_list<Function> functions) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -24,12 +24,12 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
   return nullptr;
 }
 
-/// Of the program so far.
+/// What the program has contained so far.
 struct Seen {
   bool reference = false;  // G25
   bool moved = false;
   bool at_rest = true;        // the last motion came to a stop at its end
-  std::uint64_t shadows = 0;  // bit per number of a cycle whose own subprogram has been told of
+  std::uint64_t shadows = 0;  // bit per cycle number whose hidden subprogram has been reported
 };
 
 void check_reference(Emitter& m, Seen& seen) {
@@ -40,14 +40,14 @@ void check_reference(Emitter& m, Seen& seen) {
   seen.reference = true;
 }
 
-/// INFERRED: G9 stands in the block with the new plane, as in table 9, or in the last one before it that moves.
+/// INFERRED: G9 is in the block with the new plane, as in table 9, or in the last block before it that moves.
 void check_plane(Emitter& m, const Seen& seen, Plane before) {
   const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
   if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;
   m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
 }
 
-/// M2 beside it ends the section (6.3.5).
+/// M2 in the same block is allowed: it ends the section (6.3.5).
 void check_return(Emitter& m) {
   const Word* const end = code_of(m, {Function::subprogram_end});
   if (end == nullptr) return;
@@ -66,7 +66,7 @@ void check_length(Emitter& m) {
 }
 
 void note_moved(const BlockContext& m, Seen& seen) {
-  const bool calls = m.has('L');  // the cycles end at rest (table 9)
+  const bool calls = m.has('L');  // the canned cycles end at rest (table 9)
   const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
   const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
   const bool takes_axes = code_of(m, {Function::zero_shift}) != nullptr;
@@ -122,8 +122,8 @@ class S2c42 final : public Dialect {
     Seen seen;
   };
   Seen seen_;
-  // of the block, before it is carried out
-  bool in_body_ = false;  // of a cycle
+  // of the block, before it is executed
+  bool in_body_ = false;  // the block is in the body of a canned cycle
   Plane plane_ = Plane::xy;
 };
 

@@ -1,5 +1,5 @@
-// Blocks of words around the common plan: data lines, calls, what is looked at before they are planned (spec/nct/23 23.3, 24.1, 12.4;
-// spec/fanuc 1.2, 1.3, 2.1). For control/fanuc/dialect/dialect.
+// Steps around the common plan of a block: data lines, calls, checks before the words are planned (spec/nct/23 23.3, 24.1, 12.4;
+// spec/fanuc 1.2, 1.3, 2.1). Used by control/fanuc/dialect/dialect.
 
 #include "control/fanuc/dialect/blocks.h"
 
@@ -18,7 +18,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
+/// `G17 X`: a letter without a number only selects the axis of the plane; it moves nothing (10.4).
 Status take_bare_words(BlockContext& m) {
   Fanuc& fanuc = fanuc_of(m);
   fanuc.plane_axes = 0;
@@ -35,7 +35,7 @@ Status take_bare_words(BlockContext& m) {
   return {};
 }
 
-/// Of two words of an address, of two codes of a group, the one written last counts (spec/fanuc 1.2, 2.1).
+/// Of two words of one address, or two codes of one group, the last one counts (spec/fanuc 1.2, 2.1).
 void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
     const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
@@ -57,7 +57,8 @@ void drop_repeated(BlockContext& m) {
   if (m.block->altered) m.note_addresses();
 }
 
-/// One word an address, however it is spelled; at most so many M codes as the control allows, one of each exclusive group (nct 13.1).
+/// Checks that each address occurs once, however it is spelled, and that the block has no more M codes than the control allows, at most
+/// one of each exclusive group (nct 13.1).
 Status check_words(const BlockContext& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
@@ -76,7 +77,7 @@ Status check_words(const BlockContext& m) {
   return check_m_codes(m);
 }
 
-/// S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
+/// Refuses S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
 Status check_points(const BlockContext& m) {
   const std::uint64_t concerned = fanuc_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
@@ -88,7 +89,7 @@ Status check_points(const BlockContext& m) {
   return {};
 }
 
-/// P has one meaning in a block (8, 10.2.2, 14.4.2).
+/// Checks that P has only one meaning in a block (8, 10.2.2, 14.4.2).
 Status one_meaning_of_p(const BlockContext& m) {
   if (!m.has('P')) return {};
   const CodeRow* first = nullptr;
@@ -109,7 +110,7 @@ Status one_meaning_of_p(const BlockContext& m) {
   return {};
 }
 
-/// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
+/// Allows one spindle per block. `S1500 P2` names it by its number, in a block of its own (11.1.1).
 Status take_spindle_words(BlockContext& m) {
   fanuc_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
@@ -184,9 +185,9 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {  // known to be right from the pass before …
+      !looks_closer) {  // an earlier pass has checked the block …
     if (!m.block->calls_macro) count_increments(m);
-    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but values may have changed since
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
     return false;

@@ -1,5 +1,5 @@
-// What the interpreter asks a dialect (control/dialect.h), answered by the functions of this folder; what the machine's logic tells of
-// spindles (spec/nct 11.7, 11.8).
+// Implements the functions that the interpreter asks of a dialect (control/dialect.h) with the functions of this folder, and what the
+// machine's logic reports about spindles (spec/nct 11.7, 11.8).
 
 #include <utility>
 
@@ -64,7 +64,7 @@ bool Fanuc::lines_follow(const BlockContext& m) const {
   return !counts_inches && !m.modal.polar_data && plain_motion && words_follow();
 }
 
-/// They have a way of their own (5.6).
+/// Axes that roll over: their motion is computed separately (5.6).
 AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   AxisMask rolling = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -72,7 +72,7 @@ AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   return rolling;
 }
 
-/// I, J, K belong to X, Y, Z whatever axes the plane has (4.3); with others there Kadr looks closer.
+/// I, J, K belong to X, Y, Z whichever axes the plane has (4.3). A plane with other axes takes the general path.
 ArcRule Fanuc::arc_rule(const BlockContext& m) const {
   return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
           m.def.behaviour.arc_angle_even};
@@ -110,7 +110,7 @@ void Fanuc::roll(const BlockContext& m, Axes& positions) const { roll_positions(
 
 Status Fanuc::take_answer(Emitter& m, const ProbeAnswer& at) { return fanuc::take_answer(m, at); }
 
-// ---- what the machine tells
+// ---- what the machine reports
 
 void Fanuc::synchronise(int slave, int master) {
   for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
@@ -118,7 +118,7 @@ void Fanuc::synchronise(int slave, int master) {
     SpindleState& s = spindle(n);
     s.master = master;
     if (master < 1 || master > static_cast<int>(most_spindles)) continue;
-    SpindleState& leads = spindle(master);  // both loops are closed, the slave has the master's speed (11.7.4)
+    SpindleState& leads = spindle(master);  // both position loops are closed; the slave has the master's speed (11.7.4)
     s.rpm = leads.rpm;
     s.dir = leads.dir;
     s.loop_closed = leads.loop_closed = true;
@@ -134,7 +134,7 @@ void Fanuc::convert_spindle(int number, bool to_axis) {
   s.referenced = false;
 }
 
-/// A group that N1341 to N1372 leave 0 is none.
+/// Returns the groups of N1341 to N1372; a group with values of 0 does not exist.
 SearchRules Fanuc::search_rules() const {
   SearchRules rules{{}, settings.change_on_m6};
   for (const auto& group : settings.m_groups)
@@ -142,7 +142,7 @@ SearchRules Fanuc::search_rules() const {
   return rules;
 }
 
-// ---- what macros ask
+// ---- what the macro level asks
 
 Axes Fanuc::before_transform(const BlockContext& m) const { return fanuc::before_transform(m); }
 

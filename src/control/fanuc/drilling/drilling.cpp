@@ -1,5 +1,5 @@
-// Drilling cycles G73 … G89 (spec/nct/18): what is kept while the mode is on, and what other functions ask about it. For the rest of
-// control; tested by tests/control/fanuc/drilling_test.cpp.
+// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and what other functions ask about it. Used by the
+// rest of control; tested by tests/control/fanuc/drilling_test.cpp.
 
 #include "control/fanuc/drilling/drilling.h"
 
@@ -22,18 +22,18 @@ namespace {
 constexpr double most_pecks = 1e6;
 constexpr double most_holes = 99'999'999;
 
-/// The cycle's row in force, or -1.
+/// Returns the row of the cycle in force, or -1.
 std::int16_t cycle_row(const BlockContext& m) {
   const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
-/// A code of group 1 moves by itself; beside a cycle it is done and the cycle is not (18.0, INFERRED).
+/// True if a code of group 1 in the block makes the motion; a cycle in the same block is then not executed (18.0, INFERRED).
 bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
 
-/// X, Y, Z by number: the direction in which the plane drills.
+/// Returns the drilling direction of the plane: 1 X, 2 Y, 3 Z.
 int drilling_direction(const BlockContext& m) {
   if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
@@ -44,8 +44,8 @@ bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
   return role == direction || role == direction + 4;
 }
 
-/// The words along the drilling direction: at most one.
-///   alarms  not_together: main and parallel axis both (18.0 leaves it open), address_twice
+/// Returns the word of the drilling direction, or nullptr. At most one is allowed.
+///   alarms  not_together: words of both the main and the parallel axis (18.0 does not say), address_twice
 Result<const Word*> bottom_word(const BlockContext& m) {
   const int direction = drilling_direction(m);
   const Word* found = nullptr;
@@ -61,7 +61,8 @@ Result<const Word*> bottom_word(const BlockContext& m) {
   return found;
 }
 
-/// The axis of the bottom's address; none: the one that drills already, or INFERRED the main axis. -1: the channel has none.
+/// Returns the axis of the bottom word. Without that word: the axis that drills already, or INFERRED the main axis. -1 if
+/// the channel has none.
 int drilling_axis(const BlockContext& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
@@ -72,7 +73,7 @@ int drilling_axis(const BlockContext& m, const Word* bottom) {
   return -1;
 }
 
-/// One block with a cycle: its words are kept, its levels found, operation 1 done, the rest begun.
+/// Executes one block with a cycle: keeps its words, computes the levels, does operation 1 and starts the rest.
 class Drilling {
  public:
   Drilling(Emitter& m, const Call& call)
@@ -92,12 +93,12 @@ class Drilling {
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
     const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1
-    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: not carried out
+    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
     KADR_TRY(remember(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
-      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is no length
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is not a length
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
       if (!(passes >= 0 && passes <= most_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
@@ -106,7 +107,7 @@ class Drilling {
     return start({}, static_cast<std::uint32_t>(passes));
   }
 
-  /// The cycle in force at each of these points of the plane, programmed, mm (spec/haas 8.5).
+  /// Executes the cycle in force at each of these points of the plane; programmed coordinates, mm (spec/haas 8.5).
   Status at_points(std::vector<Vec2> points) {
     const auto count = static_cast<std::uint32_t>(points.size());
     return start(std::move(points), count);
@@ -146,7 +147,7 @@ class Drilling {
     return {};
   }
 
-  /// G17: I J, G18: K I, G19: J K; I also where it is a percentage.
+  /// True if the letter belongs to the plane: I J in G17, K I in G18, J K in G19. I also belongs where it is a percentage.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
     if (m_.def.behaviour.shifts_by_q()) return true;
@@ -157,7 +158,7 @@ class Drilling {
     }
   }
 
-  /// The mode is switched on, or another axis drills: its initial point; R and bottom must be given (18.0).
+  /// Switches the mode on, or changes the drilling axis: notes the initial level. R and the bottom must be given (18.0).
   Status begin(std::size_t axis, const Word* bottom) {
     const bool fresh = !drilling_on(m_);
     if (!fresh && axis == kept_.axis) return {};
@@ -168,7 +169,7 @@ class Drilling {
     return {};
   }
 
-  /// Where the tool stood before a new length of this block: that acts in operation 3 only.
+  /// Returns the tool's position before a new length of this block: the length acts from operation 3 on.
   Axes before_new_length() const {
     Placement frames = m_.frames;
     frames.length = m_.state_before().modal.lengths;
@@ -225,7 +226,8 @@ class Drilling {
     return {};
   }
 
-  /// What is missing comes from the parameters; INFERRED: a percentage of 0 there is not set and means 100.
+  /// Sets the data of the cycle; missing words come from the parameters. INFERRED: a percentage of 0 in a parameter is
+  /// not set and means 100.
   Status data(DrillingRun::Job& job) const {
     const Settings& s = fanuc_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
@@ -268,7 +270,7 @@ class Drilling {
     return {};
   }
 
-  /// Nothing may fail once the cycle has begun: every corner of the first hole, and where the increments of L lead.
+  /// Checks every level of the first hole and the position that L increments lead to, since nothing may fail after the cycle has started.
   Status within_reach(const DrillingRun::Job& job) const {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {
@@ -298,7 +300,7 @@ class Drilling {
   DrillingMemory& kept_;
 };
 
-/// G73, G74, G76 are free where the lathe's codes are used; G83.1, G84.1, G86.1 only there (N1503 CSM).
+/// With the lathe's codes (N1503 CSM), G73, G74, G76 are not drilling cycles; G83.1, G84.1, G86.1 exist only then.
 Status known(const BlockContext& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
@@ -330,7 +332,7 @@ void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
     macro_b_of(m).state.parts_done += 1;  // 13.1
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
-  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // deletes the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -351,14 +353,14 @@ Status check_increment_of_r(const BlockContext& m) {
 
 namespace kadr::functions {
 
-/// G73 … G89 (18), phase `positioning`: operation 1 now; the rest follows the block's functions, action by action.
+/// G73 … G89 (18), phase `positioning`: does operation 1 now; the rest follows after the block's functions, action by action.
 Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(fanuc::known(m, call));
   if (fanuc::moves_by_code(m)) return {};
   return fanuc::Drilling(m, call).run();
 }
 
-/// G80 (18.1.4), or a code of group 1: the data are deleted, G98 is in force.
+/// G80 (18.1.4), or a code of group 1: deletes the cycle's data and puts G98 into force.
 Status drilling_off(Interpreter& m, const Call&) {
   if (!fanuc::drilling_on(m)) return {};
   fanuc_of(m).state.drilling = {};
@@ -367,7 +369,7 @@ Status drilling_off(Interpreter& m, const Call&) {
   return {};
 }
 
-/// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, from where the tool stands.
+/// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, relative to the tool's position.
 Status hole_pattern(Emitter& m, const Call& call) {
   const std::int16_t row = fanuc::motion_row(m);
   if (!fanuc::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));

@@ -1,4 +1,4 @@
-// A drilling cycle operation by operation (spec/nct/18.0, 18.1), pass by pass: constant memory for any L and any depth. For
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1), pass by pass, in constant memory for any L and any depth. Used by
 // control/fanuc/drilling/drilling.
 
 #include "control/fanuc/drilling/drilling_run.h"
@@ -23,7 +23,7 @@ using enum DrillStep;
 
 const DrillCycle& cycle_of(const DrillingRun::Job& job) { return *drill_cycle(job.back_boring ? back_boring : job.code); }
 
-/// M3, M4, M5, M19 of the cycle itself.
+/// Executes M3, M4, M5 or M19 on behalf of the cycle.
 Status spindle_function(Emitter& m, std::int32_t code) {
   const std::int32_t row = m.def.row_of('M', code * 10);
   if (row < 0) return {};
@@ -36,7 +36,7 @@ bool is_there(const BlockContext& m, const Axes& to, AxisMask named) {
   return true;
 }
 
-/// Over the hole at rapid, exactly where the setting asks for it (spec/haas 8.1: setting 57).
+/// Moves over the hole at rapid, with exact stop if the setting requests it (spec/haas 8.1: setting 57).
 Status to_hole(Emitter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
@@ -104,7 +104,7 @@ Result<bool> DrillingRun::next(Emitter& m) {
   return true;
 }
 
-/// A hole of a pattern.
+/// Moves over a hole of a pattern.
 Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = m.position.programmed;
@@ -114,7 +114,7 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   return is_there(m, to, named) ? Status() : to_hole(m, to, named);
 }
 
-/// Operation 1; of the first pass it stands before the functions of the block.
+/// Operation 1. For the first pass it was done before the functions of the block.
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
@@ -162,7 +162,7 @@ Status DrillingRun::spindle_step(Emitter& m, DrillStep step) {
   }
 }
 
-/// 18.1.1, 18.1.7: down by Q, at rapid back by E or to R and near the bottom again. The last peck takes the rest.
+/// 18.1.1, 18.1.7: cuts by Q, then goes back at rapid by E or to R, and down again near the bottom. The last peck cuts the remainder.
 Status DrillingRun::pecks(Emitter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
@@ -180,7 +180,7 @@ Status DrillingRun::pecks(Emitter& m, bool to_level) {
   }
 }
 
-/// 18.1.9, 18.1.10: INFERRED: every motion is synchronous; N1507 for the way back to R, N1506 for that back by E.
+/// 18.1.9, 18.1.10. INFERRED: every motion is synchronised; N1507 applies to the return to R, N1506 to the return by E.
 Status DrillingRun::tap_in(Emitter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
@@ -193,7 +193,7 @@ Status DrillingRun::tap_in(Emitter& m) {
   }
 }
 
-/// 18.1.9 operation 4: M19, or only the loop is closed.
+/// 18.1.9, operation 4: M19, or only closing the position loop.
 Status DrillingRun::close_loop(Emitter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
   const int number = fanuc_of(m).state.current_spindle;
@@ -208,7 +208,7 @@ Status DrillingRun::close_loop(Emitter& m) {
   return fanuc_of(m).spindle_machine_code(m, code, m.block->where);
 }
 
-/// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
+/// Dwell P: seconds, or revolutions in G95. INFERRED: for a tap these are revolutions at S, since its spindle is held in the position loop.
 Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
   if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -226,7 +226,7 @@ Status DrillingRun::dwell(Emitter& m) {
   return {};
 }
 
-/// By a way of the machine from the hole: no mirroring, rotation or scaling acts on it (18.0).
+/// Shifts the tool from the hole by a distance of the machine: mirroring, rotation and scaling do not act on it (18.0).
 Status DrillingRun::shift(Emitter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
@@ -259,7 +259,8 @@ Status DrillingRun::feed(Emitter& m, double level, double percent) {
   return {};
 }
 
-/// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is emitted in mm/min: the spindle turns with the axis.
+/// 18.1.9: one revolution per lead, clockwise into the hole with G84.2. The feed is emitted in mm/min, since the
+/// spindle turns with the axis.
 Status DrillingRun::tap(Emitter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};
@@ -278,7 +279,7 @@ void DrillingRun::single_block(Emitter& m) const {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
-/// Machine millimetres to one programmed millimetre of the drilling axis.
+/// Returns machine millimetres per programmed millimetre of the drilling axis.
 double DrillingRun::scale(const BlockContext& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
 double DrillingRun::next_depth(const BlockContext& m) const {
@@ -286,7 +287,7 @@ double DrillingRun::next_depth(const BlockContext& m) const {
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 
-/// E above the depth reached, not beyond R.
+/// Returns the level of E above the depth reached, but not above R.
 double DrillingRun::back_to(const BlockContext& m) const {
   const double back = depth_ - down() * job_.clearance / scale(m);
   return down() * (back - job_.level) < 0 ? job_.level : back;

@@ -1,5 +1,5 @@
 #pragma once
-// A drilling cycle operation by operation (spec/nct/18.0, 18.1), pass by pass: constant memory for any L and any depth.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1), pass by pass, in constant memory for any L and any depth.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,40 +11,41 @@
 
 namespace kadr::fanuc {
 
-/// Hole position of the block from where the tool stands: its axis words without that of the drilling axis. `to`: programmed.
+/// Computes the hole position of the block from its axis words, without the word of the drilling axis. `to`: programmed coordinates.
 ///   alarms  those of the coordinates (5)
 Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named);
-/// Operation 1: at rapid over the hole; nothing if the tool is there.
+/// Operation 1: moves at rapid over the hole; does nothing if the tool is there already.
 Status over_hole(Emitter& m, std::size_t drill);
-/// Speed that rigid tapping couples the axis with: S of the spindle referred to last, rev/min.
+/// Returns the speed that rigid tapping couples the axis to: S of the spindle referred to last, rev/min.
 double tapping_rpm(const BlockContext& m);
 
-/// Operations 2 … 10 of the first pass and all of the others that L asks for. Nothing fails in it that check_drilling has let pass.
+/// Runs operations 2 … 10 of the first pass, and all operations of the further passes of L. It cannot fail after
+/// check_drilling() has succeeded.
 class DrillingRun final : public RunningValue<DrillingRun> {
  public:
-  /// What the program and the parameters say about one block. Levels: programmed, mm.
+  /// What the program and the parameters state for one block. Levels: programmed coordinates, mm.
   struct Job {
-    std::int32_t code = 0;  // ten times the number; of an alias, that of its cycle
-    std::size_t axis = 0;   // that drills
+    std::int32_t code = 0;  // code in tenths; for an alias, the code of its cycle
+    std::size_t axis = 0;   // the drilling axis
     std::uint32_t passes = 1;
     double initial = 0, level = 0, bottom = 0;
     bool to_initial = true;          // G98
-    double peck = 0, clearance = 0;  // mm as the machine moves: not scaled (18.0)
-    double dwell = 0;                // P
-    Vec2 shift;                      // mm in the plane; neither mirrored, turned nor scaled
-    double out_percent = 100;        // of the feed in operation 7
-    double between_percent = 100;    // … of a tap back to R between its cuts
+    double peck = 0, clearance = 0;  // mm of machine travel: not scaled (18.0)
+    double dwell = 0;                // P, seconds or revolutions
+    Vec2 shift;                      // mm in the plane; not mirrored, rotated or scaled
+    double out_percent = 100;        // of the feed, in operation 7
+    double between_percent = 100;    // of the feed, for a tap's return to R between its cuts
     bool back_boring = false;        // G87 with a spindle that can be oriented
-    bool pecks_to_level = false;     // a tap breaks chips like G83 (PTC=1), else like G73
-    std::vector<Vec2> points;        // of a pattern, programmed, one a pass; empty: where the block's words lead
-    double less = 0, least = 0;      // each next peck so much less, never below (spec/haas 8.3)
-    double rise = 0;                 // above R between pecks
-    double clear_after = 0;          // cuts that sum up to so much are followed by a way to R (spec/haas 8.3); 0: none
-    bool orients_tap = false;        // TSC=1
+    bool pecks_to_level = false;     // a tap clears chips at R like G83 (PTC=1), else it breaks them like G73
+    std::vector<Vec2> points;        // of a pattern: programmed coordinates, one per pass; empty: by the block's words
+    double less = 0, least = 0;      // each peck is less than the one before by `less`, but never below `least` (spec/haas 8.3)
+    double rise = 0;                 // height above R for the return between pecks
+    double clear_after = 0;          // after cuts of this total depth the tool returns to R (spec/haas 8.3); 0: never
+    bool orients_tap = false;        // TSC=1: the spindle is oriented before tapping
   };
   explicit DrillingRun(Job job);
 
-  /// Speeds that it needs, after the block's S and M codes. alarms spindle_not_turning
+  /// Checks the spindle speed that the cycle needs, after the block's S and M codes. alarms spindle_not_turning
   Status check(const Emitter& m) const;
   Result<bool> next(Emitter& m) override;
   bool functions_first() const override { return true; }
@@ -63,7 +64,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   Status feed(Emitter& m, double level, double percent);
   Status tap(Emitter& m, double level, double percent);
   void single_block(Emitter& m) const;
-  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // the spindle is led with the axis
+  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // the spindle and the axis are synchronised
   bool taps() const { return is_tap() || job_.code == 84_g || job_.code == 74_g; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
   double scale(const BlockContext& m) const;
@@ -72,13 +73,13 @@ class DrillingRun final : public RunningValue<DrillingRun> {
 
   Job job_;
   const DrillCycle& cycle_;
-  double peck_ = 0;  // the next one
+  double peck_ = 0;  // depth of the next peck
   Axes hole_{};
   std::uint32_t pass_ = 0;
-  std::size_t at_ = 0;      // step to come; 0: operation 1
-  std::uint32_t part_ = 0;  // within pecks
-  double depth_ = 0;        // reached by pecks, programmed
-  double cut_ = 0;          // since the way to R, mm
+  std::size_t at_ = 0;      // next step; 0: operation 1
+  std::uint32_t part_ = 0;  // position within a peck
+  double depth_ = 0;        // depth reached by pecks, programmed
+  double cut_ = 0;          // depth cut since the last return to R, mm
   bool stands_off_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Patterns of holes (spec/haas 8.5).
+// Hole patterns (spec/haas 8.5).
 
 #include "control/fanuc/drilling/pattern.h"
 

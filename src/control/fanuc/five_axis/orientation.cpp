@@ -1,5 +1,5 @@
-// G53.1, G53.6: the rotary axes set to the direction of the tilted plane (spec/nct/25g); G54.2: the zero of a rotary table that goes with
-// it (25d). For control/functions.
+// G53.1, G53.6: orient the rotary axes to the tilted plane (spec/nct/25g); G54.2: dynamic zero offset of rotary tables (25d).
+// Used by control/functions.
 
 #include <cmath>
 #include <utility>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int orient_alone = 531;  // G53.1
 
-/// The pair for Z' of the plane (25.11; 25g 3), positions of the machine.
+/// Returns the positions of the two rotary axes that orient the tool along Z' of the plane (25.11; 25g 3), machine coordinates.
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const PartSpace& space = *space_of(m);
   const PartSpaceData& d = space.data();
@@ -27,7 +27,7 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   return *pair;
 }
 
-/// Where the tool is in the part: really, with the length in force (25g 1.5, INFERRED), in the programming frame.
+/// Returns the real position of the tool tip on the part, with the length in force, in the programming frame (25g 1.5, INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
   const PartSpace& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
@@ -55,14 +55,14 @@ AxisMask all_five(const BlockContext& m) {
   return axes;
 }
 
-/// By the motion code in force: G0 at rapid, others at feed (25.15; of G53.1 INFERRED).
+/// Returns the kind of motion by the code in force: G0 moves at rapid, all others at feed (25.15; for G53.1 INFERRED).
 Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
   if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
   KADR_TRY(m.feed_known(call.where));
   return MotionKind::feed;
 }
 
-/// A straight motion of the axes to work coordinates in the frames in force.
+/// Adds a straight motion of all five axes to work coordinates in the frames in force.
 Motion& add_five(Emitter& m, MotionKind kind, const Axes& work) {
   const AxisMask named = all_five(m);
   const auto rolls = fanuc_of(m).settings.axes;
@@ -94,9 +94,9 @@ Status turn_to_plane(Emitter& m, const Call& call) {
   return {};
 }
 
-/// Words of G53.6 (25.15).
+/// The words of G53.6 (25.15).
 struct Leading {
-  std::optional<Vec3> end;  // in the frame
+  std::optional<Vec3> end;  // in the programming frame
   double pivot = 0;
 };
 
@@ -107,7 +107,7 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   if (m.has('R')) return fail(alarm(AlarmId::words_exclude, m.where('R'), "R", "X Y Z"));
   (void)call;
   Axes to = m.position.programmed;
-  set_main(m, to, tip);  // words left out keep the present value
+  set_main(m, to, tip);  // axes without a word keep their present value
   const Axes here = m.transform.to_programmed(to);
   to = here;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -129,7 +129,7 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   return words;
 }
 
-/// The length of H, in the plain way it was called or along the tool's direction (25.15).
+/// Puts the length of H into force: plainly or along the tool's direction, by the compensation in force (25.15).
 Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
@@ -157,7 +157,7 @@ Status take_orientation_length(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53.6: the tip is led during the turn, then the plane's frame is that of the positions reached.
+/// G53.6: moves with tool centre point control during the rotation; then the plane's frame is valid for the positions reached.
 Status orient_led(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
@@ -173,7 +173,7 @@ Status orient_led(Emitter& m, const Call& call) {
   const ToolLead lead = std::exchange(five.lead, ToolLead::tip);
   const double length = std::exchange(five.lead_length, along);
   five.oriented.reset();
-  m.change_frames();  // the tip is led from here …
+  m.change_frames();  // tool centre point control acts from here …
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
   TipWays::Data way;
@@ -204,7 +204,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G53.1, G53.6 (25.11, 25.15): arg in tenths.
+/// G53.1, G53.6 (25.11, 25.15); call.row->arg is the code in tenths.
 Status tool_orientation(Emitter& m, const Call& call) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
@@ -213,7 +213,8 @@ Status tool_orientation(Emitter& m, const Call& call) {
   return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_led(m, call);
 }
 
-/// G54.2 P (25.4). With FOS=0 the axes go to the zero's new place, their coordinates stay; at rapid where neither G0 nor G1 is in force.
+/// G54.2 P (25.4). With FOS=0 the axes move to the new place of the origin and keep their coordinates; they move at rapid unless
+/// G0 or G1 is in force.
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));

@@ -1,4 +1,4 @@
-// G68.1, G68.2, G69.1: the programming frame shifted and turned in space (spec/nct/25c, 25f). For control/functions.
+// G68.1, G68.2, G69.1: the programming frame, shifted and rotated in space (spec/nct/25c, 25f). Used by control/functions.
 
 #include <array>
 #include <cmath>
@@ -12,14 +12,14 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
-constexpr double least_sine = 1e-4;      // 25.8 "almost on one line": UNKNOWN, as suggested in spec/nct/25f
+constexpr double least_sine = 1e-4;      // 25.8 says "almost on one line": UNKNOWN; this value is suggested in spec/nct/25f
 constexpr double least_distance = 1e-3;  // mm
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 
 Vec3 vector_words(const BlockContext& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
 
-/// X, Y, Z of the main axes; 0 where one is left out. Always absolute, of the system before the block, no diameters.
+/// Reads X, Y, Z of the main axes; 0 for those left out. They are always absolute, in the system before the block, and never diameters.
 Result<Vec3> point_words(const BlockContext& m) {
   Vec3 point;
   double* const parts[] = {&point.x, &point.y, &point.z};
@@ -34,7 +34,7 @@ Result<Vec3> point_words(const BlockContext& m) {
   return point;
 }
 
-/// The frame comes into force: what stands stays where it is.
+/// Puts the frame into force. No axis moves: the machine position stays, the coordinates change.
 void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   FiveAxisState& five = frame_state(m);
   if (five.frame == SpaceFrame::none)
@@ -46,7 +46,7 @@ void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   m.change_frames();
 }
 
-/// Orders of turns about the fixed axes (25.7): the last one stands leftmost.
+/// Rotation by a sequence of rotations about the fixed axes (25.7): Q gives their order, the last one is the leftmost factor.
 Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   const double q = m.value('Q');
   const Mat3 turns[] = {Mat3::about(axis_x, angles.x), Mat3::about(axis_y, angles.y), Mat3::about(axis_z, angles.z)};
@@ -58,7 +58,7 @@ Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   return of(2) * (of(1) * of(0));
 }
 
-/// Projection angles (25.10).
+/// Rotation by projection angles (25.10).
 Result<Mat3> by_projections(const BlockContext& m, Vec3 angles) {
   const Vec3 first = Mat3::about(axis_y, angles.x) * axis_x, second = Mat3::about(axis_x, angles.y) * axis_y;
   const Vec3 normal = cross(first, second);
@@ -89,7 +89,7 @@ Status by_vectors(Emitter& m, const PlaneBlocks& plane) {
   return {};
 }
 
-/// Number of the first point or vector that no block has given; 0: all are there.
+/// Returns the number of the first point or vector that no block has given yet; 0 if all are given.
 int missing_of(const PlaneBlocks& plane) {
   const int count = plane.kind == 2 ? 3 : 2;
   for (int q = 1; q <= count; ++q)
@@ -97,8 +97,8 @@ int missing_of(const PlaneBlocks& plane) {
   return 0;
 }
 
-/// Three points (25.8), or two vectors (25.9): a block with one of them. INFERRED: the frame is in force from the block on that gives the
-/// last one; Q0 behind it shifts and turns it.
+/// Reads a block of a plane defined by three points (25.8) or two vectors (25.9). INFERRED: the frame comes into force with the block
+/// that gives the last of them; a Q0 block after it shifts and rotates the frame.
 Status take_plane_block(Emitter& m, std::uint32_t p) {
   PlaneBlocks& plane = frame_state(m).plane;
   if (plane.kind != p) plane = {}, plane.kind = static_cast<std::uint8_t>(p);
@@ -136,7 +136,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G68.1 (25.3): about one axis; a second one within the first.
+/// G68.1 (25.3): rotation about one axis. A second G68.1 acts within the frame of the first.
 Status space_rotation(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::plane) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.2"));
@@ -154,7 +154,7 @@ Status space_rotation(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G68.2 (25.6 to 25.10): INFERRED: without P as with P0.
+/// G68.2 (25.6 to 25.10). INFERRED: without P it acts as with P0.
 Status tilted_plane(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   const auto p = m.has('P') ? m.whole('P', 0, 4) : Result<std::uint32_t>(0);
@@ -174,7 +174,7 @@ Status tilted_plane(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G69.1: all of them at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has turned them.
+/// G69.1: ends all frames in space at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has turned them.
 Status space_frame_off(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::none) return {};

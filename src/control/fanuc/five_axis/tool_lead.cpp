@@ -1,5 +1,5 @@
-// G43.1, G43.4, G43.5, G43.8, G43.9: the length in the tool's direction, the tip or the cutting point led (spec/nct/25b, 25h, 25i, 25j).
-// For control/functions, control/fanuc/dialect.
+// G43.1, G43.4, G43.5, G43.8, G43.9: length compensation in the tool's direction, tool centre point control, cutting point control
+// (spec/nct/25b, 25h, 25i, 25j). Used by control/functions, control/fanuc/dialect.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ ToolLead lead_of(int arg) {
   }
 }
 
-/// What 25.14 does not describe together with a tip that is led; INFERRED: refused rather than moved.
+/// Refuses modes that 25.14 does not describe together with tool centre point control. INFERRED: an alarm is safer than a motion.
 Status nothing_else(const BlockContext& m, const Call& call) {
   const FiveAxisState& five = five_of(m);
   const auto refuse = [&](std::string_view what) { return fail(alarm(AlarmId::lead_state, call.where, call.row->code, what)); };
@@ -52,14 +52,14 @@ Status nothing_else(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// G0 or G1 is in force, or stands in the block (25.14).
+/// True if G0 or G1 is in force or is in the block (25.14).
 bool straight_mode(const BlockContext& m) {
   if (m.has_code({Function::rapid, Function::linear})) return true;
   if (m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling})) return false;
   return m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
 }
 
-/// Inclination of a tool to the axis of an arc, and the way between two such: η of 25.16.
+/// Returns the cone that the tool sweeps along an arc: the arc's plane and axis, and the angle from start to end (η of 25.16).
 DirectionWay::Cone cone_of(const Motion& motion, const PartSpace& space) {
   const auto& main = space.data().main;
   const auto of = [&](std::size_t axis) {
@@ -88,7 +88,8 @@ void note_lead_radius(BlockContext& m) {
   five.corner = offset.corner + offset.corner_wear;
 }
 
-/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block; a G49 that moves nothing ends the lead in any mode.
+/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block. A G49 block without motion ends the mode
+/// after any motion code.
 Status may_end_lead(const BlockContext& m, const Call& call) {
   if (!leads_tip(five_of(m).lead) || straight_mode(m)) return {};
   const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
@@ -130,8 +131,8 @@ Status led_line(Emitter& m, const Call& call, MotionKind kind) {
   return lead_motion(m, std::get<Motion>(m.batch->back().what), from);
 }
 
-/// Tool posture control keeps the tool in the plane, or on the cone, between its directions at the ends (25.16); cutting point control sets
-/// its tip so that it touches the programmed point (25.17).
+/// Tool posture control keeps the tool in the plane, or on the cone, between its directions at both ends (25.16). Cutting point control
+/// places the tip so that the tool touches the programmed point (25.17).
 Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
   const PartSpace* const space = space_of(m);
@@ -182,8 +183,8 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// arg 431, 434, 435, 438, 439: the code in tenths. INFERRED: a missing H is the one in force; a block without words that move anything
-/// only takes up the length: what the position shows changes.
+/// G43.1, G43.4, G43.5, G43.8, G43.9; call.row->arg is the code in tenths. INFERRED: without H, the H in force is used; a block without
+/// words that move an axis only puts the length into force: the reported position changes.
 Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   const ToolLead lead = lead_of(call.row->arg);

@@ -1,5 +1,5 @@
-// The words of a block while the tip is led: I J K as the tool's direction, ,L2 I J K as the surface's normal (spec/nct/25h, 25i, 25j). For
-// control/macro_b/dialect/blocks.
+// Reads the words of a block in tool centre point control: I J K as the tool's direction, ,L2 I J K as the surface normal (spec/nct/25h,
+// 25i, 25j). Used by control/macro_b/dialect/blocks.
 
 #include <cmath>
 #include <utility>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr char vector_letters[] = {'I', 'J', 'K'};
 
-/// The lead that is in force when the block moves: its own code goes before.
+/// Returns the mode in force when the block moves: a code in the block takes effect before the motion.
 std::pair<ToolLead, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -44,20 +44,20 @@ void hide(BlockContext& m, Word& w) {
   m.block->altered = true;
 }
 
-/// Codes whose I J K, P are their own.
+/// True if the block has a code that uses I J K or P itself.
 bool has_other_taker(const BlockContext& m) {
   return m.has_code({Function::set_tables, Function::tilted_plane, Function::space_rotation, Function::macro_call, Function::macro_modal,
                      Function::work_area_on, Function::vector_corner, Function::radius_side, Function::scaling_on});
 }
 
-/// Three components; those left out are 0 (25.14, INFERRED).
+/// Three components of a vector; those left out are 0 (25.14, INFERRED).
 struct Components {
   Vec3 value;
   const Word* first = nullptr;
   bool any() const { return first != nullptr; }
 };
 
-/// Words I, J, K from one place in the block to another; they are taken out of it.
+/// Reads the words I, J, K between two positions in the block and removes them from it.
 Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to) {
   Components found;
   double* const parts[] = {&found.value.x, &found.value.y, &found.value.z};
@@ -73,7 +73,7 @@ Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to
   return found;
 }
 
-/// ,L2 I J K (25.17).
+/// Reads the surface normal ,L2 I J K (25.17).
 Status take_normal(BlockContext& m, ToolLead lead) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   fanuc_of(m).normal_before = five.normal;
@@ -92,7 +92,8 @@ Status take_normal(BlockContext& m, ToolLead lead) {
   return {};
 }
 
-/// Where the control's choice turns the axis far that is free in a singular direction, and that may stand: it does. Not of the manual.
+/// Near a singular direction one rotary axis is free. If the control's choice turns that axis far although it could stay, this function
+/// keeps it where it is. Not from the manual.
 std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                         const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
@@ -109,11 +110,11 @@ std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 want
   return kept->at;
 }
 
-/// Words of the rotary axes take the place of the first two of I J K: the block positions them.
+/// Replaces the first two of the words I J K by words of the rotary axes, so that the block positions these.
 Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
-  if (machine.group == MachineGroup::none) return {};  // its code tells
+  if (machine.group == MachineGroup::none) return {};  // the code itself reports it
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const PartSpace& space = *space_of(m);
   PartSpaceData d = space.data();
@@ -124,9 +125,9 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
+    // No plane is defined between opposite directions (25i).
     const Vec3 from = space.direction_of(space.rotary(m.position.machine));
-    if (dot(from, on_machine) < -1 + 1e-9)  // no plane between them (25i)
-      return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
+    if (dot(from, on_machine) < -1 + 1e-9) return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
     at = DirectionWay(space, present, from, on_machine, std::nullopt).rotary(1, present);
   } else {
     at = without_whirl(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
@@ -146,7 +147,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
     fanuc.directed[axis] = targets[given];
     ++given;
   }
-  for (; given < 2; ++given) {  // fewer words than axes: the other is positioned with it
+  for (; given < 2; ++given) {  // fewer words than axes: the other axis is positioned without a word
     const auto axis = static_cast<std::size_t>(axes[given]);
     fanuc.by_direction |= AxisMask{1} << axis;
     fanuc.directed[axis] = targets[given];
@@ -154,7 +155,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
   return {};
 }
 
-/// G43.5, G43.9: I J K are the tool's direction, and rotary words are none (25.14).
+/// G43.5, G43.9: I J K are the tool's direction; words of the rotary axes are an alarm (25.14).
 Status take_direction(Emitter& m, ToolLead lead) {
   const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
@@ -172,7 +173,7 @@ Status take_direction(Emitter& m, ToolLead lead) {
   return {};
 }
 
-/// INFERRED: the manual describes none of these while the tip is led.
+/// Refuses codes in tool centre point control. INFERRED: the manual describes none of them there.
 Status nothing_refused(const BlockContext& m, ToolLead lead) {
   if (!leads_tip(lead)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {

@@ -12,19 +12,19 @@ namespace {
 
 constexpr double same_place = 1e-4;  // mm
 
-/// A drilling cycle ends by G80 first, where the control says so (spec/fanuc 10.1: PS0044).
+/// Checks that no drilling cycle is in force, on a control where G80 must end it first (spec/fanuc 10.1: PS0044).
 Status outside_cycles(const BlockContext& m, const Call& call) {
   if (!fanuc::drilling_on(m) || !m.def.gives(AlarmId::reference_in_cycle)) return {};
   return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
 }
 
-/// Not while polar or cylindrical interpolation is on (4.5, 4.6).
+/// Checks that neither polar nor cylindrical interpolation is on (4.5, 4.6).
 Status off_surfaces(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::plane) return {};
   return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
 }
 
-/// The point that the axis words give, not polar.
+/// Reads the point of the axis words; it is Cartesian even with G16.
 Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
   fanuc_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
@@ -42,7 +42,7 @@ Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
 
 }  // namespace
 
-/// G28, G30 P (9.1, 9.2): at rapid through the intermediate point to a reference point. arg 1: the first.
+/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. arg 1: the first one.
 Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
@@ -56,7 +56,7 @@ Status reference_return(Emitter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (!call.row->needs_axis) {  // spec/fanuc 6.6, unknown: no motion
+    if (!call.row->needs_axis) {  // spec/fanuc 6.6, UNKNOWN: no motion
       m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
       return {};
     }
@@ -71,7 +71,7 @@ Status reference_return(Emitter& m, const Call& call) {
   return to_reference(m, point, named);
 }
 
-/// G27 (spec/fanuc 6.6): at rapid to the point; it must be the reference point of the axes named.
+/// G27 (spec/fanuc 6.6): moves at rapid to the point, which must be the reference point of the axes named.
 Status reference_check(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
@@ -86,7 +86,7 @@ Status reference_check(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G29 (spec/fanuc 6.6): at rapid through the intermediate point of the last G28 to the one given.
+/// G29 (spec/fanuc 6.6): moves at rapid through the intermediate point of the last G28 to the given point.
 Status reference_leave(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
@@ -103,7 +103,7 @@ Status reference_leave(Emitter& m, const Call& call) {
   return m.straight(MotionKind::rapid, to, named);
 }
 
-/// G60 (spec/fanuc 3.5): as G0, once. INFERRED: the way beyond the point is not shown.
+/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the overshoot beyond the point is not output.
 Status single_direction(Emitter& m, const Call&) {
   AxisMask named = 0;
   Axes to;

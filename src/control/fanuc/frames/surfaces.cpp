@@ -1,4 +1,4 @@
-// Polar and cylindrical interpolation, G12.1 G13.1 G7.1 (spec/nct/04 4.5, 4.6).
+// Polar and cylindrical interpolation: G12.1, G13.1, G7.1 (spec/nct/04 4.5, 4.6).
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 
 bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
 
-/// Real axes of a point of the virtual plane; the angle nearest to `near`.
+/// Converts a point of the virtual plane to the real axes. Of all equal angles the one nearest to `near` is used.
 void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
@@ -26,7 +26,7 @@ void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& 
   work[plane.second] = angle;
 }
 
-/// Millimetres on the unrolled surface.
+/// Returns a point on the unrolled cylinder, mm.
 Vec2 unrolled(const BlockContext& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
   const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
@@ -62,7 +62,7 @@ Vec2 flat_point(const BlockContext& m, const Axes& point) {
   return {point[m.modal.axes.first], point[m.modal.axes.second]};
 }
 
-/// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
+/// Returns the end of a motion on the real axes: it is transformed in the programmed plane, then converted to polar axes (4.5, INFERRED).
 Axes surface_work(const BlockContext& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
   return m.modal.surface == PathSurface::polar ? polar_work(m, point, fanuc_of(m).state.surface_angle) : point;
@@ -79,7 +79,7 @@ double swept_about_pole(const FlatArc& arc) {
   const Vec2 arm = arc.from - arc.center;
   const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
   const double turns = std::fabs(arc.turns);
-  double whole = 0;  // turns that need no looking at: of a true circle
+  double whole = 0;  // full revolutions of a true circle: they need no sampling
   if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
   const double around = length(arc.center) < length(arm) ? 360 : 0;
   const double left = std::min(turns - whole, most_sampled);
@@ -117,7 +117,8 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
   const bool polar = m.modal.surface == PathSurface::polar;
   const bool real_rapid = kind == MotionKind::rapid && !polar;  // 4.6: rapid motion of the real axes
   if (polar && in_plane) {
-    // The unwound angle follows the straight line: at most half a turn, so the nearer one.
+    // The continued angle follows the straight line. A line turns about the pole by at most half a revolution, so the
+    // nearer angle is right.
     named |= both;
   }
   m.move_to(programmed, surface_work(m, programmed), named);
@@ -135,7 +136,7 @@ namespace {
 
 Status allowed(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  // 4.5, 4.6 leave open what scaling and rotation do where the axes of the plane change their meaning.
+  // 4.5, 4.6 do not say how scaling and rotation act while the axes of the plane have another meaning.
   if (m.transform.scaling || m.transform.turning)
     return fail(alarm(AlarmId::not_available, call.where, m.transform.scaling ? "G51" : "G68"));
   return {};
@@ -143,7 +144,8 @@ Status allowed(const BlockContext& m, const Call& call) {
 
 }  // namespace
 
-/// G12.1 (4.5): the plane must hold a linear and a rotary axis; the rotary one stands at 0, the linear one not.
+/// G12.1 (4.5): the plane must have a linear first axis and a rotary second axis. At the start the rotary axis must be at 0, the
+/// linear axis must not.
 Status polar_surface_on(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;
@@ -157,7 +159,7 @@ Status polar_surface_on(Emitter& m, const Call& call) {
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
   fanuc_of(m).state.surface_angle = rotary;
-  Axes at = m.position.work;  // in the virtual plane
+  Axes at = m.position.work;  // coordinates in the virtual plane
   at[plane.second] = fanuc_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);
   return {};
@@ -174,7 +176,7 @@ Status polar_surface_off(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G7.1 A50: cylinder of radius 50 about A; A0: off (4.6).
+/// G7.1 A50 switches on a cylinder of radius 50 about A; A0 switches it off (4.6).
 Status cylinder_mode(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;

@@ -1,4 +1,4 @@
-// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). For control/fanuc/drilling/drilling, control/fanuc/dialect; tested by
+// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). Used by control/fanuc/drilling/drilling, control/fanuc/dialect; tested by
 // tests/control/fanuc/transformations_test.cpp.
 
 #include "control/fanuc/frames/transformations.h"
@@ -15,7 +15,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Changes the transformations; what stands stays where it is: the tool, the initial point of a drilling mode (16.0, INFERRED).
+/// Changes the transformations. The tool and the initial level of a drilling cycle keep their real position, so their programmed
+/// coordinates change (16.0, INFERRED).
 template <class Change>
 void change_transform(BlockContext& m, Change change) {
   const Axes tool = before_transform(m);
@@ -29,7 +30,8 @@ void change_transform(BlockContext& m, Change change) {
   if (drilling_on(m)) drilling.initial = m.transform.to_programmed(initial)[drilling.axis];
 }
 
-/// Centres named in the block: `use(axis, centre)`; rectangular also in G16, increments from the programmer's position (16.0).
+/// Calls `use(axis, centre)` for each centre coordinate in the block. Centres are Cartesian even in G16; increments count from the
+/// programmed position (16.0).
 template <class Use>
 Status each_center(const BlockContext& m, Use use) {
   AxisMask named = 0;
@@ -47,13 +49,13 @@ Status each_center(const BlockContext& m, Use use) {
   return {};
 }
 
-/// 16.4: mirroring is the outermost; it cannot come or go under the others.
+/// Mirroring is the outermost transformation; it cannot change while others are on (16.4).
 Status mirror_may_change(const BlockContext& m, const Call& call) {
   if (!m.transform.scaling && !m.transform.turning) return {};
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
 }
 
-/// On a cylinder degrees and millimetres would mix; 4.6 says nothing of it.
+/// Refuses cylindrical interpolation, where degrees and millimetres would mix; 4.6 does not mention it.
 Status flat_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   return {};
@@ -64,12 +66,12 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
   return is_virtual || (m.def.rotary >> axis & 1u) == 0;
 }
 
-/// P for every linear axis, or I, J, K for X, Y, Z; INFERRED: what is left out is 1.
+/// Reads the factors: P for every linear axis, or I, J, K for X, Y, Z. INFERRED: a factor left out is 1.
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
   const Settings& settings = fanuc_of(m).settings;
-  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: else I, J, K mean nothing
+  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: a parameter decides whether I, J, K count
   const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
@@ -87,7 +89,7 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (!each) {
     const bool counted = !m.word('P')->has_point && !m.word('P')->expression;
     const double factor = m.value('P') * (counted ? settings.scale_unit : 1);
-    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K mirror
+    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K can mirror
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = factor;
     return {};
@@ -124,7 +126,7 @@ namespace kadr::functions {
 using namespace fanuc;
 namespace {
 
-/// Of the named axes; without axis words of all (INFERRED).
+/// Ends mirroring on the named axes; without axis words on all axes (INFERRED).
 Status end_mirror(BlockContext& m) {
   if (!m.has_axis_words()) {
     clear_mirror(m);
@@ -144,7 +146,7 @@ Status end_mirror(BlockContext& m) {
 
 }  // namespace
 
-/// G51.1 (16.3): the named axes are mirrored about the given coordinates. alarms mirror_state, no_axis_word
+/// G51.1 (16.3): mirrors the named axes about the given coordinates. alarms mirror_state, no_axis_word
 Status mirror_on(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
@@ -161,8 +163,8 @@ Status mirror_on(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G101 X0 Y0 (spec/haas 6.1): about the work zero of the named axes; the numbers mean nothing. INFERRED: under G51, G68 too, for the
-/// control has no alarm for that.
+/// G101 X0 Y0 (spec/haas 6.1): mirrors the named axes about the work origin; the numbers have no meaning. INFERRED: it is allowed in G51
+/// and G68, since the control has no alarm for that.
 Status mirror_axes_on(Emitter& m, const Call&) {
   auto mirror = m.transform.mirror;
   Axes added = m.transform.added;
@@ -179,13 +181,14 @@ Status mirror_axes_on(Emitter& m, const Call&) {
 
 Status mirror_axes_off(Emitter& m, const Call&) { return end_mirror(m); }
 
-/// G50.1: off on the named axes; without axis words on all (INFERRED). alarms mirror_state
+/// G50.1: ends mirroring on the named axes; without axis words on all axes (INFERRED). alarms mirror_state
 Status mirror_off(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   return end_mirror(m);
 }
 
-/// G51 (16.2): a centre left out is the momentary position. One that is in force already keeps its place in the order.
+/// G51 (16.2): a centre coordinate left out is the present position. Scaling that is already on keeps its place in the
+/// order of transformations.
 Status scaling_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   Axes factors;
@@ -211,14 +214,16 @@ Status scaling_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G68 (16.1): about a point of the plane by R; an increment of R adds to the angle in force; INFERRED: without R that one.
+/// G68 (16.1): rotates by R about a point of the plane. An incremental R adds to the angle in force. INFERRED: without R the
+/// angle in force remains.
 Status plane_rotation_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   const PlaneAxes& plane = m.modal.axes;
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
   const fanuc::Settings& settings = fanuc_of(m).settings;
-  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.8, spec/haas 6.2: else R is absolute in G91 too
+  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R adds in G91; if not, R is absolute there too
+  const bool by_parameter = !m.def.grammar.least_increments.empty();
   const bool adds =
       by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;
   const double angle = r == nullptr && by_parameter ? settings.rotation_usual : m.value('R');

@@ -1,5 +1,5 @@
 #pragma once
-// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). The map itself: Transform of control/state/state.h.
+// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). The mapping itself is Transform in control/state/state.h.
 
 namespace kadr {
 class BlockContext;
@@ -8,9 +8,9 @@ struct CodeRow;
 
 namespace kadr::fanuc {
 
-/// No axis is mirrored any more; the tool stands.
+/// Ends mirroring on all axes. The tool does not move.
 void clear_mirror(BlockContext& m);
-/// Group 22 shows G51.1 as long as an axis is mirrored (16.3, INFERRED). `row`: a code just carried out.
+/// Keeps G51.1 as the code in force of group 22 while any axis is mirrored (16.3, INFERRED). `row`: the code just executed.
 void note_mirror_code(BlockContext& m, const CodeRow& row);
 
 }  // namespace kadr::fanuc

@@ -1,4 +1,4 @@
-// Work systems and shifts: G54 … G59, G54.1, G52, G92, G53, G28, G30, G17–G19 (spec/nct/09, 10).
+// Work systems and shifts, plane selection: G54 … G59, G54.1, G52, G92, G53, G10.9, G17–G19 (spec/nct/09, 10).
 
 #include <cmath>
 
@@ -9,13 +9,14 @@
 namespace kadr {
 namespace {
 
-/// Not while polar or cylindrical interpolation is on (4.5, 4.6).
+/// Checks that neither polar nor cylindrical interpolation is on (4.5, 4.6).
 Status plane_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   return {};
 }
 
-/// Values of the axis words as they stand, mm or degrees, a diameter as a radius. `use(axis, value, word)` gives a Status.
+/// Calls `use(axis, value, word)`, which returns a Status, for each axis word. The value is as written, in mm or degrees;
+/// a diameter is halved.
 template <class Use>
 Status each_axis(const BlockContext& m, Use use) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -33,7 +34,8 @@ bool written_as_increment(const BlockContext& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Direction d (1 X, 2 Y, 3 Z) of the plane: the axis named in the block, main before parallel, else the main axis (10.4).
+/// Returns the axis for direction d of the plane (1 X, 2 Y, 3 Z): the axis named in the block, a main axis before a parallel one; else
+/// the main axis (10.4).
 int axis_of_direction(const BlockContext& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -52,7 +54,8 @@ bool names_direction(const BlockContext& m, int d) {
   return false;
 }
 
-/// A rotary axis named beside one direction of the plane takes the place of the other (4.5, 4.6).
+/// Returns a rotary axis named in the block, or -1. Together with one named direction of the plane, it replaces the other
+/// direction (4.5, 4.6).
 int named_rotary(const BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
@@ -73,7 +76,7 @@ Status select_plane(Emitter& m, const Call& call) {
   const int normal = fanuc::main_axis(m, d3);
   if (m.modal.radius_side != 0 && (m.modal.plane != plane)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.plane = plane;
-  // A channel without that axis keeps the plane; a motion in it will be an alarm.
+  // A channel that lacks an axis of the plane still selects it; a motion in the plane is then an alarm.
   m.modal.axes = {static_cast<std::size_t>(std::max(first, 0)), static_cast<std::size_t>(std::max(second, 0)),
                   static_cast<std::size_t>(std::max(normal, 0))};
   return {};
@@ -90,7 +93,7 @@ Status work_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54.1 P1 … P99 (10.2.2), P300 (spec/fanuc 6.1).
+/// G54.1: P1 … P99 on the NCT (10.2.2), up to P300 on the Fanuc (spec/fanuc 6.1).
 Status work_system_extended(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
@@ -102,7 +105,7 @@ Status work_system_extended(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (10.3): the local system's origin, or with increments its way from the last one.
+/// G52 (10.3): sets the origin of the local system; increments shift it from the last origin.
 Status local_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
@@ -114,7 +117,7 @@ Status local_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
+/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of these axes. S: 11.5.2.
 Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
     fanuc_of(m).state.css_most = m.value('S');
@@ -127,7 +130,7 @@ Status new_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
-    const double here = m.position.work[a] + m.modal.local[a];  // 16: G92 data are not transformed
+    const double here = m.position.work[a] + m.modal.local[a];  // 16: data of G92 are not transformed
     m.modal.new_system[a] += here - v;
     m.modal.local[a] = 0;
     return {};
@@ -136,7 +139,8 @@ Status new_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53 (10.1.1): at rapid to machine coordinates, always absolute, without compensations; alone: the buffer is emptied.
+/// G53 (10.1.1): moves at rapid to machine coordinates, always absolute, without compensations. Without axis words it empties
+/// the look-ahead buffer.
 Status machine_move(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
@@ -166,7 +170,7 @@ Status machine_move(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G10.9 (5.3.1): axes in radius (0) or diameter (1); nothing moves.
+/// G10.9 (5.3.1): switches axes to radius (0) or diameter (1) programming; nothing moves.
 Status diameter_switch(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   return each_axis(m, [&](std::size_t a, double, const Word& w) -> Status {

@@ -1,4 +1,4 @@
-// G22, G23: the working area by the program (spec/nct/22 22.2). What is forbidden the machine watches.
+// G22, G23: safety zones set by the program (spec/nct/22 22.2). The machine checks motions against them.
 
 #include <limits>
 
@@ -8,12 +8,12 @@
 
 namespace kadr::functions {
 
-/// G22 X Y Z I J K P: limits in machine coordinates. INFERRED: a limit left out is none; without P inside is forbidden; an axis
-/// in diameter programming has diameters here too.
+/// G22 X Y Z I J K P: limits in machine coordinates. INFERRED: a missing word means no limit; without P the inside is forbidden; for an
+/// axis in diameter programming the limits are diameters too.
 Status work_area_on(Emitter& m, const Call& call) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr char most_letters[] = {'X', 'Y', 'Z'}, least_letters[] = {'I', 'J', 'K'};
-  if (m.block->letters == 0) return {};  // power-on (3.4): no limits yet
+  if (m.block->letters == 0) return {};  // power-on (3.4): there are no limits yet
   ZoneChange zone{true, false, 0, {}, {}};
   for (int role = 1; role <= 3; ++role) {
     const char most = most_letters[role - 1], least = least_letters[role - 1];
@@ -39,7 +39,7 @@ Status work_area_on(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G23: the zone of the parameters again, as they are now (22.2: what has been written into them acts from here on).
+/// G23: restores the zone of the parameters with their present values (22.2: values written into them take effect here).
 Status work_area_off(Emitter& m, const Call&) {
   const macro_b::ParameterStore& p = macro_b_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");

@@ -1,4 +1,4 @@
-// G2, G3: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3). For control/fanuc/dialect.
+// G2, G3: circles, spirals, helices, cones, in any plane and on surfaces (spec/nct/04 4.3). Used by control/fanuc/dialect.
 
 #include "control/fanuc/geometry/arcs.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double any_difference = 1e300;
 constexpr std::uint32_t most_turns = 99'999'999;
 
-/// Letters of the centre by plane (4.3, 4.5): first axis, second axis, the one that does not belong to it.
+/// Letters of the arc's centre by plane (4.3, 4.5): for the first axis, for the second axis, and the letter that the plane does not use.
 struct CenterLetters {
   char first, second, other;
 };
@@ -29,7 +29,8 @@ CenterLetters center_letters(Plane plane) {
   }
 }
 
-/// The arc is found after the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
+/// Builds the arc of one block. It is computed after the transformations (16.0): start, end and centre are transformed first; the sign of
+/// their determinant gives the sense of rotation.
 class Arc {
  public:
   Arc(Emitter& m, const Call& call, Turn turn)
@@ -50,11 +51,11 @@ class Arc {
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
-    if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
+    if (named_ == 0 && !has_data) return {};  // only the code: it sets the mode
     if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) tell_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
-    if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
+    if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool rotates about its tip
     if (!has_data && fanuc_of(m_).settings.arc_without_data_straight) {
       m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
       return straight_line();
@@ -79,7 +80,7 @@ class Arc {
  private:
   bool over_determined() const { return contour_.on == SupportingCurve::circle; }
 
-  /// Words of chapter 17.
+  /// Reads the words of automatic geometry (chapter 17).
   Status geometry() {
     KADR_TRY(shape_words(m_, contour_));
     const auto over = is_over_determined_arc(m_, m_.has(letters_.first) && m_.has(letters_.second));
@@ -92,7 +93,7 @@ class Arc {
     return {};
   }
 
-  /// An over-determined arc: where it begins, and so how far it goes, is found in `path` (17.3).
+  /// An over-determined arc: its start point, and so its length, is computed in `path` (17.3).
   Status meeting_arc() {
     if (m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_together, call_.where, "G51", "I J R"));
     const Vec2 center{m_.length_value(letters_.first), m_.length_value(letters_.second)};
@@ -103,7 +104,7 @@ class Arc {
     return {};
   }
 
-  /// Beside R they mean nothing (spec/fanuc 3.2).
+  /// Warns that the centre is ignored because R is in the block (spec/fanuc 3.2).
   void tell_center_passed_over() {
     for (const char letter : {letters_.first, letters_.second, letters_.other})
       if (m_.has(letter)) m_.warn(warning(AlarmId::center_passed_over, m_.where(letter), m_.block->text_of(m_.where(letter))));
@@ -111,14 +112,14 @@ class Arc {
 
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
 
-  /// Polar angle of the start: as programmed last, or where the tool stands, [0, 360).
+  /// Polar angle of the start, in [0, 360): as last programmed, or the angle of the tool's position.
   double start_angle() const {
     if (m_.modal.polar_angle_given) return m_.modal.polar_angle;
     const double angle = angle_deg({m_.position.programmed[plane_.first], m_.position.programmed[plane_.second]});
     return angle < 0 ? angle + 360 : angle;
   }
 
-  /// R without an end point (or with the start as its end): no circle, no alarm (4.3); other axes still move.
+  /// R without an end point (or with an end equal to the start) means no circle and no alarm (4.3); other axes still move.
   Status straight_rest() {
     if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
@@ -134,7 +135,7 @@ class Arc {
     return m_.straight(MotionKind::feed, end_, named_);
   }
 
-  /// I, J, K from the start, or with CCA=1 from the zero of the work system; always radii, never polar.
+  /// I, J, K count from the start point, or with CCA=1 from the work origin. They are always radii, never polar.
   Result<PlaneArc> by_center() {
     if (m_.modal.surface == PathSurface::cylinder) {
       const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
@@ -157,7 +158,8 @@ class Arc {
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
-    if (r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
+    // 4.3: the centre is on the chord, at the distance R from the start
+    if (r < half - tol::same_point) {
       if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_too_small, {}, r, half));
       return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
     }
@@ -166,7 +168,8 @@ class Arc {
     return arc;
   }
 
-  /// G16 with an angle of a whole turn or more, around the pole (5.4); INFERRED: the sweep is the difference of the angles.
+  /// Returns the number of revolutions of an arc around the pole in G16 with an angle of one revolution or more (5.4). INFERRED: the
+  /// sweep is the difference of the angles.
   std::optional<double> polar_turns(double angle_before) const {
     if (!m_.modal.polar_data || m_.modal.surface == PathSurface::cylinder) return std::nullopt;
     const double sweep = m_.modal.polar_angle - angle_before;
@@ -174,7 +177,7 @@ class Arc {
     return std::fabs(sweep) / 360;
   }
 
-  /// L: every started turn counts (4.3.1).
+  /// L: the number of revolutions, a started one included (4.3.1).
   Status turns(PlaneArc& arc) {
     if (!m_.has('L')) return {};
     const auto count = m_.whole('L', 1, most_turns);
@@ -184,7 +187,7 @@ class Arc {
   }
 
   Status hand_on(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // mostly
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // the usual case
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
     }
@@ -203,7 +206,7 @@ class Arc {
     return {};
   }
 
-  /// The tool at the arc's end, and the motion that goes there.
+  /// Moves the tool to the arc's end and adds the motion.
   Motion& move(const PlaneArc& arc, const Axes& work) {
     named_ |= 1u << plane_.first | 1u << plane_.second;
     m_.move_to(end_, work, named_);
@@ -217,8 +220,8 @@ class Arc {
     return motion;
   }
 
-  /// The radius changes although no L asks for a spiral: "not the speed along the path is constant, but the angular velocity" (4.3).
-  /// INFERRED: the feed is that at its start; not of a helix, nor of the unrolled plane of a cylinder.
+  /// True if the radius changes although L does not request a spiral: "not the speed along the path is constant, but the angular velocity"
+  /// (4.3). INFERRED: the feed is the feed at its start; this does not hold for a helix or for the unrolled plane of a cylinder.
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
@@ -226,15 +229,15 @@ class Arc {
            radius_changes(from_, to_, arc.center);
   }
 
-  /// A programmed point of the plane; mm. Not on a cylinder.
+  /// Transforms a programmed point of the plane; mm. Not for a cylinder.
   Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
 
-  /// The same of any programmed point; on a cylinder unrolled.
+  /// Transforms any programmed point; on a cylinder the result is on the unrolled surface.
   Vec2 placed_flat(const Axes& programmed) const {
     return m_.transform.identity ? flat_point(m_, programmed) : flat_point(m_, m_.transform.to_work(programmed));
   }
 
-  /// On the cylinder: from millimetres to the axes' own units.
+  /// On a cylinder: converts millimetres to the units of the axes.
   Vec2 in_axes(Vec2 flat) const {
     const double mm_per_degree = m_.modal.surface_radius * rad_per_deg;
     const auto is_rotary = [&](std::size_t axis) { return (m_.def.rotary >> axis & 1u) != 0; };
@@ -249,7 +252,7 @@ class Arc {
   Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // after the transformations, as from_ and to_
+  Turn turn_;  // after the transformations, like from_ and to_
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

@@ -1,5 +1,5 @@
 #pragma once
-// G2, G3: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3).
+// G2, G3: circles, spirals, helices, cones, in any plane and on surfaces (spec/nct/04 4.3).
 
 #include "control/block/arc.h"
 
@@ -10,7 +10,7 @@ struct Call;
 
 namespace kadr::fanuc {
 
-/// The arc of the block, if it has one.
+/// Executes the arc of the block, if it has one.
 ///   alarms  center_missing, arc_not_in_plane (2015), radius_mismatch (2012), value_out_of_range (L), those of automatic_geometry.h
 Status arc(Emitter& m, const Call& call, Turn turn);
 

@@ -1,4 +1,4 @@
-// ,C ,R ,A and over-determined blocks (spec/nct/17): end points by an angle. For the rest of control.
+// Automatic geometry (spec/nct/17): ,C ,R ,A, over-determined blocks, end points by an angle. Used by the rest of control.
 
 #include "control/fanuc/geometry/automatic_geometry.h"
 
@@ -14,13 +14,13 @@ namespace {
 constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
 constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | letter_bit('Q');
 
-/// Programmed → work: the one place where this chapter's directions and lengths pass through the transformation. With different
-/// factors a length takes their mean (16.2 for ,R).
+/// Converts programmed directions and lengths to work coordinates; no other function transforms those of chapter 17. If the axes have
+/// different scale factors, a length is scaled by their mean (16.2 for ,R).
 ContourData in_work(const BlockContext& m, ContourData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
-  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // of a line, scaled with it
+  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // vector of the line, scaled with it
   if (const double size = length(way); size > 0) c.direction = 1 / size * way;
   c.chamfer *= t.corner_scale(plane);
   c.rounding *= t.corner_scale(plane);
@@ -29,7 +29,7 @@ ContourData in_work(const BlockContext& m, ContourData c) {
   return c;
 }
 
-/// ,A with no coordinate of the plane or with both: a line that a calculated point ends or begins (17.3).
+/// ,A with no coordinate of the plane or with both: a line that starts or ends at a computed point (17.3).
 Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, ContourData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
@@ -38,7 +38,7 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   const SinCos angle = sincos_deg(m.value(comma_angle));
   contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
   contour.direction = {angle.cos, angle.sin};
-  contour.farther = m.value('Q') > 0;  // 17.3 rule 6: without Q, INFERRED, as Q below 0
+  contour.farther = m.value('Q') > 0;  // 17.3 rule 6; without Q, INFERRED, as with Q below 0
   return {};
 }
 
@@ -119,7 +119,7 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers) {
   const bool all = has_both_centers && m.has('R') && plane_words(m).both();
   if (all && m.modal.radius_side != 0) return true;
-  if (!m.has('Q')) return false;  // in G40 R goes first (4.3, INFERRED)
+  if (!m.has('Q')) return false;  // in G40, R has priority over the centre (4.3, INFERRED)
   if (all) return fail(alarm(AlarmId::intersection_needs_side, m.where('Q'), "Q"));
   return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
 }

@@ -1,5 +1,5 @@
-// What cutter radius compensation (path/contour/radius_compensation) is told of motions and blocks (spec/nct/15 15.5). For the rest of
-// control.
+// Passes the data of motions and blocks to cutter radius compensation, path/contour/radius_compensation (spec/nct/15 15.5). Used
+// by the rest of control.
 
 #include "control/fanuc/geometry/sides.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What cutter radius compensation (path/contour/radius_compensation) is told of motions and blocks (spec/nct/15 15.5).
+// Passes the data of motions and blocks to cutter radius compensation, path/contour/radius_compensation (spec/nct/15 15.5).
 
 #include <optional>
 
@@ -14,15 +14,15 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Side, radius and step of a motion in the plane; the step is taken by the first one.
+/// Sets side, tool radius and side step of a motion in the plane. The first such motion gets the step: it starts or ends compensation.
 void note_side(BlockContext& m, Motion& motion);
-/// A block with `/`: whether it is skipped or not, it interrupts compensation where N1337 #4 CBB is 0 (15.5.2).
+/// Handles a block with `/`, whether it is skipped or not: it interrupts compensation if N1337 #4 CBB is 0 (15.5.2).
 void note_skip_mark(Emitter& m);
-/// Increments of zero beside a new length: the start point is shifted by it, nothing moves (15.3).
+/// True if the block has a new length and increments of zero: the start point shifts by the length, nothing moves (15.3).
 bool only_shifts_length(const BlockContext& m);
-/// G41, G42, G40 in a block that did not move in the plane.
+/// Ends a block with G41, G42 or G40 that did not move in the plane.
 void end_side_block(Emitter& m);
-/// I, J, K of the plane as a direction, mirrored and turned as the contour is (15.5.1, 15.5.6); nothing if none stands in the block.
+/// Returns I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if the block has none.
 std::optional<Vec2> plane_direction(const BlockContext& m);
 
 }  // namespace kadr::fanuc

@@ -1,4 +1,4 @@
-// G31 and G37: the rest of the way is deleted by a probe (spec/nct/21).
+// G31 and G37: a probe signal ends the motion and deletes the distance to go (spec/nct/21).
 
 #include "control/fanuc/modes/measuring.h"
 
@@ -17,19 +17,19 @@ namespace kadr {
 namespace {
 
 constexpr int most_inputs = 8;
-constexpr int torque_input = 98;     // P of the torque limit
-constexpr double full_torque = 255;  // Q of 100 %
+constexpr int torque_input = 98;     // P of G31 that measures by the torque limit
+constexpr double full_torque = 255;  // Q that stands for 100 %
 constexpr double most_torque_word = 254;
 
-/// A modal group and the code of it that measuring needs.
+/// A modal group, and the code of this group that measuring needs.
 struct Needed {
   std::string_view group;
   std::string_view code;
 };
-constexpr Needed no_radius{"7", "G40"};  // of G31 only
+constexpr Needed no_radius{"7", "G40"};  // for G31 only
 constexpr std::array<Needed, 5> always_needed{{{"17", "G15"}, {"11", "G50"}, {"22", "G50.1"}, {"16", "G69"}, {"5", "G94"}}};
 
-/// Code in force of a group; empty: none.
+/// Returns the code in force of a group; empty if there is none.
 std::string_view code_of(const BlockContext& m, std::string_view group) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].name == group && m.modal.rows[g] >= 0) return m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].code;
@@ -39,17 +39,17 @@ std::string_view code_of(const BlockContext& m, std::string_view group) {
 Status needs(const BlockContext& m, const Call& call, const Needed& needed) {
   const std::string_view code = code_of(m, needed.group);
   if (code.empty() || code == needed.code) return {};
-  return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: Gnn is the code in force
+  return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: Gnn in the alarm text is the code in force
 }
 
-/// G15, G50, G50.1, G69, G94, and not in polar interpolation (21.1, 21.3, 4.5).
+/// Checks that G15, G50, G50.1, G69, G94 are in force, and that polar interpolation is off (21.1, 21.3, 4.5).
 Status state_allows(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::polar) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   for (const Needed& needed : always_needed) KADR_TRY(needs(m, call, needed));
   return {};
 }
 
-/// P1 … P8, P98; without it 1.
+/// Reads the probe input P1 … P8 or P98; without P it is 1.
 Result<int> input_of(const BlockContext& m) {
   if (!m.has('P')) return 1;
   const auto p = m.whole('P', 1, torque_input);
@@ -58,7 +58,8 @@ Result<int> input_of(const BlockContext& m) {
   return static_cast<int>(*p);
 }
 
-/// N3019 watches the lag of the axis meanwhile (21.2). INFERRED: 0 is no limit; the lag is the one that the set-up states.
+/// N3019 limits the following error of the axis during measuring (21.2). INFERRED: 0 means no limit; the following error is
+/// the value in the set-up.
 Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   const macro_b::ParameterStore& store = macro_b_of(m).parameters;
   const auto limit = store.named("3019");
@@ -70,7 +71,7 @@ Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   return {};
 }
 
-/// G31 P98 (21.2): Q1 … Q254 and one axis, whose drive tells its torque.
+/// Checks G31 P98 (21.2): Q1 … Q254 and a single axis, whose drive reports its torque.
 Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const double q = m.value('Q');
@@ -83,7 +84,7 @@ Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) 
   return servo_follows(m, call, named);
 }
 
-/// The measuring feed: of the parameter where a bit says so (SKF, TLF), else 0, the one in force.
+/// Returns the measuring feed: of the parameter if a bit says so (SKF, TLF); else 0, which means the feed in force.
 ///   alarms  feed_missing
 Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter, Span where) {
   if (!by_parameter) {
@@ -94,8 +95,8 @@ Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter
   return of_parameter;
 }
 
-/// The probe motion itself; its answer is waited for.
-///   feed  mm/min; 0: the one in force
+/// Adds the probe motion; the run then waits for the probe's answer.
+///   feed  mm/min; 0: the feed in force
 Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int input) {
   KADR_TRY(m.straight(MotionKind::probe, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
@@ -108,7 +109,8 @@ Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int
   return {};
 }
 
-/// N3004 and N3005 (21.3): both positive, the rapid distance the greater. INFERRED: else their number is out of its limits.
+/// N3004 and N3005 (21.3) must be positive, and the rapid distance the greater one. INFERRED: else the alarm names the
+/// parameter as out of limits.
 Status distances_fit(const BlockContext& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
@@ -117,7 +119,8 @@ Status distances_fit(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// The one axis word of G37: a linear axis, never an increment. INFERRED: another one, or a rotary one, is faulty data.
+/// Returns the axis of the single axis word of G37: a linear axis, never an increment. INFERRED: a second axis word or a
+/// rotary axis is faulty data.
 Result<std::size_t> length_axis(const BlockContext& m) {
   const Word* only = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -133,7 +136,7 @@ Result<std::size_t> length_axis(const BlockContext& m) {
   return std::size_t{m.def.address(only->address).axis};
 }
 
-/// The end point by the axis word, absolute also in G91 (21.3).
+/// Computes the end point from the axis word, which is absolute even in G91 (21.3).
 Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
   const bool absolute = std::exchange(m.modal.absolute, true);
   const Status read = m.target(to, named);
@@ -145,7 +148,7 @@ Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
 
 namespace functions {
 
-/// G31 (21.1), with P98 by the torque (21.2).
+/// G31 (21.1); with P98 it measures by the torque (21.2).
 Status measure(Emitter& m, const Call& call) {
   KADR_TRY(state_allows(m, call));
   KADR_TRY(needs(m, call, no_radius));
@@ -163,7 +166,8 @@ Status measure(Emitter& m, const Call& call) {
   return probe_motion(m, to, named, *feed, *input);
 }
 
-/// G37 (21.3): at rapid to N3004 before the expected place, at feed to the signal or N3005 beyond it.
+/// G37 (21.3): moves at rapid to the distance N3004 before the expected position, then at feed to the signal, at most N3005
+/// beyond that position.
 Status measure_length(Emitter& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   KADR_TRY(state_allows(m, call));
@@ -177,7 +181,7 @@ Status measure_length(Emitter& m, const Call& call) {
   const auto feed = measuring_feed(m, s.length_parameter_feed, s.length_feed, call.where);
   if (!feed) return fail(feed.error());
   const double expected = to[*axis];
-  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: from where the axis comes
+  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: the side that the axis comes from
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   fanuc_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
@@ -191,14 +195,14 @@ Status measure_length(Emitter& m, const Call& call) {
 namespace fanuc {
 namespace {
 
-/// q − Q goes into the register that H called (TMW, TCA). INFERRED: it acts from the next H on.
+/// Adds the difference q − Q to the offset that H selected (TMW, TCA). INFERRED: the new value acts from the next H on.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = fanuc_of(m).settings.length_wear ? offset.length_wear : offset.length;
-  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table of a diameter axis holds diameters
+  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table has diameters for an axis in diameter programming
   corrected += fanuc_of(m).settings.length_adds ? entered : -entered;
   fanuc_of(m).changed_offsets.push_back(of.offset);
   return {};

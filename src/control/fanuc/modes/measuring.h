@@ -1,5 +1,5 @@
 #pragma once
-// Probe motions G31 and G37: what they measure, and what their answer changes (spec/nct/21).
+// Probe motions G31 and G37: what they measure, and what the probe's answer changes (spec/nct/21).
 
 #include <cstddef>
 #include <cstdint>
@@ -13,10 +13,10 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// The machine's answer: the next block starts where the motion stopped, #5061 … keep the place of the signal (21.1); after G37
-/// the offset is corrected (21.3).
-///   alarms  probe_window: the signal of G37 came too far off, or not at all; the offset stays
-///   law     no signal is no alarm of G31: the place is the end point
+/// Processes the machine's answer: the next block starts where the motion stopped, and #5061 … hold the position of the signal (21.1);
+/// after G37 the offset is corrected (21.3).
+///   alarms  probe_window: the signal of G37 came too far from the expected position, or not at all; the offset remains unchanged
+///   law     G31 without a signal is no alarm: the position is the end point
 Status take_answer(Emitter& m, const ProbeAnswer& answer);
 
 }  // namespace kadr::fanuc

@@ -8,23 +8,23 @@
 
 namespace kadr::functions {
 
-/// G16 (5.4): radius and angle anew.
+/// G16 (5.4): radius and angle must be given again.
 Status polar_data_on(Emitter& m, const Call&) {
   if (!m.modal.polar_data) m.modal.polar_radius_given = m.modal.polar_angle_given = false;
   m.modal.polar_data = true;
   return {};
 }
 
-/// A code whose words mean something to the machine, or to the planner, only.
+/// Codes that only concern the machine or the planner.
 Status no_action(Emitter&, const Call&) { return {}; }
 
-/// G08 P1, P0 (spec/fanuc 11): kept by the machine, no motion.
+/// G08 P1, P0 (spec/fanuc 11): a matter of the machine; checked, but without any action.
 Status look_ahead(Emitter& m, const Call& call) {
   if (m.has('P') && (m.value('P') == 0 || m.value('P') == 1)) return {};
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
 }
 
-/// M29 S (spec/fanuc 10.4): G84, G74 turn the spindle with the axis until G80.
+/// M29 S (spec/fanuc 10.4): until G80, G84 and G74 synchronise the spindle with the axis.
 Status rigid_tapping(Emitter& m, const Call&) {
   fanuc_of(m).state.rigid_tap = true;
   return {};
@@ -35,8 +35,8 @@ Status polar_data_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves. INFERRED: a motion of
-/// other axes than those named, or of a rotary one, is not smoothed.
+/// G5.1 Q (4.7): the mode is kept here; smoothing itself belongs to the room motion. Axis words name the axes, nothing moves. INFERRED: a
+/// motion of axes that were not named, or of a rotary axis, is not smoothed.
 Status smoothing(Emitter& m, const Call& call) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const auto q = m.whole('Q', 0, 3);
@@ -74,17 +74,17 @@ Status dwell_or_turns(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G62, G63, G64: arg is the code; the feed they imply belongs to motion.
+/// G62, G63, G64; their effect on the feed belongs to the room motion.
 Status feed_control(Emitter& m, const Call&) {
   m.modal.exact = false;
   m.modal.blend_tolerance = 0;
   return {};
 }
 
-/// Codes that end what Kadr does not begin yet (G50.2, G69.1): the state they name is in force.
+/// G50.2: ends polygon turning, which Kadr never starts, so it is always off.
 Status transform_off(Emitter&, const Call&) { return {}; }
 
-/// G33 (4.4): a thread along one or two axes; F the lead, or E threads an inch; Q the start angle.
+/// G33 (4.4): a thread along one or two axes. F is the lead, or E the threads per inch; Q is the start angle.
 Status thread(Emitter& m, const Call& call) {
   if (call.row->modal) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -121,7 +121,7 @@ Status auxiliary_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G10 L…: by L (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
+/// G10: L selects the table (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
 Status set_tables(Emitter& m, const Call& call) { return fanuc::set_tables(m, call); }
 Status set_tables_end(Emitter&, const Call&) { return {}; }
 
@@ -129,7 +129,7 @@ Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 namespace kadr::fanuc {
 
-/// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
+/// Returns the lead: F is the common modal word, E a lead of its own that remains valid until the next F (4.4, as spec/nct/04 recommends).
 double take_lead(BlockContext& m) {
   if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
@@ -152,7 +152,7 @@ Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   const double rpm = fanuc_of(m).spindle_part > 0 ? fanuc_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
   if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
-  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): revolutions as the spindle makes them, its override included
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): real revolutions of the spindle, with its override
 }
 
 }  // namespace kadr::fanuc

@@ -1,5 +1,5 @@
 #pragma once
-// What cycles and measuring keep from block to block (spec/nct/18, 19, 21). Values.
+// What canned cycles and measuring remember from block to block (spec/nct/18, 19, 21). Plain values.
 
 #include <array>
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace kadr::fanuc {
 
-/// Cycle variables, modal while the mode is on. Deleted: R and the bottom are increments of 0, all others 0 (18.0).
+/// Cycle variables; they are modal while the cycle mode is on. When deleted, R and the bottom are increments of 0, all others 0 (18.0).
 struct DrillingMemory {
-  std::size_t axis = 0;                          // that drills
-  double initial = 0;                            // the initial point, programmed, mm
-  double level = 0, bottom = 0;                  // R and the bottom as their words say, mm
-  bool level_added = true, bottom_added = true;  // increments: from the initial point, from R
+  std::size_t axis = 0;                          // the drilling axis
+  double initial = 0;                            // initial level, programmed coordinates, mm
+  double level = 0, bottom = 0;                  // R and the bottom as programmed, mm
+  bool level_added = true, bottom_added = true;  // they are increments: R from the initial level, the bottom from R
   bool level_known = false, bottom_known = false;
   Vec3 shift;             // I, J, K of G76 and G87, mm
   double percent = 0;     // I of G85, G89, G84.2, G84.3; 0: not given
@@ -24,41 +24,41 @@ struct DrillingMemory {
   double dwell = 0;       // P, seconds or revolutions
 };
 
-/// First lines of the compound cycles, kept until they are given again, and the data of the simple cycle in force. mm.
+/// Data of the first blocks of two-block turning cycles, kept until given again, and data of the simple cycle in force; mm.
 struct TurningMemory {
-  double depth = 0, back = 0;  // G71.7, G72.7: of a pass, of the retract at 45°
-  Vec2 relief;                 // G73.7: of the first pass, in the plane
+  double depth = 0, back = 0;  // G71.7, G72.7: depth of a pass, retract at 45°
+  Vec2 relief;                 // G73.7: offset of the first pass, in the plane
   std::uint32_t passes = 0;
-  double groove_back = 0;  // G74.7, G75.7
+  double groove_back = 0;  // G74.7, G75.7: retract
   // G76.7
   std::uint32_t finishing = 1;
   double chamfer = 0;     // leads
   double tool_angle = 0;  // degrees
-  double least = 0;       // depth of a pass
+  double least = 0;       // least depth of a pass
   double allowance = 0;   // for the finishing passes
-  // simple cycles
-  std::int32_t code = 0;  // 777, 787, 797; 0: none
+  // simple turning cycles
+  std::int32_t code = 0;  // code in tenths: 777, 787, 797; 0: none
   std::array<double, 2> target{};
   std::array<bool, 2> known{};
   double taper = 0;
   double start_angle = 0;
 };
 
-/// A contour that G70.7 carries out block by block: where it ends, where the tool goes back to.
+/// A contour that G70.7 executes block by block: where it ends, and the point that the tool returns to afterwards.
 struct Finishing {
-  std::size_t depth = 0;     // calls open inside it
-  std::uint64_t behind = 0;  // offset in the file after its last block
-  Vec2 start;                // in the plane, programmed
-  Origin origin;             // of G70.7
+  std::size_t depth = 0;     // number of calls that are open inside it
+  std::uint64_t behind = 0;  // offset in the file just after its last block
+  Vec2 start;                // point to return to: in the plane, programmed coordinates
+  Origin origin;             // the block with G70.7
 };
 
-/// What the probe motion under way is for; its answer finishes it.
+/// The purpose of the probe motion in progress; the probe's answer completes it.
 struct Measurement {
   bool length = false;       // G37: an offset is corrected
-  std::size_t axis = 0;      // along which
-  double expected = 0;       // mm, work coordinate of the signal
-  double window = 0;         // mm, N3005: how far from it the signal may come
-  std::uint32_t offset = 0;  // number of the register
+  std::size_t axis = 0;      // the measured axis
+  double expected = 0;       // expected work coordinate of the signal, mm
+  double window = 0;         // N3005: how far from `expected` the signal may come, mm
+  std::uint32_t offset = 0;  // number of the offset to correct
 };
 
 }  // namespace kadr::fanuc

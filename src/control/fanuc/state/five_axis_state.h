@@ -1,6 +1,7 @@
 #pragma once
-// What chapter 25 keeps from block to block: how the tool is led, the programming frame in space, where G53.1 has turned the rotary axes
-// (spec/nct/25b to 25l). A value; the space that follows from it is Placement::space (part_space.cpp).
+// What the five-axis functions (NCT manual, chapter 25) remember from block to block: tool centre point control, the programming frame in
+// space, the positions to which G53.1 has turned the rotary axes (spec/nct/25b to 25l). A plain value; the resulting space is
+// Placement::space, computed in space.cpp.
 
 #include <array>
 #include <cstdint>
@@ -10,45 +11,45 @@
 
 namespace kadr::fanuc {
 
-/// Group 8, beyond G43, G44, G49.
+/// Group 8, beyond G43, G44, G49: what the programmed point means for the tool.
 enum class ToolLead : std::uint8_t {
   none,
-  axis,            // G43.1: the length leans with the head
-  tip,             // G43.4: the tip is led, rotary axes are programmed
-  tip_vector,      // G43.5: … the tool's direction is
-  contact,         // G43.8: the cutting point is led, rotary axes are programmed
-  contact_vector,  // G43.9: … the tool's direction is
+  axis,            // G43.1: the length acts along the tilted tool axis
+  tip,             // G43.4: tool centre point control; rotary axes are programmed
+  tip_vector,      // G43.5: tool centre point control; the tool's direction is programmed
+  contact,         // G43.8: cutting point control; rotary axes are programmed
+  contact_vector,  // G43.9: cutting point control; the tool's direction is programmed
 };
 constexpr bool leads_tip(ToolLead lead) { return lead >= ToolLead::tip; }
 constexpr bool by_vector(ToolLead lead) { return lead == ToolLead::tip_vector || lead == ToolLead::contact_vector; }
 constexpr bool leads_contact(ToolLead lead) { return lead >= ToolLead::contact; }
 
-/// Group 18.
+/// Group 18: the programming frame in space.
 enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };  // G69.1; one or two G68.1; G68.2
 
-/// G68.2 P2, P3: blocks that have come; the frame is there when the first other block comes (25.8, INFERRED).
+/// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the definition is over when the first block of another kind comes.
 struct PlaneBlocks {
-  std::uint8_t kind = 0;          // P; 0: none
-  std::uint8_t seen = 0;          // a bit a Q
-  std::array<Vec3, 4> points{};   // by Q
-  std::array<Vec3, 4> vectors{};  // of P3
-  double turn = 0;                // R of Q0
+  std::uint8_t kind = 0;          // P of these blocks; 0: no definition is open
+  std::uint8_t seen = 0;          // bit q is set if the block with Qq has been read
+  std::array<Vec3, 4> points{};   // point of each block, indexed by Q
+  std::array<Vec3, 4> vectors{};  // vector of each block of P3, indexed by Q
+  double turn = 0;                // R of the block with Q0, degrees
 };
 
 struct FiveAxisState {
   ToolLead lead = ToolLead::none;
-  bool begins = false;     // it is led from the next motion on (25h)
-  bool posture = false;    // P1 of it
-  double lead_length = 0;  // mm, of H
+  bool begins = false;     // tool centre point control takes effect with the next motion (25h)
+  bool posture = false;    // tool posture control: P1 in the block of G43.4 to G43.9
+  double lead_length = 0;  // length by H, mm
   SpaceFrame frame = SpaceFrame::none;
-  Mat3 turn;           // R
-  Vec3 origin;         // v0
-  Axes outer_shift{};  // of G52, G92, as it was when the frame came
+  Mat3 turn;           // rotation of the frame
+  Vec3 origin;         // origin of the frame, mm
+  Axes outer_shift{};  // G52 and G92 shifts at the moment when the frame was set
   PlaneBlocks plane;
-  std::optional<RotaryPair> oriented;  // where G53.1, G53.6 have turned the rotary axes: the frame is that of these positions
-  AxisMask positioned = 0;             // rotary axes that were programmed since the length leans or the tip is led (25.20)
-  Vec3 normal;                         // of ,L2, in the part, of length 1; {}: none yet
-  double radius = 0, corner = 0;       // of D (25.17)
+  std::optional<RotaryPair> oriented;  // positions to which G53.1, G53.6 have turned the rotary axes: the frame is valid for these
+  AxisMask positioned = 0;             // rotary axes programmed since G43.1 or tool centre point control was switched on (25.20)
+  Vec3 normal;                         // surface normal by ,L2, unit vector in part coordinates; {}: none yet
+  double radius = 0, corner = 0;       // tool radius and corner radius by D, mm (25.17)
 };
 
 }  // namespace kadr::fanuc

@@ -1,5 +1,5 @@
 #pragma once
-// What Fanuc, Haas and NCT remember besides macros: parameters as settings, spindles, cycles, frames, compensation. Values.
+// What Fanuc, Haas and NCT remember besides macros: parameters as settings, spindles, cycles, frames, compensation. Plain values.
 
 #include <array>
 #include <cstdint>
@@ -20,92 +20,92 @@
 namespace kadr::fanuc {
 
 struct SpindleState {
-  bool known = false;  // the set-up has it
+  bool known = false;  // the set-up lists it
   int channel = 1;
-  double rpm = 0;  // within the limits of the range
+  double rpm = 0;  // limited to the selected range
   SpindleDir dir = SpindleDir::stop;
   bool loop_closed = false;
   bool referenced = false;  // oriented since the loop was closed
-  double angle = 0;         // degrees, while the loop is closed
-  int range = 0;            // selected by M11 … M18; 0: none
-  int master = 0;           // it is synchronised to; 0: none
+  double angle = 0;         // degrees; valid while the loop is closed
+  int range = 0;            // gear range selected by M11 … M18; 0: none
+  int master = 0;           // number of the spindle that it is synchronised to; 0: none
 };
 
-/// What a plain motion may change already: kept at the start of each block.
+/// The part that even a plain motion may change; it is saved at the start of each block.
 struct MotionMemory {
-  bool rigid_tap = false;  // M29 (spec/fanuc 10.4)
-  Axes through{};          // the intermediate point of the last G28, G30: programmed (spec/fanuc 6.6)
+  bool rigid_tap = false;  // M29 is in force (spec/fanuc 10.4)
+  Axes through{};          // intermediate point of the last G28, G30, programmed coordinates (spec/fanuc 6.6)
   bool has_through = false;
-  bool in_thread = false;               // the motion before was a thread too
+  bool in_thread = false;               // the previous motion was a thread too
   double thread_lead = 0;               // mm
-  double surface_angle = 0;             // of the rotary axis in G12.1, unwound
-  AxisMask smoothed = 0;                // axes that G5.1 has named; 0: all linear ones
-  SideStep side_step = SideStep::none;  // what the next motion in the plane does
-  bool compensates = false;             // a motion has been made with compensation since G41, G42
+  double surface_angle = 0;             // position of the rotary axis in G12.1, continued beyond 360 degrees
+  AxisMask smoothed = 0;                // axes that G5.1 has named; 0: all linear axes
+  SideStep side_step = SideStep::none;  // role of the next motion in the plane for cutter compensation
+  bool compensates = false;             // a motion has been executed with cutter compensation since G41, G42
 };
 
-/// What a run remembers of cutting beside ControlState; an alarm brings it back as one value.
+/// What a run remembers about cutting besides ControlState. An alarm restores it as one value.
 struct Volatile : MotionMemory {
   std::array<SpindleState, most_spindles + 1> spindles;
-  int current_spindle = 1;  // referred to last (11.2)
+  int current_spindle = 1;  // the spindle that a word referred to last (11.2)
   int main_spindle = 1;
   double surface_speed = 0;  // m/min
-  int css_axis = 0;          // control-wide number
-  double css_most = 0;       // G92 S, rev/min; 0: none
+  int css_axis = 0;          // axis that the constant surface speed refers to, by its control-wide number
+  double css_most = 0;       // highest speed by G92 S, rev/min; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
-  double tool_radius = 0;      // of D when it was programmed last (15.1)
-  std::optional<Vec2> way;     // I J K of G41, G42, G40 in this block
-  ContourCheck contour_check;  // as `path` knows it
+  double tool_radius = 0;      // radius of D when it was last programmed (15.1)
+  std::optional<Vec2> way;     // vector I J K of G41, G42, G40 in this block
+  ContourCheck contour_check;  // the settings last sent to the room `path`
   FiveAxisState five_axis;
 };
 
 inline constexpr std::size_t extended_systems = most_further_systems;  // G54.1 P1 …
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
-inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: rows of the tables of zeros and rotations behind the others
+inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: the last rows in the tables of work offsets and rotations
 
-/// Data of cycles, kept for the end of an interrupt macro (23.4).
+/// Data of canned cycles, saved during an interrupt macro and restored at its end (23.4).
 struct InterruptedCycles {
   DrillingMemory drilling;
   TurningMemory turning;
 };
 
-/// All of it that is a plain value: a snapshot copies it.
+/// All memory that is a plain value: a snapshot copies it.
 struct Memory {
   Settings settings;
   Volatile state;
-  std::map<int, std::vector<std::pair<double, double>>> ranges;  // of spindles, rev/min
+  std::map<int, std::vector<std::pair<double, double>>> ranges;  // gear ranges of each spindle: lowest and highest speed, rev/min
   std::map<int, std::string> spindle_names;
-  std::vector<Finishing> finishing;  // contours that G70.7 is in
+  std::vector<Finishing> finishing;  // contours that G70.7 is executing, the innermost last
   InterruptedCycles interrupted_cycles;
-  AxisDrives driven;                                  // which axis of the machine each programmed one drives
-  AxisMask following = 0;                             // axes that follow others
-  std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
-  std::int16_t slowing = -1;                          // row of G62
-  std::uint64_t without_point = 0;                    // letters whose numbers take no decimal point (spec/fanuc 1.3)
-  // of the block being carried out
-  bool holds_vector = false;     // G38
-  bool uncompensated = false;    // its motions are: G53, G28, G30
-  int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
+  AxisDrives driven;                                  // machine axis that each programmed axis drives
+  AxisMask following = 0;                             // axes that follow another axis
+  std::uint8_t drilling_group = 0, motion_group = 0;  // modal groups of G80 and of G0
+  std::int16_t slowing = -1;                          // row of G62 in ControlDef::codes
+  std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
+  // of the block being executed
+  bool holds_vector = false;     // G38: the compensation vector is kept
+  bool uncompensated = false;    // its motions are executed without compensation: G53, G28, G30
+  int spindle_by_p = 0;          // S1500 P2: the number of the spindle; 0: not given
   bool absolute_block = false;   // its axis words are absolute even with G91 (17.3)
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
-  AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
+  AxisMask rolled = 0;           // rotary axes of the block that roll over; `travel` is how far each of them moves
   Axes travel{};
-  AxisMask plane_axes = 0;    // axes whose letter stands in the block, with or without a number
-  AxisMask taken_up = 0;      // axes that its motion positions too, where they were programmed last (25h)
-  AxisMask by_direction = 0;  // rotary axes that its I J K position, at `directed` (25.14)
+  AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number
+  AxisMask taken_up = 0;      // axes without a word that the block's motion positions too, at their last programmed coordinates (25h)
+  AxisMask by_direction = 0;  // rotary axes that the block's I J K position, at `directed` (25.14)
   Axes directed{};
-  Vec3 normal_before;  // of the surface, where the block's motion begins (25.17)
+  Vec3 normal_before;  // surface normal at the start of the block's motion (25.17)
   // of the machine and its operator
-  std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
+  std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates; lowest and highest
   double spindle_part = 1;                                        // spindle override / 100
-  double singular = 0;                                            // degrees: of the set-up's kinematics
-  Axes servo_lag{};                                               // how far the set-up says that each axis stays from the command, mm
-  std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis, spindle that it is made of (11.8)
-  Axes probe_position{}, probe_length{};                          // work coordinates; tool length then, as vector on the main axes
+  double singular = 0;                                            // degrees: tolerance of a singular direction (Setup::kinematics)
+  Axes servo_lag{};                                               // following error of each axis by the set-up, mm
+  std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
+  Axes probe_position{}, probe_length{};  // at the probe's signal: work coordinates; tool length as a vector on the main axes
   Axes probe_machine{};
-  Measurement measurement;  // of the probe motion under way
-  // for the state file
+  Measurement measurement;  // of the probe motion in progress
+  // for the state file: what has changed since it was written
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;
 };

@@ -1,4 +1,4 @@
-// What the parameters say, in the form the interpreter works with. For control/fanuc/fanuc.
+// Converts the parameters of the control into Settings. Used by control/fanuc/fanuc.
 
 #include "control/fanuc/state/settings.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using macro_b::ParameterSource;
 
-/// N0103; a parameter of 0 leaves the axis named X, Y or Z its usual role (2.1: basic configuration).
+/// Role of an axis by N0103. If the parameter is 0, an axis named X, Y or Z has its usual role (2.1: basic configuration).
 int role_of(const std::string& name, int parameter) {
   if (parameter != 0) return parameter;
   return name == "X" ? 1 : name == "Y" ? 2 : name == "Z" ? 3 : 0;
@@ -53,7 +53,7 @@ void read_spindles(Settings& s, const ParameterSource& p) {
   }
 }
 
-/// Of the Fanuc and the Haas alone.
+/// Settings that only Fanuc and Haas have.
 void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.drills_across = p.value("drills_across", 0) != 0;
   s.scale_unit = !p.has("scale_in_thousandths") ? 1 : p.value("scale_in_thousandths", 0) != 0 ? 1e-3 : 1e-5;
@@ -76,7 +76,7 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
 }
 
 void read_interpretation(Settings& s, const ParameterSource& p) {
-  const bool free_at_zero = p.has("arc_difference");  // spec/fanuc 3.2: 3410
+  const bool free_at_zero = p.has("arc_difference");  // spec/fanuc 3.2: in parameter 3410, 0 means "not checked"
   const double difference = p.value(free_at_zero ? "arc_difference" : "1339", 0);
   s.radius_difference = s.radius_shortfall = difference > 0 ? difference : 0.01;
   if (free_at_zero && !(difference > 0)) s.radius_difference = std::numeric_limits<double>::infinity();
@@ -149,7 +149,7 @@ void read_cycles(Settings& s, const ParameterSource& p) {
   s.accuracy = p.value("3103", 0);
 }
 
-/// Unit vector of an axis of rotation by its code 1 … 6 and its inclination (25.1, spec/nct/25a 3).
+/// Returns the unit vector of an axis of rotation from its code 1 … 6 and its inclination in degrees (25.1, spec/nct/25a 3).
 Vec3 joint_direction(int code, double inclination) {
   const SinCos lean = sincos_deg(inclination);
   switch (code) {
@@ -162,7 +162,7 @@ Vec3 joint_direction(int code, double inclination) {
   }
 }
 
-/// 25.1. INFERRED: N3200 1 is head-head, 0 no such machine; N3201 as N3205, 0 meaning Z.
+/// Reads the machine's kinematics (25.1). INFERRED: N3200 1 is head-head, 0 is no five-axis machine; N3201 is coded as N3205, 0 means Z.
 void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std::uint8_t, max_axes>& numbers, std::size_t count) {
   const auto joint = [&](int number, const char* reversed) {
     RotaryJoint j;

@@ -1,4 +1,4 @@
-// G10 (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1) and the data lines up to G11.
+// G10 (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1), and the data lines up to G11.
 
 #include <cmath>
 
@@ -12,13 +12,13 @@ namespace {
 
 constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 
-/// v of G10 L2, L20: written, or in G91 and with the operator I added.
+/// Sets an offset of G10 L2, L20, L21. Values replace the old ones; in G91 or with the operator I they are added.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
   Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;  // spec/haas 5.4
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;                          // all or nothing
-  const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: refused
+  Axes zero = table;                          // on an alarm the table is unchanged
+  const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: they are refused
   for (const char letter : rotation_letters)
     if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -45,7 +45,7 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   return {};
 }
 
-/// The register of the offset table that L names (15.2).
+/// Returns the field of the offset table that L names, or nullptr (15.2).
 double* offset_register(ToolOffset& offset, std::uint32_t l) {
   switch (l) {
     case 10: return &offset.length;
@@ -74,7 +74,7 @@ Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   return {};
 }
 
-/// L200 wear, L201 geometry: X Y Z R Q of the table for turning (15.2); INFERRED: registers whose word is missing stay.
+/// L200 wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: a field whose word is missing keeps its value.
 Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, most_offsets(m));
@@ -98,7 +98,7 @@ Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   return {};
 }
 
-/// L52, L75, L76, L77: the lines up to G11 are data.
+/// L52, L75, L76, L77: the lines up to G11 are data lines.
 Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
@@ -142,7 +142,7 @@ Status data_line(Emitter& m) {
   return fanuc_of(m).tool_line(m);
 }
 
-/// One code of each exclusive group; one spindle code (13.1, 11.2).
+/// At most one code of each exclusive group, and one spindle code (13.1, 11.2).
 Status check_m_codes(const BlockContext& m) {
   const Settings& s = fanuc_of(m).settings;
   const auto is_spindle = [&](int code) {

@@ -1,4 +1,4 @@
-// System variables that show positions, offsets, work systems, the spindle (spec/nct/23 23.1.5, 23.1.15 to 23.1.22; 25.4, 25.19). For
+// System variables for positions, offsets, work systems and the spindle (spec/nct/23 23.1.5, 23.1.15 to 23.1.22; 25.4, 25.19). Used by
 // control/macro_b/variables/system_variables.
 
 #include "control/fanuc/tables/table_variables.h"
@@ -16,14 +16,15 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Index in the channel of the axis with that control-wide number; -1: another channel's, or none.
+/// Returns the index in the channel of the axis with this control-wide number; -1 if the axis belongs to another channel or does not exist.
 int axis_of(const BlockContext& m, std::uint32_t number) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
   return -1;
 }
 
-/// A length in the program's unit; a diameter as one.
+/// Converts a position from mm to the value that the program reads: the unit in force, a diameter in diameter programming.
+/// kept() is the inverse.
 double shown(const BlockContext& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
@@ -42,7 +43,7 @@ Vec3 main_axes_of(const PartSpace& space, const Axes& axes) {
   return {of(0), of(1), of(2)};
 }
 
-/// Component of a vector of X, Y, Z on an axis; nothing: it is none of them.
+/// Returns the component of a vector along an axis; nullopt if the axis is not the main axis X, Y or Z.
 std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v) {
   const double values[] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i)
@@ -50,7 +51,8 @@ std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v
   return std::nullopt;
 }
 
-/// A position of the tool as it is told (25.19): in the work system, or in the programming frame; with the length, or without.
+/// Returns a tool position as system variables report it (25.19): in the work system or in the programming frame, with the tool
+/// length or without it.
 double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
   const bool with_length = !fanuc_of(m).settings.without_length;
   const PartSpace* const space = space_of(m);
@@ -61,7 +63,7 @@ double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axe
   return component(*space, axis, at).value_or(work[axis]);
 }
 
-/// Positions and lengths by axis; another channel's axis reads 0.
+/// Returns a position or length of an axis. An axis of another channel reads 0.
 double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -74,11 +76,11 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
     case VariableKind::work_position: return shown(m, axis, told(m, a, m.position.work, length_in_force(m), in_frame));
     case VariableKind::probe_position: return shown(m, axis, told(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
-    default: return 0;  // lag, distance to go, handwheel shift: the virtual machine has none
+    default: return 0;  // servo lag, distance to go, handwheel shift: the virtual machine has none
   }
 }
 
-/// The field of the offset table, or nullptr.
+/// Returns the field of the offset table, or nullptr if it does not exist.
 double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   if (number >= m.tables.offsets.size()) return nullptr;
   ToolOffset& o = m.tables.offsets[number];
@@ -98,14 +100,14 @@ double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   }
 }
 
-/// What one unit of a register's variable is: mm, of a diameter (spec/haas 2.4) half of it.
+/// Returns the size in mm of one unit of an offset variable; half of it where the variable is a diameter (spec/haas 2.4).
 double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
   return (m.modal.inch ? mm_per_inch : 1) * (radius && fanuc_of(m).settings.offsets_are_diameters ? 0.5 : 1);
 }
 
-/// Work offsets and basic rotations: which system a row means.
+/// Returns the index of the work system that a variable belongs to (work offsets and basic rotations).
 std::size_t system_of(const FoundVariable& f) {
   const bool extended = f.row->kind == VariableKind::zero_extended || f.row->kind == VariableKind::rotation_extended;
   if (f.row->kind == VariableKind::zero_dynamic) return all_systems - 1 + f.family;
@@ -124,7 +126,8 @@ bool is_zero(VariableKind kind) {
 
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-/// #5501 … (25.4): the dynamic offset in force as the table stands, of the rotary axes as it is in the table.
+/// #5501 … (25.4): the dynamic offset in force, for the present position of the rotary table. For rotary axes it is the
+/// value in the offset table.
 double dynamic_value(const BlockContext& m, int axis) {
   const PartSpace* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
@@ -132,7 +135,7 @@ double dynamic_value(const BlockContext& m, int axis) {
   return component(*space, a, space->zero_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
 }
 
-/// #151001 … the other way round than #5061; #151101 … of the machine (25.19).
+/// #151001 … report in the frame that #5061 … do not use (work system or programming frame); #151101 … report machine positions (25.19).
 double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);

@@ -1,4 +1,4 @@
-// Turning cycles G70.7 … G79.7: first lines, simple cycles, which second line calls what.
+// Turning cycles G70.7 … G79.7: first blocks of the compound cycles, dispatch of their second blocks, simple cycles.
 
 #include "control/fanuc/turning/turning.h"
 
@@ -16,7 +16,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Distances of a first or second line: by plane axis, always radii, whatever letter names the axis.
+/// Distances in a first or second block, by axis of the plane. They are always radii, whichever letter names the axis.
 struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
@@ -39,7 +39,7 @@ Status out_of_range(const BlockContext& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
-/// R of a first line: not negative; stays as it was where it is not given.
+/// Reads R of a first block. It may not be negative; without R the old value remains.
 Status take_r(const BlockContext& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
@@ -47,7 +47,7 @@ Status take_r(const BlockContext& m, double& to) {
   return {};
 }
 
-/// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
+/// G71.7 W5 R1, G72.7 V5 R1: depth of a pass along the infeed axis (19.A 4), and the retract.
 Status first_of_rough(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
@@ -64,7 +64,7 @@ Status first_of_rough(BlockContext& m, const Call& call) {
   return take_r(m, kept.back);
 }
 
-/// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
+/// G73.7 U3 W3 R4: offset of the first pass, number of passes.
 Status first_of_pattern(BlockContext& m) {
   constexpr double most_passes = 9999;
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -79,7 +79,7 @@ Status first_of_pattern(BlockContext& m) {
   return {};
 }
 
-/// G76.7 Pmmrraa QΔmin Rd.
+/// G76.7 Pmmrraa QΔmin Rd: finishing passes, chamfer, tool angle; least depth of a pass; finishing allowance.
 Status first_of_thread(BlockContext& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -101,7 +101,7 @@ Status first_of_thread(BlockContext& m) {
   return take_r(m, kept.allowance);
 }
 
-/// Which of the two lines of a compound cycle the block is: the second names the contour, the target or the pecks.
+/// True for the first block of a compound cycle. The second block names the contour, the target or the pecks.
 bool is_first_line(const BlockContext& m, int code) {
   switch (code) {
     case 70.7_g: return false;
@@ -144,7 +144,7 @@ Status possible(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Words of a simple cycle: what is not given stays as in the block before.
+/// Reads the words of a simple cycle. A word that is not given keeps its value from the block before.
 Status take_simple(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const auto target = plane_target(m);
@@ -161,7 +161,7 @@ Status take_simple(BlockContext& m, const Call& call) {
   return {};
 }
 
-/// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
+/// G77.7 cuts along the first axis, G79.7 along the second: infeed, cut, out, back to the start.
 Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
@@ -173,7 +173,7 @@ Status cut_once(Emitter& m, const Call& call) {
   return go(m, MotionKind::rapid, s);
 }
 
-/// G78.7; the length of the chamfer-out is not known: INFERRED none.
+/// G78.7. The manual does not give the length of the run-out: INFERRED none.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
@@ -182,7 +182,7 @@ Status simple_thread(Emitter& m, const Call& call) {
   return thread_pass(m, {{s.x, t.y + kept.taper}, t, s, *lead, kept.start_angle, 0});
 }
 
-/// G70.7: the blocks of the contour are carried out as they stand (19.A 6).
+/// G70.7: executes the blocks of the contour as they are written (19.A 6).
 class FinishingRun final : public RunningValue<FinishingRun> {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
@@ -231,7 +231,7 @@ Result<bool> end_contour(Interpreter& m) {
 
 namespace kadr::functions {
 
-/// G70.7 … G76.7 (19.2). arg: ten times the number without its tenth (707).
+/// G70.7 … G76.7 (19.2). arg: the code in tenths (707).
 Status turning_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(fanuc::possible(m, call));
   if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);
@@ -240,7 +240,7 @@ Status turning_cycle(Interpreter& m, const Call& call) {
   return fanuc::second_line(m, call);
 }
 
-/// G77.7, G78.7, G79.7 (19.1): each block with an axis repeats the cycle, which ends where it began.
+/// G77.7, G78.7, G79.7 (19.1): each block with an axis word repeats the cycle, which ends at its start point.
 Status turning_simple(Emitter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;

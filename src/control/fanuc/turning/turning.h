@@ -1,6 +1,7 @@
 #pragma once
-// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual states names and a sample only: section 19.B, INFERRED as a whole,
-// is what is built. Depths, allowances, tapers and R of a diameter axis are radii (5.3).
+// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual gives only their names and one example. What is built here is section 19.B,
+// which is INFERRED as a whole. Depths, allowances, tapers and R of a diameter axis are radii (5.3). A compound cycle has two blocks: the
+// first one sets its data, the second one executes it.
 
 #include <array>
 #include <cstddef>
@@ -21,29 +22,29 @@ struct CodeRow;
 
 namespace kadr::fanuc {
 
-/// After the last block of a contour: back to the start, and on after G70.7.
-///   returns  true: it has been left
+/// Checks whether the last block of the contour of G70.7 has been executed. If so, moves back to the start and continues after G70.7.
+///   returns  true if the contour has ended
 Result<bool> end_contour(Interpreter& m);
 
-// ---- for the cycles' own files
+// ---- for the files of the cycles
 
-/// Second lines of the compound cycles.
+/// Second blocks of the compound cycles.
 Status finish(Interpreter& m, const Call& call);
 Status rough(Interpreter& m, const Call& call, Vec2 allowance);
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
 Status groove(Emitter& m, const Call& call);
 Status compound_thread(Emitter& m, const Call& call);
 
-/// One pass of a thread: at rapid to the depth of `from`, along it to `to`, out, back to the start.
+/// One pass of a thread: at rapid to `from`, along the thread to `to`, out, and back to the start.
 struct ThreadPass {
   Vec2 from, to;
-  Vec2 start;          // the tool comes from there and goes back
+  Vec2 start;          // the point where the pass starts and ends
   double lead = 0;     // mm
-  double angle = 0;    // of the spindle at the start, degrees
-  double chamfer = 0;  // mm along the thread's axis, at its end: out at 45°
+  double angle = 0;    // spindle angle at the start of the thread, degrees
+  double chamfer = 0;  // length of the run-out at 45° at the end of the thread, mm along its axis
 };
 Status thread_pass(Emitter& m, const ThreadPass& pass);
-/// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
+/// Returns the lead by F or E in mm; without them the last lead. alarms thread_definition, not_together (G96)
 Result<double> thread_lead_of(BlockContext& m, const Call& call);
 
 }  // namespace kadr::fanuc

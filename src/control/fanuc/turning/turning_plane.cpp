@@ -1,4 +1,4 @@
-// Motions and words of the turning cycles in their plane: for turning.cpp and the files of its cycles.
+// Motions and words of the turning cycles in their plane. Used by turning.cpp and the files of the cycles.
 
 #include "control/fanuc/turning/turning_plane.h"
 

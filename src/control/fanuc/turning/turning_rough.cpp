@@ -1,4 +1,5 @@
-// G71.7, G72.7: passes parallel to one axis down to the contour, then along it; G73.7: passes along it (spec/nct/19.B).
+// G71.7, G72.7: passes parallel to one axis down to the contour, then one pass along it; G73.7: repeated passes along the
+// contour (spec/nct/19.B).
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +17,28 @@ namespace {
 constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
-/// The program goes on after the contour.
+/// Continues the program after the contour.
 Status jump_behind(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
 }
 
-/// Contour seen from the start: u the way along the passes, depth the way into the material. Allowances shift it all alike.
+/// The contour seen from the start point: u is the direction of the passes, depth the direction into the material. The finishing
+/// allowance shifts the whole contour, so it does not matter here.
 ///
 ///   start u ───────────►
-///     │  ══════════► pass at depth d, up to where the contour comes out of d
+///     │  ══════════► pass at depth d, up to where the contour rises above d
 ///     ▼          ╭────
 ///   depth   ─────╯ contour
 class Profile {
  public:
-  /// A pass: from … to along u. `open`: it begins at the start's u.
+  /// A pass along u. `open`: it starts at the u of the start point.
   struct Cut {
     double from, to;
     bool open;
   };
 
-  /// alarms  contour_shape: not monotone, the first block no line or not along the infeed axis
+  /// alarms  contour_shape: not monotone, or the first block is not a line or has no motion along the infeed axis
   static Result<Profile> of(const std::vector<ContourPiece>& contour, bool facing, Span where) {
     Profile p;
     p.facing_ = facing;
@@ -55,7 +57,7 @@ class Profile {
       if (direction == 0 && std::fabs(way) > tol::level) direction = way;
       if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // the end may lie outside
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // the end may be above the start
       p.deepest_ = std::max(p.deepest_, depth);
     }
     if (direction == 0) return shape(contour.back());
@@ -63,9 +65,9 @@ class Profile {
     return p;
   }
 
-  /// Plane → (u, v), and back: the same exchange.
+  /// Converts a point of the plane to (u, v). The inverse is the same exchange of axes.
   Vec2 uv(Vec2 p) const { return facing_ ? Vec2{p.y, p.x} : p; }
-  /// The point of the plane at a place along u and a depth.
+  /// Returns the point of the plane at a given u and depth.
   Vec2 at(double u, double depth) const { return uv({u, start_.y + sign_ * depth}); }
 
   double start() const { return start_.x; }
@@ -96,7 +98,7 @@ class Profile {
  private:
   double depth(Vec2 p) const { return sign_ * (uv(p).y - start_.y); }
 
-  /// u where a monotone piece passes that depth.
+  /// Returns u where a monotone piece passes this depth, by bisection.
   double crossing(const ContourPiece& piece, double depth) const {
     const bool rises = this->depth(piece.to) < this->depth(piece.from);
     double low = 0, high = 1;
@@ -150,7 +152,7 @@ class RoughRun final : public RunningValue<RoughRun> {
     const bool last = cut_ == cuts_.size();
     if (now.open) {
       KADR_TRY(to(m, contour_.pieces.front().kind, now.from, level_));
-    } else {  // down into a pocket, above what the pass before has left
+    } else {  // plunges into a pocket, starting above the remaining stock
       KADR_TRY(to(m, MotionKind::rapid, now.from, 0));
       KADR_TRY(to(m, MotionKind::rapid, now.from, std::max(0.0, before_ - back_)));
       KADR_TRY(to(m, MotionKind::feed, now.from, level_));
@@ -176,7 +178,7 @@ class RoughRun final : public RunningValue<RoughRun> {
   std::size_t cut_ = 0, piece_ = 0;
 };
 
-/// The whole contour `passes` times, nearer each time.
+/// Cuts the whole contour `passes` times, each time nearer to it.
 class PatternRun final : public RunningValue<PatternRun> {
  public:
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
@@ -211,7 +213,7 @@ class PatternRun final : public RunningValue<PatternRun> {
 
 }  // namespace
 
-/// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
+/// arg 717: infeed along the second axis of the plane, 727: along the first (19.A 4).
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;

@@ -1,4 +1,4 @@
-// G76.7, and what G78.7 shares with it (spec/nct/19.B).
+// Thread cycle G76.7, and the parts that G78.7 shares with it (spec/nct/19.B).
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// A motion in step with the spindle; nothing overrides it.
+/// Adds a motion that is synchronised with the spindle. Feed override and feed hold do not act on it.
 Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   const std::size_t before = m.batch->size();
   KADR_TRY(go(m, MotionKind::thread, to));
@@ -29,13 +29,14 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   return {};
 }
 
-/// Passes of a compound thread: depths Δ1·√n, steps of at least `least`, up to the height less the allowance, then the finishing passes.
+/// The passes of a compound thread. Depths are Δ1·√n with steps of at least `least`, up to the height less the allowance; then the
+/// finishing passes follow.
 class ThreadRun final : public RunningValue<ThreadRun> {
  public:
   struct Job {
-    Vec2 start, target;  // the target lies at the root of the thread
-    double taper = 0;    // of the second axis: start less end
-    double height = 0;   // of the thread
+    Vec2 start, target;  // the target is at the root of the thread
+    double taper = 0;    // along the second axis: start minus end
+    double height = 0;   // height of the thread, mm
     double first = 0;    // depth of the first pass
     double lead = 0;     // mm
     double chamfer = 0;  // mm
@@ -59,7 +60,7 @@ class ThreadRun final : public RunningValue<ThreadRun> {
   }
 
  private:
-  /// Deeper by `depth_` than the crest; the start moves away along the first axis so that one flank cuts.
+  /// A pass at `depth_` below the crest. Its start moves back along the first axis so that only one flank cuts.
   ThreadPass pass() const {
     const Vec2& s = job_.start;
     const Vec2& t = job_.target;

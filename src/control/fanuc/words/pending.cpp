@@ -1,4 +1,4 @@
-// Functions that are not done yet say so.
+// Functions that do nothing here, and the alarm for functions that are not implemented.
 
 #include "control/functions/functions.h"
 

@@ -1,4 +1,4 @@
-// Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). For the rest of control; tested by
+// Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). Used by the rest of control; tested by
 // tests/control/nct/coupling_test.cpp.
 
 #include "control/nct/axes/coupling.h"
@@ -23,10 +23,10 @@ double master_number(const BlockContext& m, std::size_t axis) {
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
-/// The axis with the number in N2101 of this one, if it is another axis of the channel.
+/// Returns the axis whose number is in N2101 of this axis, if it is another axis of the channel.
 std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
-/// In this channel or in another one.
+/// True if it has a master in this channel or in another one.
 bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
 
 bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
@@ -34,14 +34,14 @@ bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
-/// Masters are never among those that follow the axis.
+/// True if `axis` follows `master`, directly or through other followers. A master must not follow its own follower.
 bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
   for (auto follower = couplings.followers.rbegin(); follower != couplings.followers.rend(); ++follower)
     if (follower->axis == axis) axis = follower->master;
   return axis == master;
 }
 
-/// Each after its master: an axis that has come to be followed goes before its followers.
+/// Sorts the followers so that each one comes after its master.
 void sort(std::vector<Follower>& followers) {
   std::vector<Follower> sorted;
   AxisMask waiting = 0;
@@ -63,7 +63,7 @@ void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
   follow_from_here(m);
 }
 
-/// The signed way of a follower whose master rolls over, and its place then.
+/// Computes the signed travel of a follower whose master rolls over, and the follower's new position.
 void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
@@ -93,7 +93,7 @@ bool is_far_axis(const BlockContext& m, double number) {
 }
 
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events) {
-  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // the NCT has that parameter, others have not
+  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // only the NCT has this parameter
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>()) {
       const int axis = axis_named(m, name);
@@ -163,7 +163,7 @@ void Nct::drop_far(Emitter& m, const FarAxis& axis) {
                  : warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[axis.axis])));
 }
 
-/// What follows it in this channel goes with it.
+/// The axes of this channel that follow it move too.
 void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
   Axes& now = m.position.machine;
   now[axis] = machine;

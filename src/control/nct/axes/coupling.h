@@ -17,39 +17,40 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// The axes that follow now (fanuc::Memory::following: which, far ones too); machine = lead + sign · machine of the master.
+/// The axes that follow others now (fanuc::Memory::following has their mask, including those that follow axes of other channels). The
+/// machine position of a follower is lead + sign · machine position of its master.
 struct Couplings {
-  std::vector<Follower> followers;  // each after its master
-  std::vector<FarAxis> far;         // that follow axes of other channels, or are exchanged with them
-  Axes lead{};                      // by axis
+  std::vector<Follower> followers;  // each one after its master
+  std::vector<FarAxis> far;         // axes that follow axes of other channels, or are exchanged with them
+  Axes lead{};                      // by axis, mm or degrees
 };
 
-/// The axis of the channel with that number, other than `axis`.
+/// Returns the axis of the channel with this number, if it is not `axis` itself.
 std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis);
 
-/// An axis of another channel has that number.
+/// True if an axis of another channel has this number.
 bool is_far_axis(const BlockContext& m, double number);
 
-/// What the set-up's events ask for and cannot be: a sentence; empty: all can.
+/// Returns a sentence about the first coupling that the set-up's events request but that is impossible; empty if all are possible.
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events);
 
-/// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
+/// Moves gantry axes (N2102 #4 PSN=1) to the positions of their masters, which they follow from then on.
 void couple_gantries(BlockContext& m);
 
-/// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours, but
-/// may be the master.
+/// Executes a request of the machine's logic: an axis starts or stops following the master that N2101 names. An axis of another channel
+/// is ignored, but may be the master.
 void couple_axis(Emitter& m, const std::string& name, bool on);
 
-/// An axis hangs on one of another channel, or not any more.
+/// Starts or ends a link between an axis and an axis of another channel.
 void link_far(BlockContext& m, const FarAxis& axis, bool on);
 
-/// alarms  axis_follows: one of the named axes follows another
+/// alarms  axis_follows: one of the named axes follows another axis
 Status not_following(const BlockContext& m, AxisMask named);
 
-/// The motion's masters stand at its end: the followers get theirs.
+/// Moves the followers of a motion whose masters are already at its end.
 void follow(BlockContext& m, Motion& motion);
 
-/// The tool stands elsewhere (a probe has touched, a block is taken back): followers that roll over count on from there.
+/// Recomputes `lead` after the tool's position has changed (a probe has touched, a block was undone, an axis has rolled over).
 void follow_from_here(BlockContext& m);
 
 }  // namespace kadr::nct

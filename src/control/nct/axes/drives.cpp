@@ -1,5 +1,5 @@
-// Axes that drive others than their own: exchanged, reversed; parked ones (spec/nct/20 20.2 to 20.5). For the rest of control; tested by
-// tests/cases/nct/20-axes.cases.
+// Axes that drive another axis than their own: exchanged and reversed axes; parked axes (spec/nct/20 20.2 to 20.5). Used by the rest of
+// control; tested by tests/cases/nct/20-axes.cases.
 
 #include "control/nct/axes/drives.h"
 
@@ -18,7 +18,8 @@ constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 
 bool is_main(int role) { return role >= 1 && role <= 3; }  // X, Y, Z
 
-/// Rotary axes that roll over have no way back; those of five-axis functions, those that follow or lead are counted on elsewhere.
+/// True if the axis may be exchanged or reversed. The position of a rotary axis that rolls over cannot be converted back; other code
+/// depends on the axes of five-axis functions and on axes that follow or lead.
 bool is_free_axis(const BlockContext& m, std::size_t axis) {
   const Nct& nct = nct_of(m);
   const int number = static_cast<int>(axis);
@@ -32,20 +33,20 @@ bool is_free_axis(const BlockContext& m, std::size_t axis) {
          !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
 }
 
-/// That N2104 of the axis names.
+/// Returns the axis that N2104 of this axis names.
 std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
 }
 
-/// N2105 #0 MMI: after the exchange the axis goes the other way round.
+/// N2105 #0 MMI: after the exchange the axis moves in the reversed direction.
 bool goes_other_way(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   constexpr int mmi = 0;
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
 }
 
-/// The reversal comes after the exchange (INFERRED).
+/// The reversal is applied after the exchange (INFERRED).
 AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   AxisDrives all;
   all.reversed = d.mirrored ^ d.far_reversed;
@@ -61,13 +62,13 @@ AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   return all;
 }
 
-/// Of the axis, and of the one it is exchanged with: neither is in another exchange, and both are free.
+/// True if the axis and its partner are both free, and neither is in another exchange.
 bool may_exchange(const BlockContext& m, std::size_t axis) {
   const auto other = other_of(m, axis);
   return other && may_be_exchanged(m, axis) && may_be_exchanged(m, *other);
 }
 
-/// The other channel's axis stands at `machine`. Nothing moves, the programmed coordinates are new.
+/// Exchanges the axis with an axis of another channel, which is at `machine`. Nothing moves; the programmed coordinates change.
 void exchange_far(BlockContext& m, std::size_t axis, double machine, bool on) {
   Drives& d = nct_of(m).drives;
   d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
@@ -82,7 +83,7 @@ void unpark(BlockContext& m, std::size_t axis) {
   follow_from_here(m);
 }
 
-/// False: it cannot be.
+/// Executes one request. Returns false if it is impossible.
 bool carry_out(BlockContext& m, const AskedOfAxis& asked) {
   Drives& d = nct_of(m).drives;
   if (asked.machine) {

@@ -1,4 +1,4 @@
-// G81.8, G80.8: the electronic gearbox between spindle and table (spec/nct/20 20.1).
+// G81.8, G80.8: the electronic gearbox between a spindle and a table (spec/nct/20 20.1).
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
   return fail(alarm(AlarmId::coupling_parameter, call.where, number));
 }
 
-/// Place of the axis that a parameter names, in the channel.
+/// Returns the index in the channel of the axis that a parameter names.
 Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char* parameter) {
   const auto& store = macro_b_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
@@ -27,7 +27,7 @@ Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char*
   return wrong_parameter(call, std::strtod(parameter, nullptr));
 }
 
-/// Spindle of N1801: by its name in the set-up, else "S2" is spindle 2 and "S" the main one (INFERRED).
+/// Returns the spindle of N1801: by its name in the set-up; else "S2" is spindle 2 and "S" the main spindle (INFERRED).
 Result<int> master_of(const BlockContext& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : fanuc_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
@@ -38,7 +38,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
   return wrong_parameter(call, parameter);
 }
 
-/// T, L: the ratio. L0 is illegal (INFERRED).
+/// Reads T and L and returns their ratio. L0 is illegal (INFERRED).
 Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, most_teeth);
@@ -55,7 +55,8 @@ Status within(const BlockContext& m, char letter, double least, double most) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, value));
 }
 
-/// Degrees of the table for a mm along the gear's axis (20.1.3). INFERRED: the equation is that of the gear, the sign that of P.
+/// Returns the rotation of the table in degrees per mm along the gear's axis (20.1.3). INFERRED: it follows from the geometry of the
+/// gear, and its sign is the sign of P.
 Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
   for (const char letter : {'Q', 'P'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
@@ -70,7 +71,7 @@ Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
 
 namespace functions {
 
-/// G81.8 T L R Q P: couples, or couples anew; G81.8 Q P: only the helix compensation, while coupled.
+/// G81.8 T L R Q P: couples, or replaces the coupling in force. G81.8 Q P: only changes the helix compensation, while coupled.
 Status gear_on(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
@@ -105,14 +106,14 @@ Status gear_on(Emitter& m, const Call& call) {
   couple.ratio = gear.ratio;
   couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
-  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1 is the workpiece
+  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1 counts revolutions of the workpiece
   nct.state.gear = gear;
   nct.stops_reading = true;
   m.emit(couple);
   return {};
 }
 
-/// G80.8: the table stands, the spindle goes on.
+/// G80.8: the table stops, the spindle continues to turn.
 Status gear_off(Emitter& m, const Call&) {
   nct::disengage(m);
   return {};
@@ -122,7 +123,8 @@ Status gear_off(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// At N1805 each (0: at rapid), straight. INFERRED: of several feeds the one that no axis exceeds; at rapid where none has one.
+/// Retracts the axes by N1804 on a straight line, each at N1805 (0: at rapid). INFERRED: of several feeds, the one that keeps every axis
+/// within its own; at rapid if no axis has a feed.
 Status withdraw(Emitter& m) {
   const auto& store = macro_b_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};

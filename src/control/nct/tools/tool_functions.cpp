@@ -1,4 +1,4 @@
-// T, M6, data lines of tools (spec/nct/12).
+// T, M6 and the data lines of tools (spec/nct/12).
 
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
@@ -10,10 +10,10 @@ ToolPlace place_of(const nct::ToolCall& call) {
   return {static_cast<std::uint32_t>(call.data), static_cast<std::uint32_t>(call.magazine), static_cast<std::uint32_t>(call.pocket)};
 }
 
-/// What was prepared comes into the spindle.
+/// Moves the prepared tool into the spindle.
 void change(Emitter& m, nct::CountUse count) {
   macro_b_of(m).endless.note_change();
-  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
+  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // the life of a tool may end
   const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
   m.modal.tool = now.tool;
   m.use.change_to(now.tool);
@@ -24,7 +24,7 @@ void change(Emitter& m, nct::CountUse count) {
 
 namespace functions {
 
-/// T: the tool is looked for and prepared; where the machine changes on T it is changed (12.1, 12.2).
+/// T: finds the tool and prepares it; where the machine changes tools on T, it is changed too (12.1, 12.2).
 Status tool_call(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto number = m.whole('T', 0, 99'999'999);
@@ -43,11 +43,11 @@ Status tool_call(Emitter& m, const Call& call) {
   m.modal.tool_selected = *number;
   if (*number != 0) m.use.note(UseKind::tool, *number, m.origin);
   m.emit(ToolSelect{*number, 0, place_of(*called)});
-  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a change by hand
+  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a manual change
   return {};
 }
 
-/// M6: what was prepared comes into the spindle (12.2).
+/// M6: moves the prepared tool into the spindle (12.2).
 Status exchange_tool(Emitter& m, const Call&) {
   change(m, nct_of(m).settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
   return {};
@@ -57,7 +57,7 @@ Status exchange_tool(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// N2923 means that of the tool in the spindle (12.5.1).
+/// The number in N2923 means the offset of the tool in the spindle (12.5.1).
 Result<std::uint32_t> Nct::offset_meant(char letter, std::uint32_t number) const {
   const int by_tool = settings.offset_by_tool;
   if (by_tool == 0 || number != static_cast<std::uint32_t>(by_tool)) return number;
@@ -74,7 +74,7 @@ Status Nct::open_tool_data(BlockContext& m, std::uint32_t l, double p, Span wher
   return {};
 }
 
-/// N is a data word there.
+/// In a data line N is a data word.
 Status Nct::tool_line(Emitter& m) {
   std::vector<DataWord> words;
   if (m.block->has_number) words.push_back({'N', double(m.block->number), {}, m.block->number_where});

@@ -1,5 +1,5 @@
-// Tool management (nct 12): the tables of tools, pockets and forms, tool call and change, life, data input by G10. For control/nct/memory;
-// tested by tests/control/nct/tools_test.cpp.
+// Tool management (nct 12): the tables of tools, pockets and forms, tool call and change, tool life, data input by G10. Used by
+// control/nct/memory; tested by tests/control/nct/tools_test.cpp.
 
 #include "control/nct/tools/tools.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-// Bits of the tool info, in the manual's order (12.3.1): clear I C N E U, set V T L D S.
+// Bits of the tool info in the manual's order (12.3.1). When clear they are named I C N E U, when set V T L D S.
 constexpr std::uint32_t valid = 1, by_time = 2, large = 4, searchable = 16;
 constexpr int info_digits = 5, user_digits = 8;
 
@@ -26,7 +26,7 @@ bool has_one_pocket(int magazine) { return magazine >= 10 && magazine % 10 <= 1;
 bool is_spindle(int magazine) { return magazine >= 10 && magazine % 10 == 0; }
 bool is_multi(int magazine) { return magazine >= 1 && magazine <= 4; }
 
-/// A number of the set-up, which may be any, as a whole one.
+/// Converts a number of the set-up, which may have any value, to a whole number.
 int whole_of(double number) { return static_cast<int>(std::clamp(number, 0.0, 1e9)); }
 std::uint32_t type_of(const ToolRow& row) { return static_cast<std::uint32_t>(whole_of(row.type)); }
 
@@ -97,7 +97,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   InSpindle& state = spindles_.edit(spindle);
   ToolCall now = *state.prepared;
   state.prepared.reset();
-  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // not a T from before the tables were filled
+  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false for a T that came before the tables were filled
   if (enabled() && resolved) exchange(state, now, spindle);
   state.tool = now.tool;
   const ToolRow* there = row(now.data);
@@ -105,7 +105,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   return now;
 }
 
-/// Moves the tools in the table of pockets; gives `now` the place of origin.
+/// Moves the tools in the pocket table, and sets the pocket that `now` came from.
 void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   std::optional<Pocket> from;
   if (now.data != 0) from = place_of(now.data);                         // it may have been moved since T
@@ -115,7 +115,7 @@ void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   if (loaded != nullptr && loaded->type != 0) now.tool = type_of(*loaded);
 
   const int old = spindle_row(spindle);
-  if (old == now.data) return;  // in the spindle already, or both empty
+  if (old == now.data) return;  // it is in the spindle already, or both are empty
   if (now.data != 0 && from) places_.edit(*from) = 0;
   places_.edit(only_pocket(spindle)) = now.data;
   if (old != 0) put_away(old, from, state.home);
@@ -234,13 +234,13 @@ tl::unexpected<Alarm> out_of_range(const DataWord& word) {
   return fail(alarm(AlarmId::value_out_of_range, word.where, word.letter, word.value));
 }
 
-/// A whole number in [least, most].
+/// Returns a whole number in [least, most].
 Result<int> whole(const DataWord& word, double least, double most) {
   if (!(word.value >= least && word.value <= most) || word.value != std::floor(word.value)) return out_of_range(word);
   return static_cast<int>(word.value);
 }
 
-/// The word of that letter, or word_missing.
+/// Returns the word with this letter, or the alarm word_missing.
 Result<const DataWord*> needed(const DataBlock& block, char letter, std::string_view code) {
   const DataWord* word = find(block, letter);
   if (word == nullptr) return fail(alarm(AlarmId::word_missing, block.where, letter, code));
@@ -250,7 +250,7 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
   return needed(block, letter, code).and_then([&](const DataWord* word) { return whole(*word, 0, most); });
 }
 
-/// Decimal digits read as binary ones: Q10001 is 17. Leading zeros may be dropped.
+/// Reads decimal digits as binary digits: Q10001 is 17. Leading zeros may be omitted.
 Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
@@ -266,7 +266,7 @@ Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
   return value;
 }
 
-/// Columns of the tool table that are whole numbers (12.4.1); L has no "integer" there, but its column is a DWORD (12.3.1).
+/// Columns of the tool table that are whole numbers (12.4.1). L is not called "integer" there, but its column is a DWORD (12.3.1).
 struct Item {
   char letter;
   double most;  // 0: N1400
@@ -293,7 +293,7 @@ Status place_block(const DataBlock& block, ToolManagement& tools) {
   const auto magazine = needed_whole(block, 'N', code, pockets_in_place_call - 1);
   KADR_TRY(magazine);
   if (!is_multi(*magazine) && !has_one_pocket(*magazine)) return out_of_range(*find(block, 'N'));
-  Pocket pocket = tools.only_pocket(*magazine);  // P is ignored there
+  Pocket pocket = tools.only_pocket(*magazine);  // P is ignored for a magazine with one pocket
   if (is_multi(*magazine)) {
     const auto number = needed_whole(block, 'P', code, pockets_in_place_call - 1);
     KADR_TRY(number);
