@@ -253,7 +253,8 @@ Turned finish_profile(const Profile& given, const TurningWords& words, std::vect
   return {};
 }
 
-/// Closes a profile that leads away from the start of the cycle and whose last piece advances along the cuts: adds a line to the level of the start (2.9.4).
+/// Closes a profile that leads away from the start of the cycle and whose last piece advances along the cuts: adds a line to the level of
+/// the start (2.9.4).
 void close_profile(Profile& profile, Point start, bool across) {
   const Point first = profile.pieces.front().end - profile.pieces.front().start;
   const Piece& back = profile.pieces.back();
