@@ -11,7 +11,7 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double parts_at = 0.01;  // mm: beyond this distance between the paths there is a warning
+constexpr double parts_at = 0.01;                                                       // mm: paths further apart than this give a warning
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
 constexpr double any_difference = 1e7;  // mm: no tolerance, as the radii have been checked already
 

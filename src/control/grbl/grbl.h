@@ -68,7 +68,7 @@ Grbl& grbl_of(const BlockContext& m);
 
 /// Executes `$x=v`, a setting in the program (10).
 ///   returns  false: the setting has no meaning for Kadr
-///   alarms  system_line, value_below_zero, soft_limits_need_homing
+///   alarms  value_below_zero, step_pulse_short, soft_limits_need_homing
 Result<bool> set(Settings& settings, int number, double value, Span where);
 
 }  // namespace kadr::grbl

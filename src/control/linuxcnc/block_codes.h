@@ -32,7 +32,7 @@ struct BlockCodes {
 };
 
 /// Reads and checks the codes and words of the interpreter's block.
-///   alarms  rs274_codes, rs274_words, rs274_motion
+///   alarms  rs274_form, rs274_codes, rs274_words, rs274_motion, rs274_data, rs274_arc, rs274_cycle
 Result<BlockCodes> codes_of_block(BlockContext& m, const LinuxCnc& control);
 
 }  // namespace kadr::linuxcnc

@@ -12,7 +12,7 @@
 namespace kadr::functions {
 namespace {
 
-constexpr std::uint8_t unknown_nose = 10;  // in no table: the tool centre is guided, with an approach of its own before an arc
+constexpr std::uint8_t unknown_nose = 10;  // in no table: the nose centre is guided, with an approach of its own before an arc
 
 }  // namespace
 

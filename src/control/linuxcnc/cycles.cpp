@@ -60,7 +60,7 @@ class Reader {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_cycle, call_.where, std::move(text)); }
 
-  /// As the control's texts write the letter: `z` in `xy`, but `W` in `UV`.
+  /// The letter as the control's texts write it: `z` in plane `xy`, but `W` in plane `UV`.
   char drill_letter() const {
     const char letter = m_.letters.axis_letter[hole_.drill];
     return of_uvw_ ? letter : static_cast<char>(letter | 0x20);

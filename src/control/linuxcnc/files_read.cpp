@@ -9,7 +9,7 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t most_bytes = 1'000'000;  // of a table
+constexpr std::size_t most_bytes = 1'000'000;  // of one file
 
 /// The path of a file that the ini file or the set-up names, relative to the program memory.
 std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }

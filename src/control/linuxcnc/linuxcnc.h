@@ -176,7 +176,7 @@ class LinuxCnc final : public Dialect {
 
   const ModalGroups groups;
   State state;
-  BlockCodes codes;  // of the block being carried out
+  BlockCodes codes;  // of the block being executed
   FlowTable flow;
   MachineFile machine;                  // contents of the ini file
   std::optional<TurningCycle> turning;  // set while its profile is being read

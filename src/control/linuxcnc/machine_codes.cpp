@@ -1,4 +1,4 @@
-// M codes: tools, outputs and inputs, orientation, saved and restored modes; G96 (spec/linuxcnc 8; convert_m of the source).
+// M codes: tools, outputs and inputs, orientation, saved and restored modes; G7, G8 (spec/linuxcnc 8; convert_m of the source).
 
 #include <fmt/format.h>
 

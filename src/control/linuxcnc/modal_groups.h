@@ -20,8 +20,8 @@ class ModalGroups {
 
   /// The number of the group at an index in ControlDef::groups: "12" is 12, "M7" is 7; 0 for a group with another name (a user's own file).
   std::size_t number(std::size_t index) const { return numbers_[index]; }
-  /// The index in ControlDef::groups of the group of G codes with that number; 0 if the control has no such group (its rows have no group
-  /// 0).
+  /// The index in ControlDef::groups of the group of G codes with that number; 0, which is no group, if the control has
+  /// none.
   std::size_t index_of_g(std::size_t number) const { return of_g_[number]; }
 
  private:

@@ -49,8 +49,8 @@ class OLines {
   /// The next line after this one with the same label, in the same subprogram, whose word is one of `words`; -1 if there is none.
   std::int32_t next_of(std::initializer_list<OWord> words);
 
-  /// The fault when the file ends before what was searched (2.1; read_text and read of the source). `sought`: a call searched a subprogram;
-  /// else lines were skipped on the way to an O line. `of_all`: the text names the label without its subprogram.
+  /// The fault if the file ends before the line looked for (2.1; read_text and read of the source). `sought`: a call looks for a
+  /// subprogram; else lines are skipped on the way to an O line. `of_all`: the text names the label without its subprogram.
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const;
 
   Status jump_to(const Position& at);

@@ -15,7 +15,7 @@ namespace kadr::linuxcnc {
 using StoredParameters = std::map<std::uint32_t, double>;
 
 /// Reads lines of a number and a value; skips others.
-///   returns  or an error in the control's wording: out of order, out of range
+///   returns  the parameters, else the control's error text: out of order, out of range
 tl::expected<StoredParameters, std::string> read_parameters(std::string_view text);
 
 /// The text of the file at the end of the run: the parameters that were in it, and all that the control needs; six decimals.

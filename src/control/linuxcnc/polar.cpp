@@ -44,8 +44,8 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   state.polar_step = !absolute;
   state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // The written words are saved, as a loop may execute the block again (forget_polar_words()). If only one of @ and ^ is given, a word is
-  // added for the other.
+  // The words as written are saved, as a loop may execute the block again (forget_polar_words()). If only one of @ and ^ is given, a word
+  // is added for the other.
   written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';

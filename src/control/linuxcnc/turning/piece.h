@@ -31,7 +31,8 @@ struct Piece {
   static Piece chamfer(double size, Point at) { return {Kind::chamfer, false, at, at, {}, size}; }
 
   bool is_arc() const { return kind == Kind::arc || kind == Kind::fillet; }
-  /// Size: a piece below least_piece is dropped; an offset advances at most half of it in one step.
+  /// The chord, or the radius of an arc if that is smaller. A piece below least_piece is dropped; one step of an offset is at most half of
+  /// it.
   double size() const;
   /// True if Z does not grow along the piece, and an arc does not reverse in X.
   bool falls() const;

@@ -85,7 +85,7 @@ void MacroB::end_interrupt(Emitter& m, bool restore) {
 
 namespace kadr::functions {
 
-/// M96 P, M96 <file>: from now on the signal calls that program. With N1758 #5 SYM = 0 it is searched next to the main program, wherever
+/// M96 P, M96 <file>: from now on the signal calls that program. With N1758 #5 SYM = 0 it is looked up next to the main program, wherever
 /// M96 is written (23.4).
 Status interrupt_on(Interpreter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);

@@ -17,7 +17,7 @@ Result<bool> interrupt_code(Interpreter& m, const Call& call);
 
 /// Calls the interrupt macro if it is enabled and the signal requests it. INFERRED: with TPI=0 before the block that would start,
 /// with TPI=1 after the block; while the signal stays on (ELT=0) the interrupted program runs one block between two calls.
-///   returns  true: the macro was called; at the start of a block, before that block, which follows the macro
+///   returns  true: the macro was called; at the start of a block, that block is executed after the macro
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment);
 
 }  // namespace kadr::macro_b

@@ -11,7 +11,7 @@ class Interpreter;
 
 namespace kadr::macro_b {
 
-/// Executes the block's macro statement; it evaluates the expressions itself.
+/// Executes the block's macro statement, and evaluates the block's words only where the statement needs them.
 ///   returns  false: the condition of IF … THEN holds, and the words after THEN are still to be executed (23.2.10)
 Result<bool> run_statement(Interpreter& m);
 /// Checks the values of an NC block against their ranges, after rounding those of expressions to the last digit of their address (23.1.1).

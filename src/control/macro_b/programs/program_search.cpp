@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
 constexpr std::size_t most_searched_files = 10'000;  // files of one folder
-constexpr std::size_t most_heading = 4096;           // bytes of a file in which its first word is searched
+constexpr std::size_t most_heading = 4096;           // bytes of a file that are searched for its first word
 constexpr std::size_t most_named = 3;                // files that an alarm lists
 constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_name_digits = 8;
 

@@ -21,7 +21,7 @@ constexpr std::size_t most_name = 60;  // characters between < and > (14.4.2)
 constexpr int most_parents = 16;       // folders above the program that are searched for SystemMacros
 constexpr std::uint32_t most_short = 9999;
 constexpr std::size_t most_files = 10'000;  // files of one folder that are examined
-constexpr std::size_t most_head = 512;      // bytes of a file in which its number is searched
+constexpr std::size_t most_head = 512;      // bytes of a file that are searched for its number
 
 bool alike(std::string a, std::string b) {
   const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), to_lower); };

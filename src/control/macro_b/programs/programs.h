@@ -22,7 +22,7 @@ struct ProgramPlace {
   Position start;
 };
 
-/// Whose folder a program is searched in.
+/// Whose folder is searched for a program.
 enum class Beside : std::uint8_t { caller, main_program };
 
 /// Finds programs, and remembers those found.
@@ -32,7 +32,7 @@ class Programs {
   /// else the program after `Onnnn` in the main file itself (a tape with several programs). Ours, for files of other shops: else a file
   /// whose name is that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own
   /// program; else a file that starts with `O` or `:` and the number.
-  ///   alarms  program_missing (2147), label_twice
+  ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
   Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
   /// Finds the program of M98 <path\\name.ext>, relative to the caller's folder, inside the main program's folder or that of --files.
   ///   alarms  file_missing (2132), file_name, file_outside

@@ -129,7 +129,7 @@ void Endless::forget() {
 
 void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
-  for (Watch& w : watches_) w.next_look = 0;  // each jump is looked at from now on
+  for (Watch& w : watches_) w.next_look = 0;  // examine each jump from now on
   if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
