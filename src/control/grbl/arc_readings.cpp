@@ -1,4 +1,4 @@
-// The two readings of an arc, held against each other. For control/grbl/block_check; tested by tests/grbl_arcs.py.
+// Compares the two readings of an arc. Used by control/grbl/block_check; tested by tests/grbl_arcs.py.
 
 #include "control/grbl/arc_readings.h"
 
@@ -11,11 +11,11 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double parts_at = 0.01;                                                       // mm: a path beside the exact one by more is told
+constexpr double parts_at = 0.01;                                                       // mm: paths further apart than this give a warning
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
-constexpr double any_difference = 1e7;                                                  // mm: the radii have been judged
+constexpr double any_difference = 1e7;  // mm: no tolerance, as the radii have been checked already
 
-/// A reading: refused, an arc, or a line.
+/// One reading of an arc: an alarm, an arc, or a straight line (neither is set).
 struct Reading {
   std::optional<Alarm> refused;
   std::optional<PlaneArc> arc;
@@ -30,14 +30,14 @@ Reading exact_reading(const ArcWords& w) {
   if (w.by_radius) {
     const double half = length(w.to - w.from) / 2;
     if (w.same_point) return {alarm(AlarmId::full_circle_by_radius, w.where), {}};
-    if (w.from == w.to) return {};  // only the third axis moves: Grbl divides by 0 and goes there straight
+    if (w.from == w.to) return {};  // only the third axis moves: Grbl divides by 0 and moves straight
     if (std::fabs(w.radius) < half) return {alarm(AlarmId::radius_too_small, w.radius_where, std::fabs(w.radius), half), {}};
     return of_arc(arc_by_radius(w.from, w.to, w.radius, w.turn, any_difference));
   }
   const double radius = length(w.offset), end_radius = length(w.to - w.from - w.offset), error = std::fabs(end_radius - radius);
   if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
     return {alarm(AlarmId::radius_mismatch, w.where, radius, end_radius), {}};
-  if (2 * radius <= double{w.tolerance}) return {};  // a circle within $12 is no segments, but a line (5.4)
+  if (2 * radius <= double{w.tolerance}) return {};  // Grbl makes a line of a circle within $12, not segments (5.4)
   return of_arc(arc_around(w.from, w.to, w.from + w.offset, w.turn, any_difference));
 }
 
@@ -46,7 +46,7 @@ SingleArc single_arc(const ArcWords& w) {
                      : single_arc_by_center(w.single_from, w.single_to, w.single_offset, w.turn, w.tolerance);
 }
 
-/// The arc of Grbl so that it ends at the end point, which Grbl goes to by its last line: with as many whole turns.
+/// Changes Grbl's arc so that it ends at the end point, to which Grbl's last line goes anyway; the number of whole revolutions stays.
 PlaneArc closed(const ArcWords& w, const PlaneArc& single) {
   const auto around = arc_around(w.from, w.to, single.center, w.turn, any_difference);
   if (!around) return single;
@@ -72,7 +72,7 @@ Vec2 point(const ArcWords& w, const Reading& reading, double part) {
   return reading.arc->center + rotated(w.from - reading.arc->center, whole * reading.arc->turns * part);
 }
 
-/// As Grbl would go by exact figures: straight where it makes no segments of the arc.
+/// The exact reading as Grbl would execute it: a straight line if the arc is too short for segments.
 Reading in_segments(const ArcWords& w, Reading exact) {
   if (!exact.arc) return exact;
   const double tolerance = double{w.tolerance}, radius = length(w.from - exact.arc->center), turn = 2 * std::numbers::pi;
@@ -85,7 +85,7 @@ double turned(const Reading& reading) { return reading.arc ? reading.arc->turns 
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
-/// How they part, as a warning; nothing: they do not.
+/// The warning of how the readings differ; nullopt if they agree.
 std::optional<Alarm> parting(const ArcWords& w, const Reading& exact, const Reading& single) {
   if (single.refused && exact.refused) return std::nullopt;
   if (single.refused) return warning(AlarmId::single_arc_refused, w.where);

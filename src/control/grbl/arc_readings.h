@@ -1,5 +1,5 @@
 #pragma once
-// An arc read twice: by exact figures, and as Grbl does in 32 bits (spec/grbl 5). What Grbl does counts; where the two part, it is said.
+// Reads an arc twice: exactly, and in 32 bits as Grbl does (spec/grbl 5). Grbl's reading counts; a warning says where they differ.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace kadr::grbl {
 struct ArcWords {
   Vec2 from, to;                                       // programmed coordinates
   Single2 single_from{}, single_to{};                  // machine coordinates
-  bool same_point = false, single_same_point = false;  // of all three axes
+  bool same_point = false, single_same_point = false;  // start equals end in all three axes
   bool by_radius = false;
   double radius = 0;
   float single_radius = 0;
@@ -25,12 +25,12 @@ struct ArcWords {
 
 struct ArcReading {
   std::optional<Alarm> refused;  // by Grbl
-  std::optional<PlaneArc> arc;   // none: a line
-  int segments = 0;              // that Grbl makes of the arc
-  std::optional<Alarm> parted;   // the warning: exact figures give something else
+  std::optional<PlaneArc> arc;   // nullopt: a line
+  int segments = 0;              // number of segments that Grbl makes of the arc
+  std::optional<Alarm> parted;   // warning: the exact reading differs
 };
 
-/// What Grbl makes of an arc. Where both readings agree within 0.01 mm the arc is the exact one.
+/// Returns what Grbl makes of an arc. Where both readings agree within 0.01 mm, the arc is the exact one.
 ///   alarms  full_circle_by_radius, radius_too_small, radius_mismatch, in `refused`
 ArcReading read_arc(const ArcWords& words);
 

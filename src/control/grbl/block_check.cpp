@@ -1,4 +1,4 @@
-// gcode.c of Grbl 1.1: steps 2 and 3 of gc_execute_line.
+// Steps 2 and 3 of gc_execute_line in gcode.c of Grbl 1.1: reads and checks the words of a line.
 
 #include "control/grbl/block_check.h"
 
@@ -26,7 +26,7 @@ constexpr std::uint64_t bits(std::string_view letters) {
   return all;
 }
 
-/// int_value and mantissa of gcode.c. The number fits a byte: what is beyond it is left over, as a fraction (G257: error:23).
+/// int_value and mantissa of gcode.c. The whole number is a byte; the excess of a larger one stays in the fraction (G257: error:23).
 struct CodeNumber {
   std::int32_t whole = 0;
   std::int32_t hundredths = 0;  // 0 to 65535
@@ -70,7 +70,7 @@ class BlockCheck {
   }
 
  private:
-  // ---- the words, in their order (1.3, 3)
+  // ---- the words, in the order of the line (1.3, 3)
 
   Status word(const Word& w) {
     if (w.address == 'G') return g_code(w);
@@ -89,7 +89,7 @@ class BlockCheck {
     return fail(alarm(AlarmId::not_together, w.where, axis_code_, block_.text_of(w.where)));
   }
 
-  /// G10, G28 … and motion codes both want the axis words: G28.1 does not.
+  /// Claims the axis words for a code: G10, G28 … and motion codes conflict, as both need them. G28.1 does not.
   Status takes_axes(const Word& w, AxisCommand command) {
     if (all_.axis_command != AxisCommand::none) return two_commands(w);
     all_.axis_command = command;
@@ -162,7 +162,7 @@ class BlockCheck {
     return one_of_group(w);
   }
 
-  /// M7 needs a build of its own, M6 does not exist (3).
+  /// M7 needs a special build of Grbl, M6 does not exist (3).
   Status m_code(const Word& w) {
     if (code_number(w.value).hundredths != 0) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
     return one_of_group(w);
@@ -184,7 +184,7 @@ class BlockCheck {
     return {};
   }
 
-  /// The code of the same group that stands before it.
+  /// The code of the same group that comes before the word.
   std::string code_of_group(const Word& w) const {
     const auto group = [&](const Word& of) {
       const std::int32_t row = of.code < 0 ? -1 : m_.def.row_of(of.address, of.code);
@@ -201,7 +201,7 @@ class BlockCheck {
   void use(std::string_view letters) { values_ &= ~bits(letters); }
   double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
   double unit() const { return all_.inch ? mm_per_inch : 1; }
-  /// mm, as Grbl has it.
+  /// The value in mm, in Grbl's 32 bits.
   float single_value(char letter) const {
     constexpr auto mm = static_cast<float>(mm_per_inch);
     if (!m_.has(letter)) return 0;
@@ -212,7 +212,7 @@ class BlockCheck {
   bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
 
-  /// In G93 each motion needs its own F; the first block back in G94 as well (4.2).
+  /// Finds the feed. In G93 each motion needs its own F, and so does the first block after the return to G94 (4.2).
   Status feed() {
     if (is_jog_) {
       if (!has("F")) return no_feed();
@@ -226,7 +226,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Where the tool stands in the work system that the block names.
+  /// Sets the start position in the work system that the block selects.
   void take_start() {
     all_.start = m_.position.programmed;
     const std::size_t system = work_system();
@@ -258,7 +258,7 @@ class BlockCheck {
     return {};
   }
 
-  /// G10 (4.13).
+  /// Checks G10 (4.13).
   Status offsets() {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G10"));
     if (!has("LP")) return fail(alarm(AlarmId::word_missing, block_.where, 'L', "G10"));
@@ -351,9 +351,9 @@ class BlockCheck {
     return {};
   }
 
-  // ---- the end
+  // ---- the end of the check
 
-  /// 4.10: axis words are used by any axis command.
+  /// Refuses words that nothing has used (4.10). Any axis command uses the axis words.
   Status words_used() {
     use(is_jog_ ? "FN" : "FNST");
     if (all_.axis_command != AxisCommand::none) use("XYZ");
@@ -363,7 +363,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Only G20 G21 G90 G91 G53 (9).
+  /// Refuses codes that a jog may not have: only G20 G21 G90 G91 G53 are allowed (9).
   Status jog_codes() const {
     if (jog_fault_ != nullptr) return fail(alarm(AlarmId::jog_code, jog_fault_->where, block_.text_of(jog_fault_->where)));
     return {};
@@ -375,9 +375,9 @@ class BlockCheck {
   const bool is_jog_;
   std::optional<Alarm>& parted_;
   CheckedBlock all_;
-  std::string axis_code_;  // that has the axis words
+  std::string axis_code_;  // the code that claims the axis words
   std::uint64_t groups_ = 0;
-  std::uint64_t values_ = 0;  // words that nothing has used yet
+  std::uint64_t values_ = 0;  // words not used yet, by letter
   double feed_ = 0;
   bool leaves_inverse_ = false, length_by_word_ = false;
   const Word* jog_fault_ = nullptr;

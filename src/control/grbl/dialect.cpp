@@ -1,4 +1,4 @@
-// What the interpreter asks a dialect (control/dialect.h), answered for Grbl.
+// Implements for Grbl what the interpreter calls of a dialect (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ AxisMask named_in(const BlockContext& m) {
 
 Grbl& grbl_of(const BlockContext& m) { return static_cast<Grbl&>(*m.dialect); }
 
-/// The settings of the set-up; the others are those of the generic build (10).
+/// Takes the settings of the set-up; the others have the values of the generic build (10).
 Grbl::Grbl(const Setup& setup) {
   constexpr double usual_travel = 200;
   for (std::size_t a = 0; a < axes; ++a) state.settings.travel[a] = usual_travel;
@@ -53,7 +53,7 @@ Status Grbl::restore(BlockContext&, const DialectState& from) {
   return {};
 }
 
-/// Its codes could not stand in one line: G49 and G0 both want axis words.
+/// Sets the codes in force at power-on one by one: they could not be in one line, as G49 and G0 both claim the axis words.
 bool Grbl::start(Interpreter& m, const Setup&) {
   for (std::size_t g = 0; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].power_on >= 0) m.modal.rows[g] = static_cast<std::int16_t>(m.def.groups[g].power_on);
@@ -65,9 +65,9 @@ bool Grbl::start(Interpreter& m, const Setup&) {
 
 void Grbl::started(Emitter&) { before_ = state; }
 
-/// `$J=`: a straight motion at its own F, in mm/min; the modes are left as they are (9).
+/// `$J=`: a straight motion at its own F, in mm/min; it does not change the modes (9).
 Status Grbl::jog(Emitter& m) {
-  std::optional<Alarm> parted;  // no arc is a jog
+  std::optional<Alarm> parted;  // unused: a jog is never an arc
   state.singles.follow(m, state.length);
   const auto jog = check(m, *this, true, parted);
   if (!jog) return fail(jog.error());
@@ -76,7 +76,7 @@ Status Grbl::jog(Emitter& m) {
   m.modal.inch = jog->inch;
   m.modal.feed = m.length_value('F');
   m.modal.feed_known = true;
-  if (!jog->has_axis) {  // gcode.c: the target has been left at machine zero
+  if (!jog->has_axis) {  // gcode.c leaves the target at machine zero
     const Status moved = m.to_machine(MotionKind::feed, Axes{}, (AxisMask{1} << axes) - 1, m.modal.feed);
     m.modal = before;
     return moved;
@@ -96,7 +96,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   if (parted) m.warn(*parted);
   if (!all) return fail(all.error());
   checked = *all;
-  if (m.has('T')) {  // 1.3: a byte is remembered
+  if (m.has('T')) {  // 1.3: Grbl keeps it in a byte
     double& tool = m.block->words[m.block->at['T' - 'A']].value;
     tool = byte_of(tool);
   }
@@ -105,7 +105,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   return false;
 }
 
-/// S stays as it is written; the spindle turns within $30 and $31 (4.17). Of each speed once.
+/// Warns of an S beyond $30 and $31, within which the spindle turns (4.17): once per speed. S itself stays as it is written.
 void Grbl::watch_speed(Emitter& m) {
   const Settings& s = state.settings;
   const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
@@ -123,10 +123,10 @@ void Grbl::take_back(BlockContext&) { state = before_; }
 
 BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return BlockChanges::anything; }
 
-/// After G80 there is none.
+/// After G80 there is no motion row.
 std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
 
-/// M2, M30: nothing moves again by the G1 that comes into force.
+/// M2, M30 put G1 in force, but the words of the block do not move anything.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
   checked.motion = 1_g;
@@ -135,14 +135,14 @@ bool Grbl::end_program(Interpreter& m) {
 }
 
 Status Grbl::after_block(Interpreter& m) {
-  if (feed_at_end_ >= 0) {  // 7: F stays, whatever it was the feed of
+  if (feed_at_end_ >= 0) {  // 7: F stays, whatever feed mode it was given in
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
   state.singles.note(m, checked, state.length);
   const bool probes = checked.motion > 38_g && checked.motion < 39_g;
   if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // 3: G38.n is a mode
-  if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F counts for its block
+  if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F is valid for its block only
     m.modal.feed = 0;
     m.modal.feed_known = false;
   }
@@ -155,7 +155,7 @@ bool Grbl::lines_follow(const BlockContext& m) const {
 
 void Grbl::note_line(BlockContext& m) { state.singles.note_line(m); }
 
-/// Its arcs are looked at one by one.
+/// Grbl's arcs are checked one by one.
 ArcRule Grbl::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;
@@ -178,7 +178,7 @@ void Grbl::refresh_frames(Emitter& m) {
   m.frames.length[2] = state.length;
 }
 
-/// Without contact only .2 and .4 are faults (4.16).
+/// A probe without contact is a fault only for G38.2 and G38.4 (4.16).
 Status Grbl::take_answer(Emitter& m, const ProbeAnswer& answer) {
   const Status noted = m.note_answer(answer);
   const bool must = m.modal.motion_row == m.def.row_of('G', 38.2_g) || m.modal.motion_row == m.def.row_of('G', 38.4_g);

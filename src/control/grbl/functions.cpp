@@ -1,4 +1,4 @@
-// G10, G28, G28.1, G43.1, G49, G53 of Grbl (spec/grbl 4.8, 4.13 to 4.15; execution steps of gcode.c).
+// Executes G10, G28, G28.1, G43.1, G49, G53 of Grbl (spec/grbl 4.8, 4.13 to 4.15; execution steps of gcode.c).
 
 #include "control/functions/functions.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// A row of a table that the block changes: an alarm brings the old one back.
+/// Returns a table row for writing; an alarm restores its old values.
 Axes& to_write(BlockContext& m, Axes& row) {
   m.journal.on_undo([&row, before = row] { row = before; });
   return row;
@@ -30,13 +30,13 @@ void take_length(Emitter& m, double length) {
 
 namespace functions {
 
-/// G53: the words of G0, G1 are machine coordinates; without words nothing.
+/// G53: the words of G0, G1 are machine coordinates; without words it does nothing.
 Status machine_block(Emitter& m, const Call&) {
   m.block_machine_coordinates = true;
   return {};
 }
 
-/// G10 L2, L20: a work system, by its zero in machine coordinates or by what the present point is to read.
+/// G10 L2, L20: sets a work offset directly in machine coordinates (L2), or so that the present point has the coordinates given (L20).
 Status stored_offsets(Emitter& m, const Call&) {
   const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
@@ -47,7 +47,7 @@ Status stored_offsets(Emitter& m, const Call&) {
   return {};
 }
 
-/// G28, G30 (arg 1, 2): through the point of the words, those axes; or all of them straight there.
+/// G28, G30 (arg 1, 2): moves the axes of the words through their point; without words all axes move straight to the stored position.
 Status stored_move(Emitter& m, const Call& call) {
   const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
   AxisMask named = 0;
@@ -70,7 +70,7 @@ Status length_by_word(Emitter& m, const Call&) {
   return {};
 }
 
-/// G49; axis words beside it have no effect.
+/// G49; axis words in its block have no effect.
 Status length_by_word_off(Emitter& m, const Call&) {
   take_length(m, 0);
   return {};

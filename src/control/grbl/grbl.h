@@ -1,6 +1,6 @@
 #pragma once
-// The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c): a line is checked as a whole in the order of its source, then carried
-// out, or nothing of it.
+// The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c). A line is checked as a whole in the order of Grbl's source; then it is
+// executed completely, or not at all.
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace kadr::grbl {
 
-/// $x: what the program's meaning depends on (10).
+/// The settings $x that the meaning of a program depends on (10).
 struct Settings {
   bool soft_limits = false;      // $20
   bool homing = false;           // $22
@@ -21,7 +21,7 @@ struct Settings {
   Axes travel{};                 // $130 to $132, mm
 };
 
-/// What a block changes and an alarm in it brings back.
+/// The state that a block changes and an alarm in the block restores.
 struct State {
   double length = 0;  // G43.1, mm
   Settings settings;
@@ -54,21 +54,21 @@ class Grbl final : public Dialect {
   Status machine_code(Interpreter& m, const Call& call) override;
 
   State state;
-  CheckedBlock checked;  // of the block being carried out
+  CheckedBlock checked;  // of the block being executed
 
  private:
   Status jog(Emitter& m);
   void watch_speed(Emitter& m);
   State before_;
-  double told_speed_ = 0;    // of the last warning
-  double feed_at_end_ = -1;  // of a block with M2 or M30; -1: none
+  double told_speed_ = 0;    // speed of the last warning
+  double feed_at_end_ = -1;  // the feed of a block with M2 or M30; -1: none
 };
 
 Grbl& grbl_of(const BlockContext& m);
 
-/// `$x=v`: a setting of the program (10).
-///   returns  false: Kadr knows no meaning of it
-///   alarms  system_line, value_below_zero, soft_limits_need_homing
+/// Executes `$x=v`, a setting in the program (10).
+///   returns  false: the setting has no meaning for Kadr
+///   alarms  value_below_zero, step_pulse_short, soft_limits_need_homing
 Result<bool> set(Settings& settings, int number, double value, Span where);
 
 }  // namespace kadr::grbl

@@ -1,5 +1,5 @@
-// 32-bit arithmetic of Grbl's arcs. For control/grbl/arc_readings; tested by tests/grbl_arcs.py, which has the same in Python, and against
-// Grbl's own source by dev/grbl_oracle.
+// Computes Grbl's arcs in 32-bit arithmetic. Used by control/grbl/arc_readings; tested by tests/grbl_arcs.py, which does the same in
+// Python, and against Grbl's own source by dev/grbl_oracle.
 
 #include "control/grbl/single_arc.h"
 
@@ -15,10 +15,10 @@ constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
 
-/// By a double's arc tangent, which every library rounds alike when it becomes a float: the same on every machine.
+/// Uses the arc tangent of a double: every library gives the same result when it is rounded to a float, so all machines agree.
 float angle_of(float y, float x) { return static_cast<float>(std::atan2(double{y}, double{x})); }
 
-/// Lines that are made of the arc: counted in 16 bits, so that a count above 65535 begins again at 0.
+/// The number of lines that Grbl makes of the arc, counted in 16 bits: a count above 65535 wraps around to 0.
 int segments_of(float angle, float radius, float tolerance) {
   constexpr float counts = 65536;
   const float chord = std::sqrt(tolerance * (2 * radius - tolerance));
@@ -26,7 +26,7 @@ int segments_of(float angle, float radius, float tolerance) {
   return std::isfinite(count) ? static_cast<int>(std::fmod(count, counts)) : 0;
 }
 
-/// mc_arc.
+/// mc_arc of the source.
 SingleArc led(Single2 from, Single2 to, Single2 offset, float radius, Turn turn, float tolerance) {
   const Single2 center{from[0] + offset[0], from[1] + offset[1]};
   const Single2 first{-offset[0], -offset[1]}, last{to[0] - center[0], to[1] - center[1]};
@@ -67,7 +67,7 @@ SingleArc single_arc_by_radius(Single2 from, Single2 to, float radius, Turn turn
     arc.other = length_of(x, y) / 2;
     return arc;
   }
-  float height = -std::sqrt(four_height_sq) / length_of(x, y);  // twice that of the centre over the chord, of its length
+  float height = -std::sqrt(four_height_sq) / length_of(x, y);  // twice the height of the centre above the chord, divided by its length
   if (turn == Turn::ccw) height = -height;
   if (radius < 0) height = -height;
   return led(from, to, {0.5F * (x - y * height), 0.5F * (y + x * height)}, std::fabs(radius), turn, tolerance);

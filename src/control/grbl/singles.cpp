@@ -1,4 +1,4 @@
-// Grbl's figures of 32 bits from block to block, in the order of its own sums (gcode.c, steps 19 and 20). For control/grbl/dialect.
+// Carries Grbl's 32-bit values from block to block, in the order of its own sums (gcode.c, steps 19 and 20). Used by control/grbl/dialect.
 
 #include "control/grbl/singles.h"
 
@@ -15,7 +15,7 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr std::size_t z_axis = 2;  // of the tool's length
+constexpr std::size_t z_axis = 2;  // axis of the tool length
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void SinglePoint::take(std::size_t axis, double now, float by_words) {
   single[axis] = by_words;
 }
 
-/// Nearly always the word's own text; blanks and remarks may stand in it.
+/// Reads the word's own text, which nearly always is the plain number; blanks and comments inside it are filtered out.
 float single_of(const Block& block, const Word& word) {
   const std::string_view text = block.text_of(word.where).substr(1);
   if (size_of_number(text) == text.size()) return single_of_digits(text);

@@ -1,4 +1,4 @@
-// `$` lines of a program (spec/grbl 9 to 11; system_execute_line of system.c, settings_store_global_setting of settings.c).
+// Executes `$` lines of a program (spec/grbl 9 to 11; system_execute_line of system.c, settings_store_global_setting of settings.c).
 
 #include <algorithm>
 #include <string>
@@ -15,7 +15,7 @@ tl::unexpected<Alarm> not_understood(Span where, const std::string& line) {
   return fail(alarm(AlarmId::system_line, where, line.substr(0, 30)));
 }
 
-/// `$130=200`.
+/// A setting such as `$130=200`.
 struct Assigned {
   int number = 0;
   double value = 0;
@@ -35,7 +35,7 @@ Result<Assigned> assigned(const std::string& line, Span where) {
   return Assigned{byte_of(number), value_of_digits(value.substr(0, value_size))};
 }
 
-/// What Grbl answers `ok` to, but a program cannot do by it: shown, stored, restored.
+/// True for a line to which Grbl answers `ok`, but which does nothing for a program: it shows, stores or restores something.
 bool is_form_of_line(const std::string& line) {
   if (line.size() == 1) return true;
   const bool alone = line.size() == 2;
@@ -85,7 +85,7 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
   }
 }
 
-/// A jog, homing, settings that count; the others are passed over, with a note.
+/// Executes a jog, homing, or a setting that Kadr uses; skips other lines with a note.
 Result<bool> Grbl::statement(Interpreter& m) {
   std::vector<std::uint32_t> place;
   const std::string line = filtered(m.block->text_of(m.block->statement.text), place);

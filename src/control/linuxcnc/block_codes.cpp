@@ -1,5 +1,5 @@
-// The codes of a block by their groups (spec/linuxcnc 2.3, 2.5, 2.7; read_g, read_m, enhance_block of the source), and their words (2.8:
-// check_g_codes, check_m_codes, check_other_codes).
+// Reads and checks the codes of a block by their groups (spec/linuxcnc 2.3, 2.5, 2.7; read_g, read_m, enhance_block of the source), and its
+// words (2.8: check_g_codes, check_m_codes, check_other_codes).
 
 #include "control/linuxcnc/block_codes.h"
 
@@ -72,9 +72,8 @@ class Checker {
     return {};
   }
 
-  /// U, V, W are no axes of the machine that is assumed; only in a turned profile U and W are increments.
-  /// A letter of an axis that the machine has not is none (1.1); in a profile A, C, U, W are words of its blocks (interp_g7x:
-  /// switch_settings).
+  /// Refuses a letter of an axis that the machine lacks (1.1), such as U, V, W on the machine that is assumed. In a profile A, C, U, W are
+  /// words of its blocks, U and W as increments (interp_g7x: switch_settings).
   Status axis_there(const Word& w) const {
     const std::size_t axis = axis_letters.find(w.address);
     if (axis == std::string_view::npos || (control_.axes >> axis & 1U) != 0) return {};
@@ -101,7 +100,7 @@ class Checker {
     return {};
   }
 
-  /// What is checked as soon as it is read (2.3).
+  /// Checks that LinuxCNC makes as soon as a word is read (2.3).
   Status value(const Word& w) const {
     const auto negative = [&](const char* text) -> Status {
       return w.value < 0 ? Status(wrong(AlarmId::rs274_words, w.where, text)) : Status();
@@ -121,7 +120,7 @@ class Checker {
     return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
   }
 
-  /// The plane is the one in force before the block.
+  /// Checks polar words. The plane is the one in force before the block.
   Status polar() const {
     if (!codes_.has_polar) return {};
     const auto no = [&](const char* text) { return wrong(AlarmId::rs274_motion, m_.block->where, text); };
@@ -131,7 +130,7 @@ class Checker {
     return {};
   }
 
-  // ---- which motion (2.7)
+  // ---- which code moves (2.7)
 
   Status motion() {
     const bool axes = codes_.has_axis || codes_.has_polar;
@@ -164,7 +163,7 @@ class Checker {
         if (lengths) return {};
         return wrong(AlarmId::rs274_motion, at, "Cannot use axis values without a g code that uses them");
       }
-      if (codes_.g[8] != 43.1_g) codes_.motion = in_force;  // its words are lengths: nothing moves
+      if (codes_.g[8] != 43.1_g) codes_.motion = in_force;  // the words of G43.1 are lengths: nothing moves
     } else if ((in_force == 2_g || in_force == 3_g) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
       codes_.motion = in_force;
     }
@@ -190,7 +189,7 @@ class Checker {
     return {};
   }
 
-  /// G10 (7.8).
+  /// Checks G10 (7.8).
   Status data() const {
     const Span at = m_.block->where;
     const int l = m_.has('L') ? static_cast<int>(std::round(m_.word('L')->value)) : -1;
@@ -198,7 +197,7 @@ class Checker {
       return wrong(AlarmId::rs274_data, at, "Line with G10 does not have L0, L1, L10, L11, L2, or L20");
     if (l == 0) return {};
     const double p = m_.has('P') ? m_.word('P')->value : -1;
-    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as the source has it: 1.5 to 1.99 count as 2
+    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as the source has it: 1.5 to 1.99 pass as 2
     if (l == 2 || l == 20) {
       if (broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
       if (std::round(p) < 0 || std::round(p) > 9)
@@ -231,7 +230,7 @@ class Checker {
     return {};
   }
 
-  // ---- words that nobody uses (check_other_codes)
+  // ---- words that no code uses (check_other_codes)
 
   Status words() const;
   Status letters_of_cycles() const;
@@ -270,7 +269,7 @@ Status Checker::letters_of_cycles() const {
   return {};
 }
 
-/// The texts are the control's, and so is the order.
+/// The texts and their order are the control's.
 Status Checker::words() const {
   KADR_TRY(letters_of_cycles());
   const bool thread = moves({33_g, 33.1_g});

@@ -1,5 +1,6 @@
 #pragma once
-// The codes of a block by their groups, and which of them moves: checked as a whole before anything is done (spec/linuxcnc 2.5, 2.7, 2.8).
+// Reads the codes of a block by their modal groups, decides which of them moves, and checks the block as a whole before anything is
+// executed (spec/linuxcnc 2.5, 2.7, 2.8).
 
 #include <array>
 #include <cstdint>
@@ -16,11 +17,11 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// Tenths of codes: G0 is 0, G38.2 is 382; -1: none.
+/// The codes of a block in tenths: G0 is 0, G38.2 is 382; -1 means none.
 struct BlockCodes {
   std::array<std::int32_t, g_groups> g{};  // by the number of the modal group
   std::array<std::int32_t, m_groups> m{};
-  std::int32_t motion = -1;  // that of the block: coded or in force; -1: none
+  std::int32_t motion = -1;  // the motion of the block, coded or in force; -1: none
   bool has_axis = false;     // X … W
   bool has_polar = false;    // @ ^
   bool axes_for_group0 = false;
@@ -31,7 +32,7 @@ struct BlockCodes {
 };
 
 /// Reads and checks the codes and words of the interpreter's block.
-///   alarms  rs274_codes, rs274_words, rs274_motion
+///   alarms  rs274_form, rs274_codes, rs274_words, rs274_motion, rs274_data, rs274_arc, rs274_cycle
 Result<BlockCodes> codes_of_block(BlockContext& m, const LinuxCnc& control);
 
 }  // namespace kadr::linuxcnc

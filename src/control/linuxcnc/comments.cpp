@@ -1,4 +1,4 @@
-// Active comments: messages, the log, the file of probed points (spec/linuxcnc 2.4; convert_comment of the source).
+// Executes active comments: messages, the log, the file of probed points (spec/linuxcnc 2.4; convert_comment of the source).
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double shown_as_zero = 1e-4;
 
-/// The last ( ) comment of the block; nothing: there is none. A `;` comment is never active.
+/// The last ( ) comment of the block; nullopt if it has none. A `;` comment is never active.
 std::optional<std::string_view> last_comment(const Block& block) {
   std::optional<std::string_view> last;
   for (const Span comment : block.comments)
@@ -23,7 +23,7 @@ std::optional<std::string_view> last_comment(const Block& block) {
   return last;
 }
 
-/// Does the comment begin with that word? Case and blanks in front do not count; then `rest` is what follows.
+/// Returns true if the comment starts with that word, ignoring case and leading blanks, and sets `rest` to what follows.
 bool takes(std::string_view text, std::string_view word, std::string_view& rest) {
   const std::size_t from = std::min(text.find_first_not_of(" \t"), text.size());
   text.remove_prefix(from);
@@ -34,7 +34,7 @@ bool takes(std::string_view text, std::string_view word, std::string_view& rest)
   return true;
 }
 
-/// The text with its parameters filled in (convert_param_comment).
+/// Fills the values of parameters into a text (convert_param_comment).
 class Filled {
  public:
   Filled(Emitter& m, std::string_view text) : m_(m), text_(text) {}
@@ -53,7 +53,7 @@ class Filled {
   }
 
  private:
-  /// %d, %f, %.2f: for all parameters to its right.
+  /// %d, %f, %.2f: the format of all parameters to its right.
   bool format() {
     const std::string_view rest = text_.substr(at_ + 1);
     if (rest.starts_with('d')) {
@@ -74,7 +74,8 @@ class Filled {
     return false;
   }
 
-  /// #5420 … while compensating: an expression may not read them, a comment shows what #<_x> … are (the source looks into its table).
+  /// For #5420 … under cutter compensation returns the number of #<_x> …: an expression may not read #5420 …, but a comment shows the
+  /// values of #<_x> … (the source reads its table directly).
   double beside_contour(double number) const {
     constexpr std::string_view letters = "xyzabcuvw";
     constexpr double first = 5420;
@@ -115,7 +116,7 @@ class Filled {
   int decimals_ = 6;
 };
 
-/// Gives an alarm of the file its place.
+/// Adds the location of the block to an alarm of the file.
 Status placed_at(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();
@@ -125,7 +126,7 @@ Status placed_at(const Status& status, Span where) {
 
 std::string_view without_front(std::string_view text) { return text.substr(std::min(text.find_first_not_of(" \t"), text.size())); }
 
-/// Path of the running program from the folder of the program memory.
+/// The running program's path relative to the program memory.
 std::string running_program(const BlockContext& m) {
   namespace fs = std::filesystem;
   std::error_code error;

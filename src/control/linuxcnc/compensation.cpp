@@ -1,4 +1,4 @@
-// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The corners are path's.
+// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The corners are computed in path.
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 namespace kadr::functions {
 namespace {
 
-constexpr std::uint8_t unknown_nose = 10;  // no table has it: its centre is led, by a way of its own before an arc
+constexpr std::uint8_t unknown_nose = 10;  // in no table: the nose centre is guided, with an approach of its own before an arc
 
 }  // namespace
 
-/// arg: 41, 42 by the table; 411, 421 by D as a diameter.
+/// arg: 41, 42 use the tool table; 411, 421 use D as a diameter.
 Status tool_side(Emitter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const int code = call.row->arg;

@@ -1,4 +1,5 @@
-// Canned cycles G73, G74, G81 to G89 (spec/linuxcnc 7.6; convert_cycle, convert_cycle_xy, CYCLE_MACRO of the source).
+// Canned cycles G73, G74, G81 to G89: reads and checks their words (spec/linuxcnc 7.6; convert_cycle, convert_cycle_xy, CYCLE_MACRO of the
+// source).
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ constexpr double same_level = 1e-9;
 constexpr double most_pecks = 1e6;
 constexpr double most_repeats = 1e8;
 
-/// Words → levels, checked in the order of the source.
+/// Turns words into levels, with the checks in the order of the source.
 class Reader {
  public:
   Reader(Emitter& m, const kadr::Call& call) : m_(m), call_(call), control_(linuxcnc_of(m)) {}
@@ -59,7 +60,7 @@ class Reader {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_cycle, call_.where, std::move(text)); }
 
-  /// In the control's texts: `z` and `xy`, but `W` and `UV`.
+  /// The letter as the control's texts write it: `z` in plane `xy`, but `W` in plane `UV`.
   char drill_letter() const {
     const char letter = m_.letters.axis_letter[hole_.drill];
     return of_uvw_ ? letter : static_cast<char>(letter | 0x20);
@@ -72,7 +73,7 @@ class Reader {
     }
   }
 
-  /// Axes of the other kind of plane are no words of a cycle; nor can a machine without the axis drill along it.
+  /// Refuses axes of the other kind of plane (XYZ or UVW), and drilling along an axis that the machine lacks.
   Status axes_of_plane(bool same) const {
     constexpr std::string_view xyz = "XYZ", uvw = "UVW", planes_of_xyz[] = {"XY", "XZ", "YZ"};
     for (const char letter : of_uvw_ ? xyz : uvw)
@@ -103,7 +104,7 @@ class Reader {
     return axes_of_plane(same);
   }
 
-  /// What a single cycle finds out at its hole.
+  /// Records a fault that a single cycle finds only at its hole.
   void at_hole(AlarmId id, std::string text) {
     if (hole_.fault != no_alarm) return;
     hole_.fault = id;
@@ -111,7 +112,7 @@ class Reader {
     hole_.where = call_.where;
   }
 
-  /// `$`, where the code reads it; the text is the source's, its slips included.
+  /// Reads `$` where the code does; the text is the source's, mistakes included.
   void choose_spindle() {
     const bool taps = hole_.code == 84_g || hole_.code == 74_g;
     const bool in_uw = of_uvw_ && hole_.plane == Plane::zx;
@@ -175,7 +176,8 @@ class Reader {
     hole_.back = along(hole_.drill) + (m_.modal.absolute ? 0 : hole_.bottom);
   }
 
-  /// Words that a code needs, given or sticky; found out when the tool has risen to R. P and Q of -1 are as missing (2.2).
+  /// Checks the words that a code needs, given or sticky. A fault is reported when the tool has risen to R. P and Q of -1 count as missing
+  /// (2.2).
   Status of_code(bool same) {
     const auto wants = [&](char letter, const char* text) {
       const bool there = m_.has(letter) && !((letter == 'P' || letter == 'Q') && m_.value(letter) == -1);
@@ -205,7 +207,7 @@ class Reader {
     KADR_TRY(m_.target(to, named));
     hole_.at_first = to[hole_.first];
     hole_.at_second = to[hole_.second];
-    if (!m_.modal.absolute) {  // each repetition steps on, the first one too
+    if (!m_.modal.absolute) {  // each repetition advances, the first one too
       hole_.step_first = to[hole_.first] - m_.position.programmed[hole_.first];
       hole_.step_second = to[hole_.second] - m_.position.programmed[hole_.second];
       hole_.at_first = m_.position.programmed[hole_.first];

@@ -1,4 +1,4 @@
-// What the interpreter asks a dialect (control/dialect.h), answered for LinuxCNC.
+// Implements for LinuxCNC what the interpreter calls of a dialect (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ struct LinuxCnc::Remembered : DialectState {
   ProgramFiles::Memory outputs;
 };
 
-/// tool.tbl of the program memory, else the tools of the set-up (1.1).
+/// Takes tools from tool.tbl of the program memory, else from the set-up (1.1).
 LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     : groups(m.def),
       outputs({.root = limits.files,
@@ -74,8 +74,8 @@ LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
   read_tool_file(limits);
 }
 
-/// Axes of the machine (1.1): the set-up names them, or its ini file. INFERRED: with U, V or W there are all nine places, so that the
-/// numbers of the parameters hold; a letter that is not named is no word all the same.
+/// Sets the axes of the machine (1.1), which the set-up or its ini file names. INFERRED: with U, V or W the control has all nine axes, so
+/// that parameter numbers stay valid; words of an axis that is not named are still refused.
 bool LinuxCnc::start(Interpreter& m, const Setup& setup) {
   std::string named;
   for (const std::string& axis : setup.axes) named += axis;
@@ -92,10 +92,10 @@ std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
   return machine.known && axis < machine.limits.size() ? machine.limits[axis] : Dialect::limits_by_file(axis);
 }
 
-/// X Y Z have the feed where they move, else U V W, else A B C (7.2).
+/// The feed applies to X Y Z if they move, else to U V W, else to A B C (7.2).
 void LinuxCnc::note_motion(Emitter& m, Motion& motion) {
   motion.along = FeedAlong::xyz;
-  if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no contours
+  if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no compensation
     const PlaneAxes of_xyz = axes_of(m.modal.plane);
     motion.first = static_cast<std::uint8_t>(of_xyz.first);
     motion.second = static_cast<std::uint8_t>(of_xyz.second);
@@ -126,7 +126,7 @@ void LinuxCnc::started(Emitter&) {
   before_ = state;
 }
 
-/// The shift of G92 is off, and what was kept of it is 0 (DISABLE_G92_PERSISTENCE).
+/// Switches the shift of G92 off and clears its parameters (DISABLE_G92_PERSISTENCE).
 void LinuxCnc::forget_shift(Emitter& m) {
   for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   (void)m.variables.take_frames_changed();
@@ -135,7 +135,7 @@ void LinuxCnc::forget_shift(Emitter& m) {
   m.change_frames();
 }
 
-/// M2, M30 (7.9); the rest are codes of the file.
+/// M2, M30 (7.9). Whatever else they reset is listed as codes in the control file.
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
@@ -152,7 +152,7 @@ bool LinuxCnc::end_program(Interpreter& m) {
   return false;
 }
 
-/// An alarm leaves the parameters as they are, and they are written: the machine asks the interpreter to (Interp::synch).
+/// Saves the parameters, which an alarm leaves unchanged: the machine makes the interpreter do so (Interp::synch).
 void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);
@@ -194,7 +194,7 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
 
 namespace {
 
-/// A byte order mark is three characters to the control, of which it names the first; the reader of lines has passed it over.
+/// Refuses a byte order mark. The control sees three characters and reports the first; our line reader has already skipped them.
 Status no_byte_order_mark(const BlockContext& m) {
   constexpr std::uint64_t size_of_mark = 3;
   if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
@@ -210,7 +210,7 @@ Result<bool> LinuxCnc::statement(Interpreter& m) {
   return true;
 }
 
-/// `%` alone: the first line that is not blank begins the file, the next one ends it (2.1).
+/// `%` alone: as the first line that is not blank it starts the file, the next one ends it (2.1).
 Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   KADR_TRY(no_byte_order_mark(m));
   if (!state.began && !state.percent) {
@@ -233,7 +233,7 @@ Result<bool> LinuxCnc::end_of_file(BlockContext& m) {
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
 }
 
-/// Behind the end of the file nothing is left to go on with: its fault is found once.
+/// Ends the run after a fault at the end of the file, so that it is reported once.
 void LinuxCnc::note_fault(Interpreter& m, bool) {
   const Alarm& fault = m.report.alarm;
   const bool of_the_end = fault.id == AlarmId::rs274_flow || fault.id == AlarmId::rs274_program;
@@ -247,7 +247,7 @@ void LinuxCnc::begin_block(Emitter&) {
 
 namespace {
 
-/// Feed 0 is found when the block is carried out, after its F and its kind of feed (7.2).
+/// Checks the feed. LinuxCNC finds a feed of 0 when the block is executed, after its F and its feed mode (7.2).
 Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
   if (motion != 1_g) return {};
@@ -266,7 +266,7 @@ Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   return {};
 }
 
-/// What must not come while the path is compensated (7.5).
+/// Refuses what is not allowed while cutter compensation is on (7.5).
 Status compensation_allows(const BlockContext& m, const LinuxCnc& control) {
   if (m.modal.radius_side == 0) return {};
   const BlockCodes& codes = control.codes;
@@ -327,7 +327,7 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
     m.modal.feed_known = false;
     return;
   }
-  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
+  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: as G17, G18, G19, with U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
   if (is_of(7) && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
   if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
@@ -357,7 +357,7 @@ void LinuxCnc::note_line(BlockContext& m) {
   state.cycle_began = state.arc_not_allowed = false;
 }
 
-/// Its arcs are looked at one by one.
+/// LinuxCNC's arcs are checked one by one.
 ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;

@@ -1,4 +1,4 @@
-// Files of a machine that are read at power-on, and what of them is written at the end: ini file, parameter file, tool table
+// Reads the files of a machine at power-on, and writes some of them at the end: ini file, parameter file, tool table
 // (spec/linuxcnc 1.1, 4.4, 9, 10.1).
 
 #include "config/read_file.h"
@@ -9,14 +9,14 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t most_bytes = 1'000'000;  // of a table
+constexpr std::size_t most_bytes = 1'000'000;  // of one file
 
-/// A name of the ini file or the set-up, from the folder of the program memory.
+/// The path of a file that the ini file or the set-up names, relative to the program memory.
 std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }
 
 }  // namespace
 
-/// The ini file that the set-up names (10.1).
+/// Reads the ini file that the set-up names (10.1).
 void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits) {
   if (setup.ini.empty()) return;
   const auto text = read_file(path_in(limits.files, setup.ini), most_bytes, limits.door);
@@ -24,7 +24,7 @@ void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunL
   else m.start_fault = {"ini", text.error(), text.error()};
 }
 
-/// The file that the ini file names; it need not be there (4.4).
+/// Reads the file that the ini file names; it need not exist (4.4).
 void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   if (machine.parameter_file.empty()) return;
   writes_parameters_ = limits.writes_files;
@@ -39,7 +39,7 @@ void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   parameters_before_ = *text;
 }
 
-/// What the set-up says counts before the file.
+/// Takes the parameters of the file. Values of the set-up have precedence.
 void LinuxCnc::take_parameters(BlockContext& m) {
   for (const auto& [n, value] : stored_) {
     if (n <= most_arguments) levels_.front().arguments[n] = value;
@@ -57,7 +57,7 @@ void LinuxCnc::save_parameters(Emitter& m, bool program_ends) {
   if (!saved) m.warn(warning(saved.error().id, {}, std::string_view(machine.parameter_file)));
 }
 
-/// Its own form (9).
+/// Reads LinuxCNC's tool table file (9).
 void LinuxCnc::read_tool_file(const RunLimits& limits) {
   if (limits.files.empty()) return;
   const std::string table = machine.tool_table.empty() ? "tool.tbl" : machine.tool_table;
@@ -69,7 +69,7 @@ void LinuxCnc::read_tool_file(const RunLimits& limits) {
   }
 }
 
-/// The table that the ini file names, where G10 has changed it.
+/// Writes the table that the ini file names, if G10 has changed it.
 void LinuxCnc::save_tools(Emitter& m) {
   if (!writes_tools_ || !tools_changed) return;
   const Status saved = outputs.replace(ProgramFiles::Which::tools, machine.tool_table, tools_before_, tools_text(tools, machine.unit));

@@ -1,5 +1,5 @@
 #pragma once
-// O lines and M98, M99 carried out (spec/linuxcnc 6).
+// Executes O lines, M98 and M99 (spec/linuxcnc 6).
 
 #include <optional>
 #include <string>
@@ -14,19 +14,19 @@ class Interpreter;
 
 namespace kadr::linuxcnc {
 
-/// The O line that the interpreter's block is.
-///   alarms  rs274_flow, and those of its expressions
+/// Executes the interpreter's block, which is an O line.
+///   alarms  rs274_flow, and the alarms of its expressions
 Status run_o_line(Interpreter& m);
 
 inline constexpr std::size_t most_calls_of_program = 9;  // 6.2
 
-/// A subprogram has been called. `level`: its arguments; nothing: those of the caller (M98).
+/// Records that a subprogram has been called. `level`: its arguments; nullopt if it uses those of the caller (M98).
 void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by_m98);
-/// A subprogram without arguments is called, as by `O… call`.
+/// Calls a subprogram without arguments, as `O… call` does.
 Status call_sub(Interpreter& m, const std::string& label, Span where);
-/// Its end: once more, or back.
+/// Ends a subprogram: repeats it, or returns to the caller.
 Status leave_sub(Interpreter& m, Span where);
-/// The modes that M73 has kept come back (8).
+/// Restores the modes that M73 has kept (8).
 Status restore_at_end(Interpreter& m);
 
 }  // namespace kadr::linuxcnc

@@ -1,6 +1,6 @@
 #pragma once
-// The O lines of the files of a run, found by one reading of each, and the labels that are in use (spec/linuxcnc 6). Labels are numbers
-// here: each text is compared once.
+// The O lines of the files of a run, each file read once, and the labels in use (spec/linuxcnc 6). Labels are numbers here, so that each
+// text is compared only once.
 
 #include <cstdint>
 #include <map>
@@ -22,44 +22,44 @@ class ProgramFile;
 
 namespace kadr::linuxcnc {
 
-/// Number of a label's text, in the order in which they were first met.
+/// The number of a label's text; numbers are given in the order in which the texts are first met.
 using Label = std::int32_t;
 inline constexpr Label no_label = -1;
 
-/// A number as a label is compared.
+/// The text under which a number is compared as a label.
 std::string label_of_number(double number);
 
 /// One O line.
 struct OLine {
-  Position at, behind;     // the line; the next one
-  Label label = no_label;  // none: `expression` says it when it is asked for
-  std::string expression;  // of O[…], O#…
+  Position at, behind;     // the line; the line after it
+  Label label = no_label;  // no_label if the label is computed from `expression`
+  std::string expression;  // text of O[…], O#…
   OWord word = OWord::label;
-  std::int32_t sub = -1;   // the line of the subprogram that it stands in, -1: none
-  std::int32_t next = -1;  // the next line of the same label in the same subprogram, -1: none
-  Label mark_of = -2;      // subprogram for which `mark` is the label's; -2: not looked for yet
+  std::int32_t sub = -1;   // the line that starts the enclosing subprogram; -1: none
+  std::int32_t next = -1;  // the next line with the same label in the same subprogram; -1: none
+  Label mark_of = -2;      // the subprogram for which `mark` is valid; -2: not resolved yet
   std::uint32_t mark = 0;
 };
 
-/// Those of one file.
+/// The O lines of one file.
 struct OFile {
   std::vector<OLine> lines;
   std::unordered_map<std::uint64_t, std::int32_t> by_offset;
-  bool all = true;      // false: it has more than are kept
-  bool closed = false;  // a line of nothing but % ends it (2.1)
+  bool all = true;      // false: the file has more lines than are kept
+  bool closed = false;  // a line with nothing but % ends the file (2.1)
 };
 
-/// A label in use: what it stands for, and how far that is.
+/// What a label in use stands for, and how far its loop or branch has run.
 struct Mark {
   bool used = false;
   OWord word = OWord::label;
   Position at;  // its line
   std::uint16_t reader = 0;
-  double left = 0;     // passes of a repetition that are to come
-  bool taken = false;  // a branch of the `if` has been
+  double left = 0;     // remaining passes of a repeat loop
+  bool taken = false;  // a branch of the `if` has been executed
 };
 
-/// A subprogram that has been passed or found: its line.
+/// The line of a subprogram whose definition has been passed or found.
 struct PassedSub {
   bool known = false;
   std::uint16_t reader = 0;
@@ -70,7 +70,7 @@ class FlowTable {
  public:
   static constexpr std::size_t most_lines = 200'000;  // of a file
 
-  /// The O lines of the file being read; read when they are first asked for.
+  /// The O lines of the file being read; the file is scanned at the first call.
   OFile& of(BlockContext& m);
   OFile& of(BlockContext& m, std::uint16_t reader);
 
@@ -78,22 +78,22 @@ class FlowTable {
   Label label_of(std::string_view text);
   const std::string& text_of(Label label) const { return texts_[static_cast<std::size_t>(label)]; }
 
-  /// The place for what a label stands for in a subprogram (no_label: the main program).
+  /// The index of the mark of a label in a subprogram (no_label: the main program).
   std::uint32_t mark_of(Label sub, Label label);
   Mark& mark(std::uint32_t place) { return marks_[place]; }
   PassedSub& passed(Label label) { return passed_[static_cast<std::size_t>(label)]; }
 
-  Label defining = no_label;  // label of the definition being passed over
-  std::string refused;        // what is said at the line that has been jumped to
-  std::vector<Label> calls;   // subprograms that are open
-  std::vector<bool> by_m98;   // … and how each was called
+  Label defining = no_label;  // label of the definition being skipped
+  std::string refused;        // fault to be reported at the line that was jumped to
+  std::vector<Label> calls;   // labels of the open subprograms
+  std::vector<bool> by_m98;   // for each of `calls`: it was called by M98
 
-  // Left over by `continue` of a do loop and `break` of a while loop: what ends next takes it for its own (a fault of LinuxCNC 2.9,
-  // doing_continue and doing_break of the source).
+  // Flags left set by `continue` of a do loop and `break` of a while loop: the next loop that ends acts on them as its own (a fault of
+  // LinuxCNC 2.9, doing_continue and doing_break of the source).
   bool continue_left = false, break_left = false;
-  bool told_again = false, told_early = false;  // … have been warned of
+  bool told_again = false, told_early = false;  // warned of that already
 
-  // ---- what a snapshot holds: texts, for another control numbers its labels anew
+  // ---- what a snapshot holds: texts, as another run numbers its labels differently
   struct Memory {
     std::map<std::pair<std::string, std::string>, Mark> marks;  // {subprogram, label}
     std::map<std::string, PassedSub> passed;
@@ -116,7 +116,7 @@ class FlowTable {
   std::map<std::string, Label, std::less<>> labels_;
   std::vector<PassedSub> passed_;  // by label
   std::vector<Mark> marks_;
-  std::map<std::pair<Label, Label>, std::uint32_t> places_;  // of marks: {subprogram, label}
+  std::map<std::pair<Label, Label>, std::uint32_t> places_;  // index in marks_ by {subprogram, label}
 };
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,4 @@
-// Work systems, their rotation, G92 and G52, lengths, reference positions, G10 (spec/linuxcnc 7.4, 7.8).
+// Work offsets and their rotation, G92 and G52, tool lengths, reference positions, G10 (spec/linuxcnc 7.4, 7.8).
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ constexpr std::uint32_t first_home = 5161, first_second_home = 5181;
 
 std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 1) * numbers_of_system; }
 
-/// Axis words in mm or degrees; X as a radius.
+/// Calls `use` for each axis word, with its value in mm or degrees; X as a radius.
 template <class Use>
 void each_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -36,7 +36,7 @@ void each_word(const BlockContext& m, Use use) {
 
 void set(BlockContext& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
 
-/// `at` turned by `degrees` about Z.
+/// `at` rotated by `degrees` about Z.
 Axes turned_by(const Axes& at, double degrees) {
   if (degrees == 0) return at;
   const SinCos by = sincos_deg(degrees);
@@ -52,13 +52,13 @@ Axes sum(const Axes& a, const Axes& b, double sign = 1) {
   return c;
 }
 
-/// In compensation these may not be (7.5).
+/// Refuses a code that is not allowed under cutter compensation (7.5).
 Status not_compensating(const BlockContext& m, Span where, const char* text) {
   if (m.modal.radius_side == 0) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
 }
 
-/// G10 L2, L20: offsets of a work system.
+/// G10 L2, L20: writes the offsets of a work system.
 Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   LinuxCnc& control = linuxcnc_of(m);
   const double p = m.has('P') ? std::round(m.value('P')) : 0;
@@ -85,7 +85,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   return {};
 }
 
-/// G10 L1, L10, L11: a tool of the table.
+/// G10 L1, L10, L11: writes a tool of the table.
 Status write_tool(BlockContext& m, int kind) {
   LinuxCnc& control = linuxcnc_of(m);
   const int number = static_cast<int>(std::round(m.value('P')));
@@ -116,7 +116,7 @@ void take_length(Emitter& m, const Axes& length) {
   m.change_frames();
 }
 
-/// Tool of G43, G43.2: H, else that in the spindle.
+/// The length of the tool of G43, G43.2: tool H, else the one in the spindle.
 Result<Axes> length_of_tool(BlockContext& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
@@ -132,7 +132,7 @@ constexpr const char* no_length_change = "Cannot change tool offset with cutter 
 
 }  // namespace
 
-/// RETAIN_G43: the tool that has come brings its length while G43 is in force; none takes it away.
+/// RETAIN_G43: while G43 is in force, a tool change applies the new tool's length; an empty spindle removes it.
 void LinuxCnc::retain_length(Emitter& m) {
   const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 43_g;
@@ -169,7 +169,7 @@ void LinuxCnc::store_axis(BlockContext& m, std::uint32_t first, std::size_t axis
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
 }
 
-/// Work systems with their rotations, and reference points: mm and degrees, where the parameters are in the machine's unit.
+/// Takes work offsets with their rotations, and reference points, in mm and degrees; the parameters are in the machine's unit.
 void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
   const auto store = [&](std::uint32_t first, const AxisValues& values) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -186,7 +186,7 @@ void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
     if (number == 1 || number == 2) store(number == 1 ? first_home : first_second_home, point);
 }
 
-/// The other way. Wear is part of the lengths here.
+/// Adds tools and work offsets to a set-up: the reverse of take_tables(). Lengths include wear here.
 bool LinuxCnc::add_tables(const BlockContext& m, Setup& tables) const {
   for (const auto& [number, tool] : tools) {
     ToolOffset& offset = tables.offsets[number];
@@ -246,11 +246,11 @@ using linuxcnc::linuxcnc_of;
 Status table_data(Emitter& m, const Call& call) {
   const int kind = static_cast<int>(std::round(m.value('L')));
   if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
-  if (kind == 0) return {};  // the table is what the set-up says
+  if (kind == 0) return {};  // the table is already that of the set-up
   return linuxcnc::write_tool(m, kind);
 }
 
-/// G92 (arg 0), G52 (1).
+/// G92 (arg 0), G52 (arg 1).
 Status coordinate_shift(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
@@ -263,7 +263,7 @@ Status coordinate_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92.1 to G92.3; arg: the number behind the point.
+/// G92.1 to G92.3; arg: the digit after the point.
 Status coordinate_shift_off(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
@@ -294,7 +294,7 @@ Status table_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28, G30 (arg 1, 2): through the point of the words to the stored position.
+/// G28, G30 (arg 1, 2): moves through the point of the words to the stored position.
 Status reference_move(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot use g28 or g30 with cutter radius comp"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
@@ -304,7 +304,7 @@ Status reference_move(Emitter& m, const Call& call) {
     KADR_TRY(m.target(through, named));
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
-  if (named == 0) {  // a motion of no length comes first, the control makes one
+  if (named == 0) {  // the control makes a motion of no length first
     named = (AxisMask{1} << m.axis_count) - 1;
     KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
   }
@@ -326,7 +326,7 @@ Status reference_store(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43 (arg 0), G43.2 (1): by the table.
+/// G43 (arg 0), G43.2 (arg 1): lengths from the table.
 Status tool_length(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
@@ -335,7 +335,7 @@ Status tool_length(Emitter& m, const Call& call) {
     if (m.has('H') && m.has_axis_words())
       return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
     if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
-    if (words) {  // 2.9.3: added to what is in force
+    if (words) {  // 2.9.3: added to the lengths in force
       Axes more{};
       linuxcnc::each_word(m, [&](std::size_t a, double v) { more[a] = v; });
       linuxcnc::take_length(m, linuxcnc::sum(control.state.length, more));

@@ -1,4 +1,4 @@
-// The motions of canned cycles (spec/linuxcnc 7.6; convert_cycle_g81 … convert_cycle_g89, CYCLE_MACRO of the source).
+// Executes the motions of canned cycles (spec/linuxcnc 7.6; convert_cycle_g81 … convert_cycle_g89, CYCLE_MACRO of the source).
 
 #include "control/linuxcnc/hole.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double above_bottom = 0.254;  // mm; G83, G73
 constexpr double same_height = 1e-9;
 
-/// Goes on a few actions at a time.
+/// Runs a canned cycle, a few actions at a time.
 class Drilling final : public RunningValue<Drilling> {
  public:
   explicit Drilling(const Hole& hole) : h_(hole), depth_(hole.level) {}
@@ -24,7 +24,7 @@ class Drilling final : public RunningValue<Drilling> {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
-      if (m.each_block) break;  // somebody looks at the holes
+      if (m.each_block) break;  // a caller watches each hole
     }
     return done_ < h_.repeats;
   }
@@ -94,7 +94,7 @@ class Drilling final : public RunningValue<Drilling> {
         turn_spindle(m, SpindleDir::stop);
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
-        m.position.programmed[h_.drill] = h_.clear;  // the control takes it so: the operator has brought the tool out
+        m.position.programmed[h_.drill] = h_.clear;  // the control assumes it: the operator has withdrawn the tool
         m.place_plainly(AxisMask{1} << h_.drill);
         return {};
       case 89_g:
@@ -108,7 +108,7 @@ class Drilling final : public RunningValue<Drilling> {
     }
   }
 
-  /// Fault of the control: in G18, G19 both strokes go to turned axes; so does Kadr, and a warning has told.
+  /// Taps. A fault of the control: in G18, G19 both strokes move the wrong axes. Kadr does the same, after a warning.
   Status tap(Emitter& m) {
     const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
@@ -122,7 +122,7 @@ class Drilling final : public RunningValue<Drilling> {
     return {};
   }
 
-  /// The strokes have gone to turned axes; the control takes the tool for where they should have left it.
+  /// Sets the position after strokes along the wrong axes: the control assumes that the tool is where it should have ended.
   void stand(Emitter& m) const {
     Axes to = m.position.programmed;
     to[h_.first] = h_.at_first;
@@ -155,7 +155,7 @@ class Drilling final : public RunningValue<Drilling> {
     return {};
   }
 
-  /// The oriented tool goes down beside the middle of the hole, and on to it.
+  /// Moves the oriented tool down next to the hole's centre, then to the centre.
   Status enter(Emitter& m) {
     KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
     return place(m, h_.at_first, h_.at_second, h_.bottom);
@@ -185,7 +185,7 @@ class Drilling final : public RunningValue<Drilling> {
   AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
 
   void dwell(Emitter& m) const {
-    m.emit(Dwell{h_.dwell});  // of no time too, as the control does
+    m.emit(Dwell{h_.dwell});  // also with no time, as the control does
   }
   void turn_spindle(Emitter& m, SpindleDir dir) const {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;

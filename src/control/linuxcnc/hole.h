@@ -1,5 +1,5 @@
 #pragma once
-// A hole of a canned cycle, or several (spec/linuxcnc 7.6): what cycles.cpp reads of the words, and hole.cpp makes of it.
+// The data of one or several holes of a canned cycle (spec/linuxcnc 7.6): cycles.cpp reads them from the words, hole.cpp executes them.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,17 +14,17 @@ namespace kadr::linuxcnc {
 
 struct Hole {
   std::int32_t code = 81_g;
-  std::size_t first = 0, second = 1, drill = 2;  // axes
+  std::size_t first = 0, second = 1, drill = 2;  // indices of the axes
   double at_first = 0, at_second = 0;
-  double step_first = 0, step_second = 0;  // G91, from repetition to repetition
+  double step_first = 0, step_second = 0;  // G91: distance between repetitions
   double level = 0, bottom = 0, clear = 0, present = 0;
   double peck = 0, dwell = 0, i = 0, j = 0, back = 0;
   std::uint32_t repeats = 1;
-  bool up_first = false;  // from below R
-  bool polar = false;     // G91 with @ ^: each repetition turns on
+  bool up_first = false;  // the cycle starts below R and rises to R first
+  bool polar = false;     // G91 with @ ^: each repetition adds polar_radius and polar_angle
   double polar_radius = 0, polar_angle = 0;
-  AlarmId fault = no_alarm;  // what the control finds at the hole only, when the approach has been made
-  bool fault_above = false;  // … when it has risen to R, if it has to
+  AlarmId fault = no_alarm;  // fault that the control finds only at the hole, after the approach
+  bool fault_above = false;  // the fault is found already at R, after rising there if necessary
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;
@@ -33,7 +33,7 @@ struct Hole {
   Plane plane = Plane::xy;
 };
 
-/// Begins it: the cycle goes on a few actions at a time.
+/// Starts drilling. The cycle then runs a few actions at a time.
 void begin_drilling(Emitter& m, const Hole& hole);
 
 }  // namespace kadr::linuxcnc

@@ -1,6 +1,6 @@
 #pragma once
-// The dialect of LinuxCNC (spec/linuxcnc; its source: src/emc/rs274ngc): what it does that no row can say. Where its manual and its code
-// differ, the code counts.
+// The dialect of LinuxCNC (spec/linuxcnc; its source: src/emc/rs274ngc): the behaviour that no row of the control file can express. Where
+// LinuxCNC's manual and its code differ, the code counts.
 
 #include <array>
 #include <map>
@@ -31,68 +31,68 @@ struct Call;
 
 namespace kadr::linuxcnc {
 
-/// Parameters by number (spec/linuxcnc 4.1): G92 is in force, its shift, the work system.
+/// Numbers of parameters (spec/linuxcnc 4.1): whether G92 is in force, its shift, the number of the work system.
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
 inline constexpr std::size_t most_arguments = 30;  // #1 … #30
 inline constexpr std::size_t most_spindles = 8;
-inline constexpr double whole_within = 1e-4;                   // what an integer may differ from a whole number (2.3)
+inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be an integer (2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
 inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A B C
 
-/// A tool of the table (9); mm, degrees.
+/// A tool of the tool table (9); mm and degrees.
 struct Tool {
   Axes offset{};
   double diameter = 0;
   double front = 0, back = 0;  // I J
   double orientation = 0;      // Q
   int pocket = 0;
-  std::string remark;  // behind `;` in the file
+  std::string remark;  // text after `;` in the file
 };
 
-/// Parameters that belong to one call: #1 … #30, and those with names.
+/// Parameters of one call: #1 … #30, and named ones.
 struct Level {
   std::array<double, most_arguments + 1> arguments{};
   std::map<double, double> named;
 };
 
-/// Modes kept by M70, M73 (8).
+/// Modes saved by M70 or M73 (8).
 struct KeptModes {
   Modal modal;
   bool restore_at_end = false;  // M73
 };
 
-/// A spindle besides the first one.
+/// A spindle other than the first one.
 struct OtherSpindle {
   SpindleDir dir = SpindleDir::stop;
   double rpm = 0;
   bool surface = false;  // G96
 };
 
-/// What a block changes and an alarm in it brings back.
+/// The state that a block changes and an alarm in the block restores.
 struct State {
   Axes system{};          // offset of the work system in force, machine coordinates
-  double rotation = 0;    // degrees, of that system about Z
-  Axes shift{};           // of G92, G52; turned with it
+  double rotation = 0;    // degrees, of the work system about Z
+  Axes shift{};           // of G92, G52; rotated with the work system
   bool shift_on = false;  // #5210
   Axes length{};          // of G43
   std::uint32_t system_number = 1;
-  int active_spindle = 0;                            // that leads G33, G76
-  std::array<OtherSpindle, most_spindles> others{};  // by number; the first is the modal state's
+  int active_spindle = 0;                            // the spindle that leads G33, G76
+  std::array<OtherSpindle, most_spindles> others{};  // by number; entry 0 is unused, the first spindle is in the modal state
   double css_most = 0;                               // rev/min, D of G96; 0: no limit
-  bool cycle_began = false;                          // a canned cycle follows another
-  double old_z = 0;                                  // of cycles (7.6)
+  bool cycle_began = false;                          // a canned cycle has run, and another one may continue it
+  double old_z = 0;                                  // initial level of canned cycles (7.6)
   std::int32_t motion = 80_g;                        // code in force, tenths; -1: none (G5.3)
-  bool polar_step = false;                           // the block's words are @ ^ in G91: each repetition of a cycle turns on
+  bool polar_step = false;                           // the block has @ ^ in G91: each repetition of a canned cycle adds them
   double polar_radius = 0, polar_angle = 0;
-  bool arc_not_allowed = false;  // a contour has ended: the next motion of its kind must be straight (7.3)
+  bool arc_not_allowed = false;  // cutter compensation has ended: the next motion must be straight (7.3)
   std::array<bool, 2> spindle_known{};
-  std::vector<ControlPoint> nurbs;  // of G5.2, until G5.3
+  std::vector<ControlPoint> nurbs;  // control points of G5.2, until G5.3
   std::size_t nurbs_order = 3;      // its degree + 1
-  double value = 0;                 // of the last O return (6.3)
+  double value = 0;                 // value of the last O return (6.3)
   bool value_returned = false;
-  bool percent = false;  // the file begins with one
+  bool percent = false;  // the file starts with a % line
   bool began = false;    // a line that is not blank has been read
 };
 
@@ -100,7 +100,7 @@ class LinuxCnc final : public Dialect {
  public:
   LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits);
 
-  // ---- dialect.cpp, files_read.cpp
+  // ---- dialect.cpp, files_read.cpp and others
   bool start(Interpreter& m, const Setup& setup) override;
   void note_motion(Emitter& m, Motion& motion) override;
   void take_setup(Emitter& m, const Setup& setup) override;
@@ -125,7 +125,7 @@ class LinuxCnc final : public Dialect {
   Status after_block(Interpreter& m) override;
   void take_back(BlockContext& m) override;
   bool lines_follow(const BlockContext& m) const override;
-  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // no words of this machine: an alarm
+  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // words of axes the machine lacks give an alarm
   void note_line(BlockContext& m) override;
   ArcRule arc_rule(const BlockContext& m) const override;
   Status arc(Emitter& m, const Call& call, Turn turn) override;
@@ -149,23 +149,24 @@ class LinuxCnc final : public Dialect {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
 
   // ---- faults
-  /// An alarm with the control's own words; they are kept for the report.
+  /// Makes an alarm in the control's own wording, and keeps the text for the report.
   tl::unexpected<Alarm> fault(AlarmId id, Span where, std::string text) const;
 
   // ---- tables
   const Tool* tool(double number) const;
-  /// To be written; an alarm brings the old one back.
+  /// The tool for writing; an alarm restores its old values.
   Tool& tool_to_write(BlockContext& m, int number);
   void retain_length(Emitter& m);
   Axes system_offset(const BlockContext& m, std::uint32_t number) const;
-  /// Parameters that hold a position are in the machine's unit (1.1): a value an axis, from the number `first`; here mm, degrees.
+  /// Reads the parameters from number `first` on, one per axis, that hold a position. They are stored in the machine's unit (1.1); the
+  /// result is in mm and degrees.
   Axes stored_axes(const BlockContext& m, std::uint32_t first) const;
   void store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const;
   double table_unit(std::size_t axis) const { return is_rotary_place(axis) ? 1 : machine.unit; }
   void take_system(Emitter& m, std::uint32_t number);
   void store_shift(BlockContext& m);
 
-  /// Tenths of the G code in force of the group with that number; -1: none.
+  /// Tenths of the G code in force of the group with that number; -1 if there is none.
   std::int32_t code_in_force(const BlockContext& m, std::size_t group) const;
 
   // ---- parameters
@@ -175,18 +176,18 @@ class LinuxCnc final : public Dialect {
 
   const ModalGroups groups;
   State state;
-  BlockCodes codes;  // of the block being carried out
+  BlockCodes codes;  // of the block being executed
   FlowTable flow;
-  MachineFile machine;                  // what the ini file says
-  std::optional<TurningCycle> turning;  // its profile is being read
+  MachineFile machine;                  // contents of the ini file
+  std::optional<TurningCycle> turning;  // set while its profile is being read
   ProgramFiles outputs;
-  char spindle_address = 0;  // `$` as the reader knows it
-  AxisMask axes = 0;         // that the machine has (1.1); others are no words
+  char spindle_address = 0;  // address of `$` in the reader
+  AxisMask axes = 0;         // axes that the machine has (1.1); other letters are no words
   std::map<int, Tool> tools;
-  std::vector<Word> written_words;                    // of the block, where X and Y stand for its @ and ^
-  bool tools_changed = false;                         // by G10: the file is written
-  bool table_is_known = false;                        // else each tool is there, and nothing of it is known
-  std::vector<std::vector<KeptModes>> kept_modes{1};  // by call
+  std::vector<Word> written_words;                    // the block's words as written, while X and Y replace its @ and ^
+  bool tools_changed = false;                         // by G10: the file must be written
+  bool table_is_known = false;                        // false: any tool exists, but nothing is known about it
+  std::vector<std::vector<KeptModes>> kept_modes{1};  // by call depth
   Axes probed{};                                      // #5061 …, mm
   bool probe_tripped = false;
   int probe_kind = 2;  // of G38.n
@@ -204,10 +205,10 @@ class LinuxCnc final : public Dialect {
   void read_tool_file(const RunLimits& limits);
   void read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
-  /// own: the control's (4.3); common: #<_name>; local: of a call.
+  /// own: predefined by the control (4.3); common: #<_name>; local: of a call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const BlockContext& m, double number) const;
-  std::string parameters_before_, tools_before_;  // what stands in the files
+  std::string parameters_before_, tools_before_;  // contents of the files as they were read
   StoredParameters stored_;
   bool writes_parameters_ = false, writes_tools_ = false;
   std::vector<Level> levels_{1};
@@ -224,7 +225,7 @@ class LinuxCnc final : public Dialect {
 
 LinuxCnc& linuxcnc_of(const BlockContext& m);
 
-/// The plane in force is one of U, V, W: G17.1, G18.1, G19.1.
+/// True if the plane in force is one of U, V, W: G17.1, G18.1, G19.1.
 bool is_plane_of_uvw(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,4 @@
-// Loops and branches of O lines (spec/linuxcnc 6.4). For control/linuxcnc/flow.
+// Loops and branches of O lines (spec/linuxcnc 6.4). Used by control/linuxcnc/flow.
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ Status OLines::repeat() {
   return {};
 }
 
-/// Behind the line that ends it.
+/// Jumps to the line after the one that ends the loop or branch.
 Status OLines::behind_end(std::initializer_list<OWord> ends) {
   const std::int32_t end = next_of(ends);
   if (end < 0) return end_of_file_seeking();

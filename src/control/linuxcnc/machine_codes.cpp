@@ -1,4 +1,4 @@
-// M codes: tools, outputs and inputs, orientation, modes kept and brought back; G96 (spec/linuxcnc 8; convert_m of the source).
+// M codes: tools, outputs and inputs, orientation, saved and restored modes; G7, G8 (spec/linuxcnc 8; convert_m of the source).
 
 #include <fmt/format.h>
 
@@ -29,7 +29,8 @@ tl::unexpected<Alarm> wrong_word(const BlockContext& m, Span where, std::string 
 
 namespace {
 
-/// M7, M8, M9 only where one differs (write_m_codes, gen_m_codes): of two that are on one alone does not go off. `mist`, `flood`: now.
+/// Emits M7, M8, M9 only where a switch differs (write_m_codes, gen_m_codes), so that of two that are on one alone cannot be switched off.
+/// `mist`, `flood`: their present state.
 void restore_coolant(Emitter& m, bool mist, bool flood) {
   Modal& modal = m.modal;
   if (!modal.mist && !modal.flood) {
@@ -42,8 +43,8 @@ void restore_coolant(Emitter& m, bool mist, bool flood) {
   modal.flood = modal.flood || flood;
 }
 
-/// The modes are values: what stands in the groups is brought back, with the actions that tell the machine (8; the control itself carries
-/// out a line of codes, with F of one decimal and S of none).
+/// Restores modes: the codes in the groups are set, and actions report the changes to the machine (8). The control itself executes a line
+/// of codes, in which F has one decimal and S none.
 Status restore_modes(Interpreter& m, const Modal& to) {
   Modal& modal = m.modal;
   const Modal before = modal;
@@ -91,7 +92,7 @@ Status restore_at_end(Interpreter& m) {
 
 namespace kadr::linuxcnc {
 
-/// M100 to M199: a program of the machine; Kadr starts none.
+/// M100 to M199 run a program of the machine; Kadr starts none.
 Status LinuxCnc::machine_code(Interpreter&, const Call& call) {
   return fault(AlarmId::rs274_codes, call.where, fmt::format("Unknown m code used: M{}", call.word->code / 10));
 }
@@ -113,7 +114,7 @@ void emit_output(Emitter& m, int code, double number, std::optional<double> valu
 
 }  // namespace
 
-/// T: is in the table, and will be changed to.
+/// T: the tool must be in the table; it is the next one to be loaded.
 Status tool_of_table(Emitter& m, const Call& call) {
   const double number = std::round(m.value('T'));
   if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
@@ -124,7 +125,7 @@ Status tool_of_table(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M6: the spindle stops, the last T comes; none: it is emptied.
+/// M6: stops the spindle and loads the last T; without a T the spindle is emptied.
 Status load_tool(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
   const bool turns = m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw;
@@ -139,7 +140,7 @@ Status load_tool(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M61 Q: that tool is in the spindle.
+/// M61 Q: declares which tool is in the spindle.
 Status tool_in_spindle(Emitter& m, const Call& call) {
   const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
   if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
@@ -171,11 +172,11 @@ Status analog_output(Emitter& m, const Call& call) {
                                                      : "Cannot set auxiliary analog output with cutter radius compensation on"));
   if (!m.has('E') || std::round(m.value('E')) < 0)
     return linuxcnc::wrong_word(m, call.where, fmt::format("Invalid analog index with M{}", code));
-  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // as the source counts one that is missing
+  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // the source has -1 for a missing one
   return {};
 }
 
-/// M66: an input is waited for. Nothing is known of inputs here: #5399 is 0, -1 where a wait runs out (INFERRED).
+/// M66: waits for an input. Inputs are unknown here: #5399 is 0, or -1 for a wait that times out (INFERRED).
 Status wait_for_input(Emitter& m, const Call& call) {
   const double kind = m.has('L') ? std::round(m.value('L')) : 0;
   const bool digital = m.has('P'), analog = m.has('E');
@@ -211,7 +212,7 @@ Status orient_to(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M50 to M53 P. M51 `$` means one of the other spindles; that the first one has no number there is the source's slip.
+/// M50 to M53 P. In M51 `$` can only name one of the other spindles: the source refuses the number of the first one by mistake.
 Status override_switch(Emitter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
   KADR_TRY(linuxcnc::compensation_forbids(

@@ -1,4 +1,4 @@
-// The ini file of a machine.
+// Reads the ini file of a machine.
 
 #include "control/linuxcnc/machine_file.h"
 
@@ -22,20 +22,20 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(from, text.find_last_not_of(ini_blanks) - from + 1);
 }
 
-/// Tolerances count within the bounds that the control has for them.
+/// A tolerance, if it is within the bounds that the control accepts.
 std::optional<double> tolerance_in(const Ini& ini, const std::string& key, double least, double most) {
   const auto value = ini.number("RS274NGC", key);
   return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
-/// Words of emcTrajLinearUnits; others, and none, are mm.
+/// Length of a unit in mm, by the words of emcTrajLinearUnits; any other word, or none, is mm.
 double unit_of(std::string_view word) {
   std::string small(word);
   for (char& c : small) c = to_lower(c);
   return small == "in" || small == "inch" || small == "imperial" ? mm_per_inch : 1;
 }
 
-constexpr double no_limit = 1e300, beyond_limits = 1e99;  // what LinuxCNC has where the file says nothing
+constexpr double no_limit = 1e300, beyond_limits = 1e99;  // LinuxCNC's limits if the file gives none
 
 std::pair<double, double> limits_in(const Ini& ini, char axis, double unit) {
   const std::string section = std::string("AXIS_") + axis;

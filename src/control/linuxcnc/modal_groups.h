@@ -1,5 +1,5 @@
 #pragma once
-// ModalGroups: the modal groups of the control file by their numbers. Their names are read once, when the control is made.
+// ModalGroups: maps the modal groups of the control file to their numbers. Their names are read once, when the control is created.
 
 #include <array>
 #include <cstddef>
@@ -18,9 +18,10 @@ class ModalGroups {
  public:
   explicit ModalGroups(const ControlDef& def);
 
-  /// Of an index in ControlDef::groups: "12" is 12, "M7" is 7. A group that a user's own file adds under another name is 0.
+  /// The number of the group at an index in ControlDef::groups: "12" is 12, "M7" is 7; 0 for a group with another name (a user's own file).
   std::size_t number(std::size_t index) const { return numbers_[index]; }
-  /// Index in ControlDef::groups of the group of G codes with that number; 0: the control has none, as no row is of group 0 there.
+  /// The index in ControlDef::groups of the group of G codes with that number; 0, which is no group, if the control has
+  /// none.
   std::size_t index_of_g(std::size_t number) const { return of_g_[number]; }
 
  private:

@@ -56,7 +56,7 @@ class Arc {
     return about(from, to, center, end, named);
   }
 
-  /// By a point and a centre that a cycle has found.
+  /// Moves to a point, about a centre, both computed by a canned cycle.
   Status through(const Axes& end, Vec2 center, AxisMask named) {
     KADR_TRY(feed());
     return about({m_.position.programmed[axes_.first], m_.position.programmed[axes_.second]}, {end[axes_.first], end[axes_.second]}, center,
@@ -84,7 +84,7 @@ class Arc {
 
   bool enters() const { return m_.modal.contour == ContourPhase::on && m_.radius_in_force() != 0; }
 
-  /// Looked at before the arc itself (convert_arc_comp1); `path` looks again.
+  /// Checks the entry into cutter compensation before the arc itself (convert_arc_comp1); `path` checks it again.
   Status may_enter(Vec2 from, Vec2 to) const {
     if (!enters() || std::hypot(to.x - from.x, to.y - from.y) > m_.radius_in_force()) return {};
     return fail(alarm(AlarmId::entry_arc_within_tool, call_.where));
@@ -160,7 +160,7 @@ Status arc_to(Emitter& m, Span where, Turn turn, const Axes& to, Vec2 center, Ax
 
 Status LinuxCnc::arc(Emitter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
-/// XYZABCUVW in the unit of the program, those that the machine has not are 0 (2.4).
+/// Writes XYZABCUVW in the unit of the program; axes that the machine lacks are 0 (2.4).
 Status LinuxCnc::write_probed(const BlockContext& m) {
   std::string line;
   for (std::size_t a = 0; a < axes_of_tables; ++a) {
@@ -194,7 +194,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G38.2 to G38.5; arg: the number behind the point.
+/// G38.2 to G38.5; arg: the digit after the point.
 Status probe_move(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (m.modal.radius_side != 0) return control.fault(AlarmId::rs274_compensation, call.where, "Cannot probe with cutter radius comp on");
@@ -213,7 +213,7 @@ Status probe_move(Emitter& m, const Call& call) {
   return m.straight(MotionKind::probe, to, named);
 }
 
-/// G33 K: to the point; G33.1: and back (arg 1).
+/// G33 K: cuts to the point; G33.1 (arg 1): and back.
 Status thread_by_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool back = call.row->arg == 1;

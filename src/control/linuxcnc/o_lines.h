@@ -1,5 +1,5 @@
 #pragma once
-// OLines: one O line carried out (spec/linuxcnc 6; interp_o_word.cc of the source). Subprograms: flow.cpp; loops and branches: loops.cpp.
+// OLines executes one O line (spec/linuxcnc 6; interp_o_word.cc of the source). Subprograms: flow.cpp; loops and branches: loops.cpp.
 
 #include <fmt/format.h>
 
@@ -21,16 +21,16 @@ class OLines {
   explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), flow_(control_.flow), s_(m.block->statement) {}
 
   Status run();
-  /// Calls by a label that no O line says.
+  /// Calls a subprogram by its label, without an O line.
   Status call_labelled(const std::string& label);
 
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_flow, s_.where, std::move(text)); }
   std::uint32_t line() const { return m_.block->position.line; }
-  /// The subprogram that runs.
+  /// The label of the subprogram that runs; no_label in the main program.
   Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
   const std::string& text() const { return flow_.text_of(label_); }
-  /// Of a label that belongs to a subprogram, as the source keeps it.
+  /// The name under which the source keeps a label that belongs to a subprogram.
   std::string local_name() const { return (where() == no_label ? std::string() : flow_.text_of(where())) + "#" + text(); }
   std::string_view line_text() const;
 
@@ -38,7 +38,7 @@ class OLines {
 
   Result<double> value_of(Expression e) { return evaluate(*m_.block, e, Reading{m_}); }
 
-  // ---- where lines are
+  // ---- where O lines are
 
   std::int32_t index_of(const Position& at) const;
 
@@ -46,11 +46,11 @@ class OLines {
 
   Label label_of(const OLine& row) const;
 
-  /// The next line after this one with the same label, of the same subprogram, that is one of `words`; -1: none.
+  /// The next line after this one with the same label, in the same subprogram, whose word is one of `words`; -1 if there is none.
   std::int32_t next_of(std::initializer_list<OWord> words);
 
-  /// What was looked for does not come, and the file is over (2.1; read_text and read of the source). `sought`: a subprogram, by a call;
-  /// else lines were passed over on the way to an O line.
+  /// The fault if the file ends before the line looked for (2.1; read_text and read of the source). `sought`: a call looks for a
+  /// subprogram; else lines are skipped on the way to an O line. `of_all`: the text names the label without its subprogram.
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const;
 
   Status jump_to(const Position& at);
@@ -62,7 +62,7 @@ class OLines {
   Mark* mark() { return place().used ? &place() : nullptr; }
   void forget_mark() { place() = {}; }
 
-  /// The label begins something here: it may do so again, but nowhere else.
+  /// Marks the label as starting something at this line. It may start again here, but nowhere else.
   Result<Mark*> take_mark(OWord word, bool of_branch = false);
 
   tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
@@ -70,10 +70,10 @@ class OLines {
 
   // ---- subprograms
 
-  /// On the way over a definition only its end counts, and no other may begin.
+  /// Executes a line while a definition is skipped: only its end counts, and no other definition may start.
   Status define();
 
-  /// Passed over; its label is known from now on.
+  /// Skips the definition of a subprogram, and records its label.
   Status begin_sub();
 
   Status end_sub();
@@ -84,10 +84,10 @@ class OLines {
     bool fanuc = false;
   };
 
-  /// 6.2: passed already, then a file of that name, then further on in this file.
+  /// Finds the subprogram of a call (6.2): one already passed, then a file of that name, then a definition further on in this file.
   Result<Place> find_sub();
 
-  /// It is known from now on.
+  /// Records the definition, and returns the location of its body.
   Place found_at(std::uint16_t reader, const OLine& line);
 
   Result<Place> place_of(std::uint16_t reader, Position at);
@@ -99,7 +99,7 @@ class OLines {
   Status begin_do();
   Status while_loop();
   Status repeat();
-  /// Behind the line that ends it.
+  /// Jumps to the line after the end of the loop or branch.
   Status behind_end(std::initializer_list<OWord> ends);
   Position behind(const Mark& of);
   Status end_loop(OWord of);
@@ -116,9 +116,9 @@ class OLines {
   LinuxCnc& control_;
   FlowTable& flow_;
   const Statement& s_;
-  OFile* file_ = nullptr;   // being read
-  std::int32_t here_ = -1;  // the line among its O lines
-  Label label_ = no_label;  //
+  OFile* file_ = nullptr;   // O lines of the file being read
+  std::int32_t here_ = -1;  // index of the line among them
+  Label label_ = no_label;
 };
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,4 @@
-// The file that keeps parameters from run to run.
+// Reads and writes the file that keeps parameters between runs.
 
 #include "control/linuxcnc/parameter_file.h"
 
@@ -12,9 +12,9 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr int beyond_parameters = 5602;
-constexpr std::size_t longest_line = 255;  // what is behind it is a line of its own to the control
+constexpr std::size_t longest_line = 255;  // the control reads what follows as a line of its own
 
-/// 5161…5169, 5181…5189, 5210…5220, and the nine systems with their rotations.
+/// The parameters that the file must have: 5161…5169, 5181…5189, 5210…5220, and the nine systems with their rotations.
 std::set<std::uint32_t> needed() {
   std::set<std::uint32_t> all;
   const auto add = [&](std::uint32_t from, std::uint32_t to) {

@@ -20,7 +20,7 @@ constexpr int last_parameter = 5601;
 
 double per_unit(const BlockContext& m) { return m.modal.inch ? mm_per_inch : 1; }
 
-/// Work position, #5420 …, in the unit of the program.
+/// A work position, #5420 …, in the unit of the program.
 double position(const BlockContext& m, const Axes& of, std::size_t axis) {
   if (axis >= m.axis_count) return 0;
   return is_rotary_place(axis) ? of[axis] : of[axis] / per_unit(m);
@@ -49,7 +49,7 @@ Result<double> LinuxCnc::read_variable(Emitter& m, double number, Span where) co
     if (const auto found = of.find(number); found != of.end()) return found->second;
     const std::string name = m.def.grammar.named_variables->name_of(number);
     if (kind == NameKind::own) return predefined(m, *this, name).value_or(0);
-    for (const Assignment& a : m.block->assignments)  // a setting earlier in the block makes it exist (4.2)
+    for (const Assignment& a : m.block->assignments)  // an assignment earlier in the block makes the name exist (4.2)
       if (a.where.begin < where.begin && m.block->code[a.target.begin].number == number) return 0.0;
     return fault(AlarmId::rs274_parameter, where, fmt::format("Named parameter #<{}> not defined", name));
   }
@@ -92,11 +92,11 @@ Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Sp
     return {};
   }
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
-  (void)m.variables.take_frames_changed();  // the table changes, not what is in force
+  (void)m.variables.take_frames_changed();  // the table changes, not the offset in force
   return {};
 }
 
-/// Found out once a name: its text is looked at.
+/// Determined once for each name, as it compares the name's text.
 LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const {
   const auto index = static_cast<std::size_t>(number - first_named_variable);
   if (index >= name_kinds_.size()) name_kinds_.resize(index + 1, NameKind::unknown);
@@ -106,7 +106,7 @@ LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const
   return kind = predefined(m, *this, name) ? NameKind::own : name.starts_with('_') ? NameKind::common : NameKind::local;
 }
 
-/// EXISTS: a name that is defined, a number in range.
+/// EXISTS: true for a name that is defined, and for a number in range.
 Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol, double index, Span where) const {
   if (symbol == symbol_own_number && VariableNames::is_named(index)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   if (symbol == symbol_own_number) return index;
@@ -117,7 +117,7 @@ Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol,
 
 namespace {
 
-/// 4.3.
+/// Values of modes by predefined names (4.3).
 // NOLINTNEXTLINE(readability-function-size): a table
 std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   const Modal& modal = m.modal;
@@ -152,7 +152,7 @@ std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control,
   return std::nullopt;
 }
 
-/// Where the control means to be: in compensation beside the programmed point (current_x of the source).
+/// The position that the control assumes: under cutter compensation it is offset from the programmed point (current_x of the source).
 Axes current_point(const BlockContext& m, Axes at) {
   if (m.modal.contour == ContourPhase::following) {
     at[m.modal.contour_axes.first] += m.modal.contour_vector.x;
@@ -165,7 +165,7 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   constexpr std::string_view letters = "xyzabcuvw";
   if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
     return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
-  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // there is none of U, V, W
+  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // none for U, V, W
     return position(m, current_point(m, m.position.machine), letters.find(name[5]));
   if (name == "_tool_offset")
     return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
@@ -180,13 +180,13 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   return std::nullopt;
 }
 
-/// `_ini[section]key`: names have lost their case, in the file both are in capitals.
+/// `_ini[section]key`: the names have lost their case; the file has both in capitals.
 std::optional<double> of_ini(const Ini& ini, std::string_view name) {
   const std::size_t close = name.find(']');
   if (close == std::string_view::npos) return std::nullopt;
   std::string capitals(name);
   for (char& c : capitals) c = to_upper(c);
-  constexpr std::size_t begin = 5;  // behind _INI[
+  constexpr std::size_t begin = 5;  // after _INI[
   return ini.number(capitals.substr(begin, close - begin), capitals.substr(close + 1));
 }
 

@@ -1,4 +1,4 @@
-// Polar words @ ^ (spec/linuxcnc 7.1; find_ends of the source).
+// Converts the polar words @ ^ (spec/linuxcnc 7.1; find_ends of the source).
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 
 namespace kadr::linuxcnc {
 
-/// @r ^t as X and Y (7.1): the words themselves are changed, so that all that moves reads them.
+/// Replaces @r ^t by X and Y (7.1) in the block itself, so that every motion function reads them.
 Status LinuxCnc::take_polar_words(BlockContext& m) {
   char radius_sign = 0, angle_sign = 0;
   for (const AddressName& name : m.def.grammar.names) {
@@ -44,8 +44,8 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   state.polar_step = !absolute;
   state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // A loop carries the block out again: its words come back (forget_polar_words()). One of the two may be missing: its place is taken by
-  // the other's neighbour.
+  // The words as written are saved, as a loop may execute the block again (forget_polar_words()). If only one of @ and ^ is given, a word
+  // is added for the other.
   written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';
@@ -64,7 +64,7 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   return {};
 }
 
-/// The block's words as they are written.
+/// Restores the block's words as written.
 void LinuxCnc::forget_polar_words(BlockContext& m) {
   if (written_words.empty()) return;
   std::copy(written_words.begin(), written_words.end(), m.block->words.begin());

@@ -1,4 +1,4 @@
-// The log and the file of probed points.
+// Writes the log, the file of probed points, the parameter file and the tool table.
 
 #include "control/linuxcnc/program_files.h"
 
@@ -10,7 +10,7 @@ namespace {
 constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
 constexpr files::FileMode gone_on_with{.creates = true, .takes_existing = true, .appends = true};
 
-/// INFERRED: what the working folder is to LinuxCNC the program memory is here; what leads out of it is refused.
+/// INFERRED: the program memory replaces LinuxCNC's working folder; a path that leads out of it is refused.
 Result<std::string> path_of(std::string_view name) {
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, name)); };
   const std::size_t end = name.find_last_not_of(" \t\r");

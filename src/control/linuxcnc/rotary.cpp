@@ -1,4 +1,4 @@
-// Rotary axes of one turn, and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of the source).
+// Wrapped rotary axes (one revolution) and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of the source).
 
 #include "control/linuxcnc/rotary.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr char rotary_letters[] = {'A', 'B', 'C'};
 constexpr double one_turn = 360;
 
-/// To |value| within the turn, in the direction of its sign; -0 goes backwards.
+/// The angle |value| within the present revolution, reached in the direction of the sign; -0 goes backwards.
 double unwrapped(double value, double here) {
   double to = std::fabs(value) + std::floor(here / one_turn) * one_turn;
   const bool backwards = std::signbit(value);
@@ -26,7 +26,8 @@ double unwrapped(double value, double here) {
   return to;
 }
 
-/// G53 leaves the tool's offset in a rotary axis on, but in one that is wrapped (find_ends, up to 2.9.10: a fault of the control).
+/// True if G53 leaves the tool's offset in that rotary axis on, as it does unless the axis is wrapped (find_ends, up to 2.9.10: a fault
+/// of the control).
 bool keeps_offset(const BlockContext& m, std::size_t axis) {
   const LinuxCnc& control = linuxcnc_of(m);
   for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
@@ -44,7 +45,7 @@ bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   return false;
 }
 
-/// G53 with such an axis.
+/// Moves by G53 if such an axis is among its words.
 Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;

@@ -1,5 +1,5 @@
 #pragma once
-// Rotary axes of one turn, and indexers (spec/linuxcnc 10.2).
+// Wrapped rotary axes (one revolution) and indexers (spec/linuxcnc 10.2).
 
 #include "base/result.h"
 
@@ -9,7 +9,7 @@ class BlockContext;
 
 namespace kadr::linuxcnc {
 
-/// An indexer goes by G0, and alone.
+/// Checks that an indexer moves only by G0, and alone.
 Status indexers_allow(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,4 @@
-// `$`: M3, M4, M5, S, G96, G97 of one spindle or of all (spec/linuxcnc 8; convert_m, convert_speed, convert_spindle_mode of the source).
+// `$`: M3, M4, M5, S, G96, G97 for one spindle or for all (spec/linuxcnc 8; convert_m, convert_speed, convert_spindle_mode of the source).
 
 #include "control/linuxcnc/spindles.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int all_spindles = -1;
 
-/// The word, without its decimals; nothing: there is none.
+/// The number in the word, without its decimals; nullopt if there is no such word.
 std::optional<int> spindle_word(const BlockContext& m) {
   const char address = linuxcnc_of(m).spindle_address;
   if (address == 0 || !m.has(address)) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<int> spindle_word(const BlockContext& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-/// The spindles that a number means.
+/// Calls `use` for each spindle that the number means.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
   for (int i = 0; i < control.machine.spindles; ++i)
@@ -79,7 +79,7 @@ Status spindle_of_modes(BlockContext& m) {
   const Status taken = take_spindle(
       m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
       m.block->where);
-  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // whose turns G95 counts
+  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // G95 counts its revolutions
   return taken;
 }
 
@@ -121,7 +121,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// S, of the spindle that `$` names.
+/// S for the spindle that `$` chooses.
 Status speed_of_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto chosen = linuxcnc::spindle_word(m);
@@ -129,7 +129,7 @@ Status speed_of_spindle(Emitter& m, const Call& call) {
   if (*chosen != linuxcnc::all_spindles && !linuxcnc::is_spindle(control, *chosen))
     return control.fault(AlarmId::rs274_spindle, call.where, "Invalid spindle ($) number in Spindle speed command");
   const double rpm = m.value('S');
-  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // which tells the speed
+  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // M3, M4 emit the speed themselves
   linuxcnc::each_spindle(control, *chosen, [&](int i) {
     if (i == 0) m.modal.rpm = rpm;
     else control.state.others[static_cast<std::size_t>(i)].rpm = rpm;

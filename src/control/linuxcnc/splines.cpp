@@ -1,4 +1,4 @@
-// G5, G5.1, G5.2, G5.3: curves in X and Y (spec/linuxcnc 7.7; convert_spline, convert_nurbs of the source). Checks come in the source's
+// G5, G5.1, G5.2, G5.3: curves in X and Y (spec/linuxcnc 7.7; convert_spline, convert_nurbs of the source). Checks are in the source's
 // order. Tested by tests/cases/linuxcnc/splines.cases.
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ tl::unexpected<Alarm> spline_fault(const BlockContext& m, Span where, std::strin
 
 Vec2 in_plane_xy(const Axes& axes) { return {axes[x_axis], axes[y_axis]}; }
 
-/// The end point of the block, and its way there along the curve. Only X and Y move.
+/// Moves along the curve to its last point. Only X and Y move.
 void go_along(Emitter& m, const std::vector<ControlPoint>& points, std::size_t order) {
   Axes end = m.position.programmed;
   end[x_axis] = points.back().at.x;
@@ -48,7 +48,7 @@ Status spline_feed(const BlockContext& m, Span where) {
   return {};
 }
 
-/// Of G5 and G5.1: where the curve ends.
+/// The end point of the curve of G5 and G5.1.
 Result<Vec2> end_in_xy(BlockContext& m, Span where) {
   KADR_TRY(spline_feed(m, where));
   if (m.modal.plane != Plane::xy || is_plane_of_uvw(m)) return spline_fault(m, where, "Splines must be in the XY plane");
@@ -62,7 +62,8 @@ Result<Vec2> end_in_xy(BlockContext& m, Span where) {
 
 Vec2 words_of(const BlockContext& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
 
-/// LinuxCNC counts a P that is missing, or not above 0, beside X and Y of the first block as it is: -1, and the curve runs to infinity.
+/// The weight P of a point. If P is missing or not above 0 in the first block with X and Y, LinuxCNC uses it as it is (-1 if missing), and
+/// the curve runs to infinity; Kadr warns and uses 1.
 double weight_of(Emitter& m, Span where) {
   const double weight = m.has('P') ? m.value('P') : -1;
   if (weight > 0) return weight;
@@ -70,7 +71,7 @@ double weight_of(Emitter& m, Span where) {
   return 1;
 }
 
-/// A block of G5.2 as LinuxCNC checks it.
+/// Checks a block of G5.2 as LinuxCNC does.
 Status control_point_words(const BlockContext& m, const std::vector<ControlPoint>& points, Span where) {
   const bool x = m.has('X'), y = m.has('Y');
   const double weight = m.has('P') ? m.value('P') : -1;
@@ -82,7 +83,7 @@ Status control_point_words(const BlockContext& m, const std::vector<ControlPoint
   return {};
 }
 
-/// What LinuxCNC reads and does nothing with.
+/// Warns of words that LinuxCNC reads but ignores.
 void tell_ignored_words(Emitter& m) {
   for (const char letter : {'Z', 'A', 'B', 'C', 'U', 'V', 'W'})
     if (m.has(letter)) m.warn(warning(AlarmId::spline_word_ignored, m.where(letter), letter));
@@ -95,14 +96,14 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G5: third degree, the tangent at the start by I J, or as the one before ended; at the end by P Q.
+/// G5: a curve of third degree. Its tangent at the start is given by I J, or continues the curve before; at the end it is given by P Q.
 Status cubic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
   if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
   if (!m.has('P') || !m.has('Q')) return linuxcnc::spline_fault(m, call.where, "Must specify both P and Q with G5");
   const Vec2 start = linuxcnc::in_plane_xy(m.position.programmed);
-  CycleMemory& memory = m.cycle_memory;  // shared with I J of G87, as LinuxCNC's
+  CycleMemory& memory = m.cycle_memory;  // shared with I J of G87, as in LinuxCNC
   const Vec2 out = m.has('I') ? linuxcnc::words_of(m, 'I', 'J') : Vec2{memory.i, memory.j};
   const Vec2 in = linuxcnc::words_of(m, 'P', 'Q');
   linuxcnc::go_along(m, {{start}, {start + out}, {*end + in}, {*end}}, 4);
@@ -121,7 +122,7 @@ Status quadratic_spline(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G5.2: a control point, the tool stands.
+/// G5.2: adds a control point; the tool does not move.
 Status nurbs_point(Emitter& m, const Call& call) {
   linuxcnc::State& state = linuxcnc_of(m).state;
   std::vector<ControlPoint>& points = state.nurbs;
@@ -146,7 +147,7 @@ Status nurbs_point(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G5.3: along the curve of the points.
+/// G5.3: moves along the curve of the points.
 Status nurbs_end(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   linuxcnc::State& state = control.state;

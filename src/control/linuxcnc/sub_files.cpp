@@ -1,4 +1,4 @@
-// Files of subprograms.
+// Finds the files of subprograms.
 
 #include "control/linuxcnc/sub_files.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Is what both names mean in the end within that folder?
+/// True if the path, with links followed, is in that folder.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   std::error_code error, other;
   const fs::path real = fs::canonical(path, error);

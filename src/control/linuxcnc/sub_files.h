@@ -1,5 +1,5 @@
 #pragma once
-// Files of subprograms: `label.ngc` (spec/linuxcnc 1.1; find_ngc_file of the source).
+// Finds the files of subprograms: `label.ngc` (spec/linuxcnc 1.1; find_ngc_file of the source).
 
 #include <cstdint>
 #include <optional>
@@ -13,8 +13,8 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// In the program's folder, in the program memory, then in the folders of the ini file that lie in it; nothing outside of them.
-///   returns  number of the file, as `flow` counts those that it reads
+/// Searches the program's folder, the program memory, then the folders of the ini file inside it, and nothing else.
+///   returns  number of the file in `flow`; nullopt if there is none
 std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label);
 
 }  // namespace kadr::linuxcnc

@@ -1,5 +1,5 @@
-// LinuxCNC's own words for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11): the English text is the alarm's
-// identity there.
+// LinuxCNC's own texts for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11). There the English text identifies
+// the alarm.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ bool begins(std::string_view text, std::string_view word) {
 
 char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
 
-/// The text at the alarm's place.
+/// The text of the line from the alarm's location on.
 std::string_view there(const AlarmReport& report) {
   const Span at = report.alarm.where;
   const std::string_view line = report.line_text;
@@ -47,7 +47,7 @@ Words bad_character(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("Bad character '{}' used", small(c))};
 }
 
-/// A value should stand here (2.3).
+/// The text for a missing value (2.3).
 Words no_value(const AlarmReport& report) {
   const std::string letter = argument(report, 0);
   if (letter == "N") return {AlarmId::rs274_form, "Bad format unsigned integer"};
@@ -59,7 +59,7 @@ Words no_value(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
 }
 
-/// The run of digits, points and signs that stands there, or ends there.
+/// The sequence of digits, points and signs at the alarm's location, or ending there.
 std::string_view number_there(const AlarmReport& report) {
   constexpr std::string_view of_numbers = "0123456789.+-";
   const std::string_view line = report.line_text;
@@ -82,7 +82,7 @@ Words number_wrong(const AlarmReport& report) {
           fmt::format("bad number format ({}) parsing '{}'", digits ? "trailing characters" : "conversion failed", number)};
 }
 
-/// The line is over where a value should stand.
+/// True if the line ends where a value is expected.
 bool lacks_value(std::string_view line) {
   if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) line = line.substr(0, semicolon);
   const std::size_t last = line.find_last_not_of(" \t\r");

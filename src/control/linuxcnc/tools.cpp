@@ -1,4 +1,4 @@
-// LinuxCNC's tool table file (spec/linuxcnc 9; tooldata_read_entry). For control/linuxcnc/dialect.
+// Reads and writes LinuxCNC's tool table file (spec/linuxcnc 9; tooldata_read_entry). Used by control/linuxcnc/dialect.
 
 #include "control/linuxcnc/tools.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_tools = 1000;
 
-/// One word's number; nothing: it is none.
+/// The number of a word; nullopt if the text is none.
 std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

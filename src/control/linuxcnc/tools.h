@@ -1,5 +1,5 @@
 #pragma once
-// LinuxCNC's tool table file (spec/linuxcnc 9).
+// Reads and writes LinuxCNC's tool table file (spec/linuxcnc 9).
 
 #include <map>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace kadr::linuxcnc {
 
-/// Lines of `T1 P1 Z50 D10 ; end mill`; what cannot be read is passed over. `unit`: mm, of the lengths that stand there.
+/// Reads lines such as `T1 P1 Z50 D10 ; end mill`; skips what cannot be read. `unit`: mm, of the lengths in the file.
 std::map<int, Tool> read_tools(std::string_view text, double unit);
 
-/// The same lines, as LinuxCNC writes them.
-///   law  read_tools() of it gives the tools, to six decimals of the unit
+/// Writes the lines as LinuxCNC does.
+///   law  read_tools() of the result gives the same tools, to six decimals of the unit
 std::string tools_text(const std::map<int, Tool>& tools, double unit);
 
 }  // namespace kadr::linuxcnc

@@ -1,6 +1,7 @@
 #pragma once
-// Custom macros B, as Fanuc, Haas and NCT have them (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. One object a
-// channel; its memory is a value (memory.h). What stands on it, cycles, frames, tools, it asks by the virtual functions below.
+// Custom macros B, as Fanuc, Haas and NCT have them (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. There is one
+// object per channel; its state is a plain value (memory.h). The controls derived from it provide canned cycles, frames and tools through
+// the virtual functions at the end of the class.
 
 #include <memory>
 #include <optional>
@@ -30,18 +31,19 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   MacroB(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
   ~MacroB() override;
 
-  // ---- parameters and what follows from them
-  /// Parameters have changed: what follows from them is worked out anew.
+  // ---- parameters and the settings derived from them
+  /// Derives the settings again if a parameter has changed.
   void refresh_settings(BlockContext& m);
   Status parameter_line(BlockContext& m);
   void close_data() { state.data_mode = DataMode::none; }
 
-  /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
+  /// Ends an interrupt macro (23.4).
+  ///   restore  plain M99: the modal state of the interrupted block is restored
   void end_interrupt(Emitter& m, bool restore);
 
   // ---- what an alarm takes back
   void begin_block(Emitter& m) override;
-  /// The block may change more than where the tool is.
+  /// Saves the state, so that an alarm can restore it: call it before a block changes more than the position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
   void take_back(BlockContext& m) override;
@@ -51,17 +53,17 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
-  // ---- what the machine tells
+  // ---- what the machine reports
   MachineSide* machine_side() override { return this; }
   void set_signal(const std::string& name, double value) override;
   void set_answer(double to) override { answer = to; }
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }
 
-  // ---- what the interpreter asks
+  // ---- what the interpreter calls
   bool starts_code_by_code() const override { return true; }
   bool start(Interpreter& m, const Setup& setup) override;
-  /// Variables of the set-up.
+  /// Assigns the variables that the set-up gives.
   void take_setup(Emitter& m, const Setup& setup) override;
   bool lose_power(Interpreter& m) override;
   void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
@@ -81,19 +83,19 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
-  // ---- what stands on it
-  /// Where the tool stands after the transformations: work coordinates, in polar interpolation the virtual ones.
+  // ---- provided by the derived controls
+  /// The tool's position after the transformations, in work coordinates; in polar interpolation the virtual ones.
   virtual Axes before_transform(const BlockContext& m) const = 0;
-  /// Data of cycles in force: kept for the end of an interrupt macro, as they were then.
+  /// Saves the data of the canned cycles in force; bring_cycles_back() restores them at the end of an interrupt macro.
   virtual void keep_cycles() = 0;
   virtual void bring_cycles_back() = 0;
-  /// Contours of the program that cycles are carrying out.
+  /// The number of program contours that canned cycles are executing.
   virtual std::size_t open_contours() const = 0;
-  /// Has a table been written to since the last question?
+  /// Returns true if a table has been written since the last call.
   virtual bool take_touched_tables() = 0;
-  /// A system variable that is no macro's: positions, offsets, zeros, tools. Nothing: it is none of these.
+  /// Reads a system variable that belongs to no macro: positions, offsets, work offsets, tools. Returns nullopt if it is another variable.
   virtual std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const = 0;
-  /// true: it was one, and is written. alarms value_limit, magazine_number
+  /// Writes such a variable. Returns false if it is another variable. alarms value_limit, magazine_number
   virtual Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) = 0;
 
   MacroVariables variables;
@@ -101,20 +103,20 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   OutputFile output;
 
  protected:
-  /// The parameters have changed, and the settings follow.
+  /// Derives the settings from the parameters.
   virtual void read_parameters(BlockContext& m);
-  /// What the program has set is as at power-on (3.4).
+  /// Resets what the program has set to its state at power-on (3.4).
   void reset_macros();
-  /// Words of a block like the one before are read by no macro: Dialect::lines_follow.
+  /// True if no macro reads the words of a block like the one before: Dialect::lines_follow.
   bool words_follow() const {
     return !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none && state.active_modal_calls == 0 &&
            !single_block && !watches_blocks() && !interrupted.active;
   }
-  /// Nothing of this block has been kept yet.
+  /// True if keep_all() has not been called in this block.
   bool keeps_nothing() const { return !before_.all; }
 
  private:
-  /// What keep_all() has kept; tables and variables stand in the interpreter's journal.
+  /// What keep_all() saves; tables and variables are in the interpreter's journal.
   struct Before {
     bool all = false;
     Volatile state;
@@ -125,7 +127,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   std::vector<double> clocks_;  // numbers of the clock variables
 };
 
-/// Its part of a snapshot.
+/// The part of a snapshot that belongs to custom macros.
 struct MacroState : DialectState {
   explicit MacroState(const MacroB& of);
 
@@ -139,7 +141,7 @@ struct MacroState : DialectState {
 
 namespace kadr {
 
-/// The object of an interpreter whose control has custom macros B.
+/// The dialect of a run whose control has custom macros B.
 macro_b::MacroB& macro_b_of(const BlockContext& m);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// G70, G71, G71.1, G71.2, G72, G72.1, G72.2: words, profile, motions.
+// G70, G71, G71.1, G71.2, G72, G72.1, G72.2: reads their words and the profile, and runs the motions.
 
 #include "control/linuxcnc/turning/cycles.h"
 
@@ -27,7 +27,7 @@ tl::unexpected<Alarm> wrong_turning(const BlockContext& m, Span where, std::stri
   return linuxcnc_of(m).fault(AlarmId::rs274_cycle, where, std::move(text));
 }
 
-/// A word in the unit of the program; X is a radius.
+/// The value of a word in the unit of the program; X as a radius.
 double radius_or_length(const BlockContext& m, char letter) {
   const bool diameter = letter == 'X' && (m.modal.diameter & 1U) != 0;
   return m.value(letter) * (diameter ? 0.5 : 1);
@@ -42,7 +42,7 @@ void set_motion(BlockContext& m, std::int32_t tenths) {
   if (row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
 }
 
-/// The way to the start of G70, of the cycle and of each pass: beside no contour, whatever is on (2.9.4).
+/// Takes cutter compensation off the last motion: those to the start of G70, of the cycle and of each pass are never compensated (2.9.4).
 void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
   auto* const way = std::get_if<Motion>(&m.batch->back().what);
@@ -51,10 +51,10 @@ void leave_uncompensated(Emitter& m) {
   way->side_step = SideStep::none;
 }
 
-/// The motions, some at a time.
+/// Executes the motions, some at a time.
 class Turning final : public RunningValue<Turning> {
  public:
-  /// `done`: what the control found when these motions had been made.
+  /// `done`: the result to report after these motions.
   Turning(std::shared_ptr<const std::vector<TurningMove>> moves, Turned done, Span where)
       : moves_(std::move(moves)), done_(std::move(done)), where_(where) {}
 
@@ -106,7 +106,7 @@ class Turning final : public RunningValue<Turning> {
   Span where_;
 };
 
-/// Words of one block of the profile.
+/// Adds one block of the subprogram to the profile.
 class ProfileBlock {
  public:
   ProfileBlock(BlockContext& m, TurningCycle& cycle) : m_(m), cycle_(cycle) {}
@@ -221,7 +221,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// Q: the subprogram with the profile. The tool goes to the point of the words at rapid, absolute even in G91.
+/// Q: the subprogram with the profile. First the tool moves at rapid to the point of the words, which is absolute even in G91.
 Status profile_cycle(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_cycle, call.where, std::move(text)); };
@@ -251,7 +251,7 @@ Status profile_cycle(Interpreter& m, const Call& call) {
   const Status aimed = m.target(to, named);
   m.modal.absolute = cycle.absolute;
   KADR_TRY(aimed);
-  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // a motion of no length, the control makes one
+  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // a motion of no length, as the control makes one
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   linuxcnc::leave_uncompensated(m);
   linuxcnc::set_motion(m, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// G70 to G72: the profile stands in a subprogram, of which the words are read and nothing else is done; then the cycle runs (spec/linuxcnc
-// 7.2; convert_g7x of the source).
+// G70 to G72: the profile is in a subprogram, whose words are read without moving; then the cycle runs (spec/linuxcnc 7.2; convert_g7x of
+// the source).
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace kadr::linuxcnc {
 /// A cycle whose profile is being read.
 struct TurningCycle {
   std::int32_t code = 0;  // tenths: 711
-  std::size_t depth = 0;  // open calls where the cycle stands
+  std::size_t depth = 0;  // number of open calls at the cycle's block
   bool absolute = true, centers_absolute = false;
   TurningWords words;
   Profile profile;
@@ -27,9 +27,9 @@ struct TurningCycle {
   Span where;
 };
 
-/// A block of the profile: its words are taken.
+/// Adds a block of the subprogram to the profile.
 Status take_profile_block(BlockContext& m);
-/// The profile is complete: its motions are to come.
+/// Computes the motions after the profile is complete, and starts them.
 Status run_turning(Emitter& m);
 
 }  // namespace kadr::linuxcnc

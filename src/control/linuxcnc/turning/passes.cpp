@@ -1,4 +1,4 @@
-// The motions of G70 to G72: finishing passes, cuts, pockets.
+// Computes the motions of G70 to G72: finishing passes, cuts, pockets.
 
 #include "control/linuxcnc/turning/passes.h"
 
@@ -10,9 +10,9 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr std::size_t most_moves = 1'000'000;
-constexpr std::uint64_t most_looks = 20'000'000;  // an unlucky profile makes the control's search go round for ever
+constexpr std::uint64_t most_looks = 20'000'000;  // for some profiles the control's search never ends
 constexpr double below_all = -1e9;
-constexpr double same_end = 1e-3;  // an arc that is not that long is not run
+constexpr double same_end = 1e-3;  // a shorter arc is skipped
 using Pieces = std::list<Piece>;
 
 class Cutting {
@@ -51,11 +51,11 @@ class Cutting {
   Profile& profile_;
   std::vector<TurningMove>& moves_;
   Point here_;
-  std::vector<Point> tops_;  // where pockets begin
+  std::vector<Point> tops_;  // start points of pockets
   double x_ = 0, depth_ = 1;
 };
 
-/// Down along a piece to X, or to its end; `rises`: it does not lead down.
+/// Moves down along a piece to X, or to its end; `rises`: the piece does not lead down.
 tl::expected<Cutting::Found, std::string> Cutting::dive(Pieces::iterator at, double x) {
   if (at->is_arc()) return dive_arc(*at, x);
   return dive_line(*at, x, is_first(at));
@@ -89,7 +89,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
     if (!at.empty() && at.back() <= middle) to = Point(at.back(), x);
   } else {
     if (here_.real() <= middle) return Found::rises;
-    if (!at.empty() && at.front() < middle) return Found::below;  // only its far side is met: lower X first
+    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side is met: X must be lower first
     if (!at.empty()) to = Point(at.front(), x);
   }
   arc(piece.ccw, piece.center, to);
@@ -97,7 +97,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
   return Found::below;
 }
 
-/// Up along a piece; true: it leads down again, a pocket begins.
+/// Moves up along a piece. Returns true if it leads down again: a pocket starts there.
 tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   if (!piece.is_arc()) {
     if (piece.end.imag() + same_point < piece.start.imag()) return true;
@@ -115,7 +115,7 @@ tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   return piece.ccw;
 }
 
-/// What of a piece lies above, without its pockets.
+/// Moves up along the part of a piece that is above, skipping pockets.
 void Cutting::climb_rising(const Piece& piece) {
   if (!piece.is_arc() && piece.end.imag() < piece.start.imag()) return;
   const auto at = piece.crossings(here_.imag());
@@ -137,7 +137,7 @@ void Cutting::climb_rising(const Piece& piece) {
   here_ = to;
 }
 
-/// One cut at the X that has been reached, to the first piece in its way, and back.
+/// Makes one cut at the X that has been reached, up to the first piece in its path, and returns.
 void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
   const Point away = retract * Point(1, 1);
   for (auto wall = at; wall != end(); ++wall) {
@@ -145,7 +145,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
     if (crossings.empty()) continue;
     const double z = wall != at ? crossings.front() : crossings.back();
     const double distance = std::abs(z - here_.real());
-    if (z - same_point > here_.real()) continue;  // the piece that led down, where it was left
+    if (z - same_point > here_.real()) continue;  // the piece that led down, at the point where it was left
     if (distance < same_point) {
       if (wall == at) continue;
       if (std::abs(here_ - wall->start) < same_point) at = wall;
@@ -155,7 +155,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
     const Point begin = here_;
     Point to(z, here_.imag());
     line(to);
-    const double part = std::min(1.0, distance / 2 / away.real());  // of a short cut the way back is short too
+    const double part = std::min(1.0, distance / 2 / away.real());  // after a short cut the retract is short too
     to += part * away;
     rapid(to);
     rapid(begin - std::conj(part * away));
@@ -166,7 +166,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
   }
 }
 
-/// The lowest X is cut: along the profile up to the next pocket. False: there is none.
+/// Moves up along the profile to the next pocket after the cut at the lowest X. Returns false if there is no further pocket.
 tl::expected<bool, std::string> Cutting::leave_pocket(Pieces::iterator& at, Pockets pockets) {
   for (; at != end(); ++at) {
     if (pockets == Pockets::none) {
@@ -190,7 +190,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   here_ = profile_.pieces.front().start;
   tops_.assign(1, here_);
   auto at = profile_.pieces.begin();
-  if (pockets == Pockets::only) {  // the way down of the first cut, which G71.1 has made
+  if (pockets == Pockets::only) {  // the descent of the first cut, which G71.1 has made
     for (; at != end(); ++at) {
       const auto found = dive(at, below_all);
       if (!found) return tl::unexpected(found.error());
@@ -209,7 +209,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
       if (!*follows) return {};
       x_ = tops_.back().imag();
     } else if (std::abs(here_.imag() - x_) > same_point || at->end == here_) {
-      ++at;  // X lies beyond this piece, or it is done (2.9.4)
+      ++at;  // X is beyond this piece, or the piece is done (2.9.4)
     } else {
       cut_to_wall(at, retract);
     }
@@ -217,7 +217,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   return {};
 }
 
-/// Where Z does not fall along the profile X does: it is turned.
+/// Orients the profile so that Z falls along it; it is rotated if only X falls along it.
 Turned face(Profile& profile, Point start) {
   profile.pieces.front().start = start;
   Profile without_way = profile;
@@ -253,7 +253,8 @@ Turned finish_profile(const Profile& given, const TurningWords& words, std::vect
   return {};
 }
 
-/// A profile that leads away from the start of the cycle, and ends with a way along: it is closed to the level of the start (2.9.4).
+/// Closes a profile that leads away from the start of the cycle and whose last piece advances along the cuts: adds a line to the level of
+/// the start (2.9.4).
 void close_profile(Profile& profile, Point start, bool across) {
   const Point first = profile.pieces.front().end - profile.pieces.front().start;
   const Piece& back = profile.pieces.back();

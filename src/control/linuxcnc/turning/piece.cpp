@@ -1,4 +1,4 @@
-// Pieces of a turned profile: offset, crossings, corners. For control/linuxcnc/turning/profile, passes.
+// Pieces of a turned profile: offset, crossings, corners. Used by control/linuxcnc/turning/profile, passes.
 
 #include "control/linuxcnc/turning/piece.h"
 
@@ -11,9 +11,9 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr Point quarter{0, 1};
-constexpr double corner_within = 1e-2;  // how far the offset pieces of a corner may lie over each other
+constexpr double corner_within = 1e-2;  // how far the offset pieces of a corner may overlap
 
-/// Is a point of the circle on this side of the start, and on that side of the end?
+/// True if a point of the circle is within the arc: after its start and before its end.
 bool is_on(const Piece& arc, Point p) {
   const double side = arc.ccw ? 1 : -1;
   const double from_start = std::imag(std::conj(arc.start - arc.center) * (p - arc.center)) * side;
@@ -30,7 +30,8 @@ Turned two_lines(Piece& before, Piece& after) {
   return {};
 }
 
-/// A line, of which `origin` is a point and `turn` lays it along the real axis, meets a circle: of the two places the one nearer `near`.
+/// Intersects a line and a circle, and returns the point nearer to `near`. `origin` is a point of the line; `turn` rotates it onto the
+/// real axis.
 Point on_circle(Point origin, Point turn, Point center, Point of_circle, Point near) {
   const Point c = (center - origin) * turn, p = (of_circle - origin) * turn;
   const double half = std::sqrt(std::max(0.0, std::norm(c - p) - std::imag(c) * std::imag(c)));
@@ -127,7 +128,7 @@ Turned join(Piece& before, Piece& after) {
   return {};
 }
 
-/// The pieces are moved aside by the corner's size, cut at where they meet, and moved back.
+/// Shifts both pieces sideways by the corner's size, trims them at their intersection, and shifts them back.
 Turned place_corner(Piece& before, Piece& corner, Piece& after) {
   if (corner.kind != Piece::Kind::fillet && corner.kind != Piece::Kind::chamfer) return {};
   double size = corner.corner;

@@ -1,6 +1,6 @@
 #pragma once
-// A piece of a turned profile, and what can be done with one (spec/linuxcnc 7.2, G70 to G72; interp_g7x.cc of the source). Points are
-// complex: Z along, X across, in the unit of the program, X as a radius. Tolerances are the control's, and count in that unit too.
+// A piece of a turned profile, and operations on it (spec/linuxcnc 7.2, G70 to G72; interp_g7x.cc of the source). Points are complex: Z is
+// the real part, X the imaginary one, in the unit of the program, X as a radius. Tolerances are the control's, in the same unit.
 
 #include <complex>
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace kadr::linuxcnc {
 
 using Point = std::complex<double>;
-/// What the control says if it cannot go on; empty: its cycle would never end.
+/// The result of a step; its error is the control's text, or empty if the control's cycle would never end.
 using Turned = tl::expected<void, std::string>;
 
 inline constexpr double same_point = 1e-6, least_piece = 1e-3;
@@ -23,7 +23,7 @@ struct Piece {
   bool ccw = false;  // G3
   Point start, end;
   Point center{};
-  double corner = 0;  // of a fillet or chamfer that has no place yet: its size
+  double corner = 0;  // size of a fillet or chamfer that has not been placed yet
 
   static Piece line(Point start, Point end) { return {Kind::line, false, start, end}; }
   static Piece arc(bool ccw, Point start, Point center, Point end) { return {Kind::arc, ccw, start, end, center}; }
@@ -31,23 +31,24 @@ struct Piece {
   static Piece chamfer(double size, Point at) { return {Kind::chamfer, false, at, at, {}, size}; }
 
   bool is_arc() const { return kind == Kind::arc || kind == Kind::fillet; }
-  /// Below least_piece it is left out; half of it is as far as an offset goes in one step.
+  /// The chord, or the radius of an arc if that is smaller. A piece below least_piece is dropped; one step of an offset is at most half of
+  /// it.
   double size() const;
-  /// Z does not grow along it, and no arc turns back in X.
+  /// True if Z does not grow along the piece, and an arc does not reverse in X.
   bool falls() const;
-  /// Z where it crosses that X, none to two of them.
+  /// Z of the points at that X: none to two.
   std::vector<double> crossings(double x) const;
 
-  /// Parallel, at that distance.
+  /// Shifts the piece parallel to itself by that distance.
   void offset(double distance);
   void mirror_x();
   void mirror_z();
   void quarter_turn();
 };
 
-/// The end of one and the start of the next come to where they meet.
+/// Moves the end of one piece and the start of the next to their intersection.
 Turned join(Piece& before, Piece& after);
-/// A fillet or chamfer between two pieces gets its place, and these get shorter.
+/// Places a fillet or chamfer between two pieces, and shortens them.
 Turned place_corner(Piece& before, Piece& corner, Piece& after);
 
 }  // namespace kadr::linuxcnc

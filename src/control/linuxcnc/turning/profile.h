@@ -1,6 +1,6 @@
 #pragma once
-// The profile of a turning cycle: pieces in a row, the first the way to it (spec/linuxcnc 7.2; interp_g7x.cc). It is turned and mirrored so
-// that X and Z fall along it; `turned` says how, for the way back.
+// The profile of a turning cycle: connected pieces, the first of which is the approach (spec/linuxcnc 7.2; interp_g7x.cc). The profile is
+// rotated and mirrored so that X and Z fall along it; `turned` records how, for the conversion back to machine coordinates.
 
 #include <list>
 
@@ -10,19 +10,19 @@ namespace kadr::linuxcnc {
 
 struct Profile {
   std::list<Piece> pieces;
-  unsigned turned = 0;  // bits: 1 Z mirrored, 2 X mirrored, 4 turned by 90° before
+  unsigned turned = 0;  // bits: 1 Z mirrored, 2 X mirrored, 4 rotated by 90° before that
 
   void quarter_turn();
-  /// X and Z of the last end lie below those of the first one.
+  /// Mirrors the profile so that X and Z of its last end are below those of the first one.
   void face_down();
-  /// Z falls along all of it, else "Not monotonic".
+  /// Checks that Z falls along the whole profile; else the error is "Not monotonic".
   Turned check_falls();
-  /// Fillets and chamfers get their places.
+  /// Places fillets and chamfers.
   Turned place_corners();
-  /// All but the way to it lies that much further outside.
+  /// Offsets all pieces but the approach outwards by that distance.
   Turned offset(double distance);
 
-  /// A point of it on the machine; does an arc keep its direction there?
+  /// A point in machine coordinates. keeps_turn(): an arc keeps its direction there.
   Point on_machine(Point p) const;
   bool keeps_turn() const { return ((turned & 1U) != 0) == ((turned & 2U) != 0); }
 

@@ -19,26 +19,26 @@ namespace {
 constexpr std::size_t thread_axis = 2;  // Z
 constexpr double most_thread_passes = 100'000;
 
-/// In mm; depths count from the drive line, where the tool stands.
+/// The data of a thread, in mm. Depths count from the drive line, which is X at the start of the cycle.
 struct Thread {
-  double x = 0, z = 0;                       // where the cycle begins
-  double side = -1;                          // of X, to which the tool goes in: +1 inside
+  double x = 0, z = 0;                       // start point of the cycle
+  double side = -1;                          // direction in X of the infeed: +1 for an inside thread
   double crest = 0;                          // |I|
-  double first = 0;                          // |J|, of the first pass below the crest
+  double first = 0;                          // |J|, depth of the first pass below the crest
   double height = 0;                         // |K|
   double degression = 1;                     // R
   double slope = 0;                          // tangent of the compound angle, Q
   double pitch = 0;                          // P
-  double taper = 0;                          // E, with the sign of the way
+  double taper = 0;                          // E, with the sign of the travel in Z
   double taper_pitch = 0;                    //
   bool taper_in = false, taper_out = false;  // L
   int spring = 0;                            // H
   double target = 0;                         // Z at the end of the first pass
-  Axes end{};                                // programmed
+  Axes end{};                                // programmed end point
   Span where;
 };
 
-/// One pass after another.
+/// Executes the passes one by one.
 class Threading final : public RunningValue<Threading> {
  public:
   explicit Threading(const Thread& thread) : t_(thread) {}
@@ -108,7 +108,7 @@ Thread thread_of(const BlockContext& m, const Axes& end) {
   t.height = std::fabs(k);
   t.pitch = m.length_value('P');
   const double way = end[thread_axis] > t.z ? -1 : 1;
-  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // -1 is the control's sign of a missing Q
+  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // -1 is the control's mark for a missing Q
   t.slope = std::tan(way * angle * pi / half_turn);
   t.spring = m.has('H') ? static_cast<int>(std::round(m.value('H'))) : 0;
   t.degression = m.has('R') ? std::max(1.0, m.value('R')) : 1;

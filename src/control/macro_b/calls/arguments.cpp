@@ -1,4 +1,4 @@
-// Words of a block → #1 … #33 (spec/nct/23 23.3, types 1 and 2 mixed, in the order of writing).
+// Converts the words of a block into #1 … #33 (spec/nct/23 23.3, types 1 and 2 mixed, in the order of writing).
 
 #include <string_view>
 
@@ -8,7 +8,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// By letter, type 1.
+/// The variable of each letter, type 1.
 constexpr std::array<std::uint8_t, 26> variable_of_letter = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
                                                              14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr std::size_t type_2_step = 3;
@@ -21,7 +21,7 @@ class Assigner {
     const char letter = w.written;
     if (letter < 'A' || letter > 'Z' || w.incremental || w.bare) return illegal(w);
     std::size_t number = variable_of_letter[static_cast<std::size_t>(letter - 'A')];
-    if (letter >= 'I' && letter <= 'K') {  // the next one of its own row, of those that are free
+    if (letter >= 'I' && letter <= 'K') {  // the next free variable of the letter's own row
       std::size_t& written = written_[static_cast<std::size_t>(letter - 'I')];
       if (later_counts_) number += type_2_step * written++;
       else
@@ -31,7 +31,7 @@ class Assigner {
       return illegal(w);
     }
     occupied_[number] = true;
-    locals_[number] = w.address == 0 ? vacant : w.value;  // an empty variable leaves its local empty
+    locals_[number] = w.address == 0 ? vacant : w.value;  // an empty variable as value leaves the local empty
     return {};
   }
 
@@ -41,17 +41,17 @@ class Assigner {
   Locals& locals_;
   bool later_counts_;
   std::array<bool, most_locals + 1> occupied_{};
-  std::array<std::size_t, 3> written_{};  // I, J, K so far
+  std::array<std::size_t, 3> written_{};  // how many I, J, K so far
 };
 
 }  // namespace
 
 Status arguments_of(const BlockContext& m, std::uint32_t caller, Locals& to) {
-  const bool later_counts = m.def.behaviour.later_word_counts != LaterWord::nowhere;  // spec/fanuc 9.3: G, L, N, O, P are none there
+  const bool later_counts = m.def.behaviour.later_word_counts != LaterWord::nowhere;  // spec/fanuc 9.3: G, L, N, O, P are no arguments
   Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
-    if (i == caller && w.written != 'G') continue;  // a code G is an argument too: #10 = 65; a calling M is not
+    if (i == caller && w.written != 'G') continue;  // a G code is an argument too: #10 = 65; a calling M is not
     if (later_counts && std::string_view("GLNOP").find(w.written) != std::string_view::npos) continue;
     KADR_TRY(assigner.take(w));
   }

@@ -1,4 +1,4 @@
-// Codes and addresses that parameters bind to programs (spec/nct/23 23.3.4–23.3.8).
+// Calls by codes and addresses that parameters bind to programs (spec/nct/23 23.3.4–23.3.8).
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr int letter_variables = 195;  // #195 … #199
 constexpr int ascii_variables = 191;   // #191 … #194
 constexpr std::string_view letters_in_order = "ABCST";
 
-/// The program that a code of this value calls, or -1.
+/// The program that a code of this value calls; -1 if it calls none.
 int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** run = nullptr) {
   for (const CodeRun& r : runs) {
     const double k = std::round((value - r.start) / r.step);
@@ -26,8 +26,8 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
   return -1;
 }
 
-/// May a word of that address and code call here? Nowhere inside its own call (13.1, 23.3.4 … 23.3.7); inside another, if N1755 #1 ENC
-/// says so. ENC is not about one G code inside another (23.3.4).
+/// True if a word with that address and code may call here. It never calls inside its own call (13.1, 23.3.4 … 23.3.7); inside another
+/// call only if N1755 #1 ENC allows it. ENC does not govern one G code inside another (23.3.4).
 bool may_call(const Interpreter& m, char address, std::int32_t code) {
   bool others = false;
   for (const CallFrame& frame : m.flow.frames()) {
@@ -41,7 +41,7 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
-    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N before it
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before it
   CallRequest request;
   const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -54,7 +54,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
   MacroB& macros = macro_b_of(m);
-  macros.keep_all();  // a negative parameter: G66 or G66.1 (23.3.4)
+  macros.keep_all();  // a negative parameter makes the call modal: G66 or G66.1 (23.3.4)
   macros.state.modal_calls.resize(macros.state.active_modal_calls);
   macros.state.modal_calls.push_back(
       {request.place.reader, request.place.start, 1, request.name, macros.settings.modal_each_block, w.written, w.code, arguments});
@@ -62,14 +62,14 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   return macros.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
-/// Takes the word out of the block; the subprogram follows after the block.
+/// Removes the word from the block; its subprogram runs after the block.
 void pend(BlockContext& m, Word& w, int program) {
   macro_b_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;
 }
 
-/// A, B, C, S, T and the four ASCII letters: the value goes to a variable, a subprogram follows (23.3.7, 23.3.8).
+/// A, B, C, S, T and the four ASCII letters: stores the value in a variable; a subprogram follows (23.3.7, 23.3.8).
 bool letter_calls(Interpreter& m, Word& w) {
   const Settings& s = macro_b_of(m).settings;
   if (w.written > 'Z') return false;
@@ -95,7 +95,7 @@ bool letter_calls(Interpreter& m, Word& w) {
 
 Result<bool> call_by_code(Interpreter& m) {
   const Settings& s = macro_b_of(m).settings;
-  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
+  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there the codes are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
@@ -116,7 +116,7 @@ Result<bool> call_by_code(Interpreter& m) {
   return false;
 }
 
-/// The last one first: so the others run before it. INFERRED: in the order of writing.
+/// Enters the last call first, so that the others run before it. INFERRED: they run in the order of writing.
 Status call_pending(Interpreter& m) {
   MacroB& macros = macro_b_of(m);
   for (; !macros.pending.empty(); macros.pending.pop_back()) {

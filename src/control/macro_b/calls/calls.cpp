@@ -1,5 +1,5 @@
-// Macro and subprogram calls: arguments, levels, modal calls, codes and addresses bound to programs (spec/nct/23 23.3, 14.4). For the rest
-// of control.
+// Macro and subprogram calls: arguments, levels, modal calls, codes and addresses bound to programs (spec/nct/23 23.3, 14.4). Used by the
+// rest of control.
 
 #include "control/macro_b/calls/calls.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t most_repeats = 99'999'999;
 
-/// The program that P or <name> of the block names.
+/// Finds the program that P or <name> of the block gives.
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
@@ -34,7 +34,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
   if (!number) return fail(number.error());
   constexpr std::uint32_t four_digits = 10'000;
   const bool counts = m.def.behaviour.repeats_in_program_number && code.row->function == Function::call_program && !m.has('L');
-  if (counts && *number >= four_digits) {  // spec/fanuc 9.1: P51002
+  if (counts && *number >= four_digits) {  // spec/fanuc 9.1: P51002 is O1002, five times
     request.times = *number / four_digits;
     *number %= four_digits;
   }
@@ -47,7 +47,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
 
 std::uint32_t index_of(const BlockContext& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
-/// What belonged to a call that is over.
+/// Discards what belonged to a call that has ended: its level of locals, its arguments, its modal calls.
 void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
   if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level))
     macros.variables.close_level();
@@ -105,7 +105,7 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
   request.called_by = modal.called_by;
   request.called_code = modal.called_code;
   KADR_TRY(call(m, request, arguments, m.block->where));
-  --macros.state.active_modal_calls;  // inside it only the calls programmed before it act
+  --macros.state.active_modal_calls;  // inside the macro only the modal calls programmed before this one act
   return {};
 }
 
@@ -116,7 +116,7 @@ Status return_from(Interpreter& m, const Call& code) {
     return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
   if (p != nullptr && m.def.behaviour.returns_to_own_block) return go_to_block_again(m, p->value, p->where);
-  if (top == nullptr) {  // in the main program: a jump (14.4.4)
+  if (top == nullptr) {  // in the main program M99 is a jump (14.4.4)
     if (p != nullptr) return go_to_block_again(m, p->value, p->where);
     return m.begin_again(code.where);
   }
@@ -138,7 +138,7 @@ Status return_from(Interpreter& m, const Call& code) {
   const std::size_t depth = m.program().depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  if (!*left) {  // once more
+  if (!*left) {  // it repeats
     if (opened_level && !m.def.behaviour.repeats_keep_locals) macros.variables.locals() = macros.repeated_arguments.back().second;
     return {};
   }
@@ -168,7 +168,7 @@ Status macro_call(Interpreter& m, const Call& call) {
   return macro_b::call(m, *request, arguments, call.where);
 }
 
-/// G66 P L arguments: after each movement; G66.1: with each block, this one too (23.3.2, 23.3.3).
+/// G66 P L arguments: calls after each movement. G66.1: calls with each block, this one included (23.3.2, 23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t most_modal_calls = 16;
   auto request = macro_b::named_program(m, call, false);
@@ -179,14 +179,14 @@ Status macro_modal(Interpreter& m, const Call& call) {
   KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
   macro_b::MacroB& macros = macro_b_of(m);
   if (macros.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
-  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: inside a call the modal calls inactive there are lost
   macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
   ++macros.state.active_modal_calls;
   return call.row->arg == 66.1_g ? macro_b::call_modal(m, arguments) : Status();
 }
 
-/// G67: the last modal call is over.
+/// G67: ends the last modal call.
 Status macro_modal_off(Emitter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (!macros.state.modal_calls.empty()) macros.state.modal_calls.pop_back();
@@ -196,7 +196,7 @@ Status macro_modal_off(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M98 P L, M98 <file> L (14.4.2): the locals stay.
+/// M98 P L, M98 <file> L (14.4.2): the subprogram uses the caller's locals.
 Status call_program(Interpreter& m, const Call& call) {
   auto request = macro_b::named_program(m, call, true);
   if (!request) return fail(request.error());

@@ -1,4 +1,4 @@
-// Interrupt macro: M96, M97, the signal CP_MINT (spec/nct/23 23.4). For the rest of control.
+// Interrupt macro: M96, M97, the signal CP_MINT (spec/nct/23 23.4). Used by the rest of control.
 
 #include "control/macro_b/calls/interrupt.h"
 
@@ -21,12 +21,12 @@ bool asked(MacroB& macros) {
   return macros.settings.interrupt_edge ? rose : signal_on(macros);
 }
 
-/// The code is the machine's: N1758 #0 USD=0, or #4 MCD says that other codes do it.
+/// True if the code is left to the machine: N1758 #0 USD=0, or #4 MCD assigns other codes to the interrupt.
 bool is_free(const MacroB& macros, int code, int own) {
   return !macros.settings.interrupts || (macros.settings.interrupt_own_codes && code != own);
 }
 
-/// A running interrupt macro is aborted (13.1). INFERRED: as by M99, the calls it made included.
+/// Aborts a running interrupt macro (13.1). INFERRED: as M99 does, including the calls that it made.
 Status abort_interrupt(Interpreter& m, const Call& call) {
   MacroB& macros = macro_b_of(m);
   while (macros.interrupted.active && m.program().depth() != 0) {
@@ -57,7 +57,7 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   frame.caller = m.origin;
   frame.modal_calls = macros.state.active_modal_calls;
   frame.opened_level = !macros.settings.interrupt_keeps_locals;
-  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // it is read again after the macro
+  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // the block is read again after the macro
   KADR_TRY(m.flow.call_at(macros.state.interrupt_program->reader, macros.state.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) macros.variables.open_level(no_locals());
   macros.interrupted = {true, m.modal, macros.state.words, m.transform, macros.state.modal_calls, macros.state.active_modal_calls};
@@ -66,10 +66,10 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   return true;
 }
 
-/// Plain M99 brings the modal state back; what it says is in force again (23.4). M99 P does not.
+/// Plain M99 restores the modal state, which is in force again (23.4). M99 P does not.
 void MacroB::end_interrupt(Emitter& m, bool restore) {
   interrupted.active = false;
-  signal_rose = false;  // one during the macro does not count
+  signal_rose = false;  // an edge during the macro does not count
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
@@ -85,13 +85,13 @@ void MacroB::end_interrupt(Emitter& m, bool restore) {
 
 namespace kadr::functions {
 
-/// M96 P, M96 <file>: from now on the signal calls that program. N1758 #5 SYM = 0: it is looked for beside the main program, wherever M96
-/// stands (23.4).
+/// M96 P, M96 <file>: from now on the signal calls that program. With N1758 #5 SYM = 0 it is looked up next to the main program, wherever
+/// M96 is written (23.4).
 Status interrupt_on(Interpreter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (macro_b::is_free(macros, call.word->code / 10, macros.settings.interrupt_on)) return m.dialect->machine_code(m, call);
   if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
-  macros.signal_rose = false;  // INFERRED: an edge before it does not count
+  macros.signal_rose = false;  // INFERRED: an edge before M96 does not count
   if (m.block->file_name.end != 0) {
     const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::Beside::main_program);
     if (!place) return fail(place.error());

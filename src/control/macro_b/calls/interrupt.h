@@ -11,13 +11,13 @@ struct Call;
 
 namespace kadr::macro_b {
 
-/// With N1758 #4 MCD the codes of N1759 and N1760 do what M96 and M97 do.
-///   returns  true: it was such a code
+/// Executes the codes of N1759 and N1760, which do what M96 and M97 do if N1758 #4 MCD is set.
+///   returns  false: the block's code is neither of them
 Result<bool> interrupt_code(Interpreter& m, const Call& call);
 
-/// Calls the interrupt macro if it is enabled and the signal asks for it. INFERRED: with TPI=0 before the block that would begin,
-/// with TPI=1 after the block; with a signal that stays (ELT=0) the interrupted program goes on by a block between two calls.
-///   returns  true: it was called; at the start of a block: instead of the block, which follows the macro
+/// Calls the interrupt macro if it is enabled and the signal requests it. INFERRED: with TPI=0 before the block that would start,
+/// with TPI=1 after the block; while the signal stays on (ELT=0) the interrupted program runs one block between two calls.
+///   returns  true: the macro was called; at the start of a block, that block is executed after the macro
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment);
 
 }  // namespace kadr::macro_b

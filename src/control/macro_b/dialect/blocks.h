@@ -1,6 +1,6 @@
 #pragma once
-// Blocks of a control with macros around the common plan: statements, what calls macros instead of being carried out, what happens after a
-// block (spec/nct/23 23.3, 23.5).
+// What a control with macros does around the common plan of a block: executes statements, calls macros instead of executing the block,
+// and acts after the block (spec/nct/23 23.3, 23.5).
 
 #include "base/result.h"
 
@@ -11,25 +11,25 @@ class Interpreter;
 
 namespace kadr::macro_b {
 
-/// A macro statement (the block's words are evaluated where it needs them).
-///   returns  false: IF … THEN holds, the words behind it are to be carried out (23.2.10)
+/// Executes the block's macro statement, and evaluates the block's words only where the statement needs them.
+///   returns  false: the condition of IF … THEN holds, and the words after THEN are still to be executed (23.2.10)
 Result<bool> run_statement(Interpreter& m);
-/// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1), all are in their ranges. What a
-/// macro gets as an argument is left alone: it may be any number (23.3).
+/// Checks the values of an NC block against their ranges, after rounding those of expressions to the last digit of their address (23.1.1).
+/// Not for the arguments of a macro, which may be any number (23.3).
 Status check_values(BlockContext& m);
-/// A block of words begins: nothing is known of it; words that an earlier run of it took away are there again.
+/// Starts a block of words: clears what was known of the last block, and restores words that an earlier run of this block removed.
 void begin_words(BlockContext& m);
-/// The block's words are arguments of a macro: of G66.1, or of a code that is bound to one.
-///   returns  true: it was called
+/// Calls a macro with the block's words as arguments: by G66.1, or by a code that is bound to a macro.
+///   returns  true: a macro was called
 Result<bool> call_with_words(Interpreter& m);
-/// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3). alarms illegal_address
+/// Checks that the block has a single G: G is no argument of G65, G66, G66.1, and #10 holds their own number (23.3). alarms illegal_address
 Status one_g(const BlockContext& m);
-/// What #4101 … give (23.1.14).
+/// Records the block's words for #4101 … (23.1.14).
 void note_words(BlockContext& m);
-/// Single-block operation stops here: the switch is on, no lock, no G63, not inside a program that counts as one block
+/// True if single-block operation stops at this block: the switch is on, no lock, no G63, not inside a program that counts as one block
 /// (23.1.10, 23.3.9, 6.3.4).
 bool stops_each_block(const BlockContext& m);
-/// After a block of words: the single-block stop; words that stand for subprograms, modal macros.
+/// Acts after a block of words: the single-block stop, subprograms that its words call, modal macros.
 Status end_words(Interpreter& m);
 
 }  // namespace kadr::macro_b

@@ -1,5 +1,5 @@
-// Custom macros B at power-on, by a set-up, at a reset; what an alarm takes back; what a snapshot holds; what the interpreter asks of them
-// (spec/nct/03, 23). For control/fanuc/dialect.
+// Custom macros B: power-on, set-up and reset, what an alarm takes back, snapshots, and the functions that the interpreter calls
+// (spec/nct/03, 23). Used by control/fanuc/dialect.
 
 #include "control/macro_b/macro_b.h"
 
@@ -16,7 +16,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// Names of all axes of the machine by their number: those of the other channels too.
+/// Names of all axes of the machine, those of the other channels included, indexed by axis number.
 std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
   std::vector<std::string> names(32);
   std::size_t number = 1;
@@ -106,13 +106,13 @@ void MacroB::reset_macros() {
   interrupted.active = false;
 }
 
-/// Parameters (24.1).
+/// Takes over the parameters of another channel (24.1).
 void MacroB::take_common(BlockContext& m, const Dialect& from) {
   parameters.take(static_cast<const MacroB&>(from).parameters);
   refresh_settings(m);
 }
 
-// ---- what an alarm takes back: for Interpreter::take_back, which does the same for what all controls have (design.md 4)
+// ---- what an alarm takes back; Interpreter::take_back does the same for the state that all controls have (design.md 4)
 
 void MacroB::begin_block(Emitter& m) {
   m.journal.keep(state.words);
@@ -144,12 +144,12 @@ Status MacroB::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = then.memory;
   parameters.remember(then.parameters);
   variables.remember(then.variables);
-  changes = Changes();  // of the state file: all rows once more
+  changes = Changes();  // so that the state file gets all rows again
   before_ = {};
   return {};
 }
 
-// ---- what the machine tells (11.7, 23.1.9, 23.4)
+// ---- what the machine reports (11.7, 23.1.9, 23.4)
 
 void MacroB::set_signal(const std::string& name, double value) {
   double& signal = signals[name];
@@ -159,15 +159,15 @@ void MacroB::set_signal(const std::string& name, double value) {
 
 void MacroB::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
-  cutting_ms += cut_ms;  // the program may have set it
+  cutting_ms += cut_ms;  // added, as the program may have set it
 }
 
-// ---- what the interpreter asks
+// ---- what the interpreter calls
 
 void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) { macro_b::add_variables(m, ending, watch); }
 
-/// A clock variable stands in the block, or one by a computed number, or a text with variables (23.1.9). Its value must be that of the
-/// moment: all actions before it are handed over first, and from then on each block's.
+/// Returns true if the block has a clock variable, a variable with a computed number, or a text with variables (23.1.9). A clock must show
+/// the time of that moment: all actions before the block are passed on first, and after it the actions of each block.
 bool MacroB::reads_clock(const Block& block) const {
   const StatementKind kind = block.statement.kind;
   if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;

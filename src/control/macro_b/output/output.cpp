@@ -1,4 +1,4 @@
-// POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): statements → the file being written. For
+// POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): turns statements into calls of the file being written. Used by
 // control/macro_b/statements/statements, control/macro_b/statements/messages.
 
 #include "control/macro_b/output/output.h"
@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Path of the running program from the folder of the program memory. INFERRED: a program that lies elsewhere counts as if it
-/// stood in that folder.
+/// The running program's path relative to the program memory. INFERRED: a program outside the program memory counts as if it were in
+/// its top folder.
 std::string program_path(const BlockContext& m) {
   const auto whole = [](const std::string& path) {
-    std::error_code error;  // no working directory: the path as it is
+    std::error_code error;  // without a working directory the path stays as it is
     return fs::absolute(path, error).lexically_normal();
   };
   const fs::path main = whole(m.program().main_file()), root = whole(macro_b_of(m).output.root() + "/").parent_path();
@@ -30,7 +30,7 @@ std::string program_path(const BlockContext& m) {
   return whole(m.program().file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
 }
 
-/// Gives an alarm of the file its place.
+/// Adds the location in the program to an alarm of the file.
 Status placed(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();
@@ -43,7 +43,7 @@ Result<double> value_or_zero(Emitter& m, Expression expression) {
   return evaluate(*m.block, expression, Reading{m});
 }
 
-/// Values of the variables named in a text, in order; a vacant one: none.
+/// Collects the values of the variables named in a text, in order; nullopt for a vacant one.
 class Values {
  public:
   explicit Values(Emitter& m) : m_(m) { scratch_.text = {}; }

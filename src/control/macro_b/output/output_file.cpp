@@ -1,4 +1,4 @@
-// Files that a program writes: names, opening, printing, closing. The writing itself: control/files/file_writer.
+// Names, opens, prints and closes the files that a program writes. The writing itself is in control/files/file_writer.
 
 #include "control/macro_b/output/output_file.h"
 
@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t longest_name = 60;  // characters between < > (14.4.2)
 constexpr double device_number = 31;
 constexpr double most_program_number = 99'999'999;
-constexpr int short_numbers = 9'999;  // O and four digits
+constexpr int short_numbers = 9'999;  // the largest number written as O and four digits
 constexpr std::string_view percent = "%\r\n";
 constexpr std::string_view card_file = "PRNT0000.DAT";
 
@@ -35,7 +35,7 @@ constexpr FileMode modes[] = {
     {false, true, false},  // 5
 };
 
-/// Characters of the text; nothing where one must not stand in a name.
+/// Counts the characters of a text. Returns nullopt if one of them is not allowed in a name.
 std::optional<std::size_t> count_characters(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count) {
@@ -47,7 +47,7 @@ std::optional<std::size_t> count_characters(std::string_view text) {
   return count;
 }
 
-/// ".nct" of "sub/part.nct", or nothing.
+/// ".nct" of "sub/part.nct"; empty if there is none.
 std::string_view extension_of(std::string_view program) {
   const std::size_t slash = program.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? program : program.substr(slash + 1);
@@ -162,7 +162,7 @@ Status OutputFile::open_named(double mode, std::string_view name, std::string_vi
   return open(named_file(*path, name), static_cast<int>(mode), program);
 }
 
-/// Opens it and makes it the open file.
+/// Opens the file in this mode and remembers it as the open one.
 Status OutputFile::open(files::Wanted wanted, int mode, std::string_view program) {
   wanted.rule = modes[mode - 1];
   wanted.running = program;
@@ -177,7 +177,7 @@ Status OutputFile::print(std::string_view line, PrintKind kind) {
   return writer_.write(line);
 }
 
-/// The file of POPEN31 gets its name and its first `%`.
+/// Opens the file of POPEN31 under the name in `line`, and writes its first `%`.
 Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   std::string name;
   for (const char c : line)

@@ -1,5 +1,5 @@
-// A called program looked for step by step (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the names of the files, by the
-// first word of the files. For control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
+// Finds a called program step by step (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the file names, by the first word of
+// the files. Used by control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
 
 #include <fmt/core.h>
 
@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
-constexpr std::size_t most_searched_files = 10'000;  // of a folder
-constexpr std::size_t most_heading = 4096;           // bytes of a file in which its first word is looked for
-constexpr std::size_t most_named = 3;                // files that an alarm names
+constexpr std::size_t most_searched_files = 10'000;  // files of one folder
+constexpr std::size_t most_heading = 4096;           // bytes of a file that are searched for its first word
+constexpr std::size_t most_named = 3;                // files that an alarm lists
 constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_name_digits = 8;
 
 std::string in_capitals(std::string text) {
@@ -28,7 +28,7 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-/// Digits behind the O of a file's name where they are that number; 0: another name.
+/// The number of digits after the O of a file's name, if they are that number; 0 for any other name.
 std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   const std::string stem = in_capitals(file.stem().string());
   const std::size_t digits = stem.size() - 1;
@@ -37,7 +37,7 @@ std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   return std::stoul(stem.substr(1)) == number ? digits : 0;
 }
 
-/// The regular files of the folder, in the order of their names.
+/// The regular files of the folder, sorted by name.
 Files files_in(const fs::path& folder) {
   Files files;
   std::error_code error;
@@ -55,7 +55,7 @@ Files files_that(const Files& files, const std::function<bool(const fs::path&)>&
   return some;
 }
 
-/// The first block of a file with anything but a comment: the program's O or <NAME>.
+/// The program's O number or <NAME>, from the first block of a file that has more than a comment.
 struct FirstWord {
   std::optional<std::uint32_t> number;
   std::string name;
@@ -78,7 +78,7 @@ FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileDoo
   }
 }
 
-/// The only one, or nothing.
+/// Returns the only file, or nullopt if there is none.
 ///   alarms  programs_alike
 Result<std::optional<fs::path>> only_one(const Files& files, std::string_view shown, Span where) {
   if (files.empty()) return std::optional<fs::path>();
@@ -89,7 +89,7 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
   return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
 }
 
-/// By the name of the file: those with the caller's extension before others; of a Haas those of five digits first, then of four.
+/// Searches by file name. Files with the caller's extension come first; on a Haas those of five digits, then those of four.
 Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
   const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
   const std::string shown = "O" + std::to_string(number);
@@ -108,7 +108,7 @@ Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files&
   return std::optional<fs::path>();
 }
 
-/// Where programs lie: beside the main program, beside the caller, in the folder of --files.
+/// The folders that hold programs: the main program's, the caller's, and the one of --files.
 std::vector<fs::path> folders_of(const BlockContext& m) {
   std::vector<fs::path> folders;
   const auto add = [&](fs::path folder) {
@@ -131,7 +131,7 @@ Result<std::optional<ProgramPlace>> Programs::in_own_file(Interpreter& m, std::u
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
   if (places.empty()) return std::optional<ProgramPlace>();
-  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // it counts as called
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // marks it as called
   return std::optional(ProgramPlace{m.program().reader(), places.front()});
 }
 

@@ -1,5 +1,5 @@
-// Programs by number and by name in the program memory: folders on the disk (spec/nct/14 14.4.1, 14.4.2). For control/macro_b/calls/calls,
-// control/macro_b/memory.
+// Finds programs by number and by name in the program memory, which is folders on the disk (spec/nct/14 14.4.1, 14.4.2). Used by
+// control/macro_b/calls/calls, control/macro_b/memory.
 
 #include "control/macro_b/programs/programs.h"
 
@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_name = 60;  // characters between < and > (14.4.2)
-constexpr int most_parents = 16;       // folders above the program that are looked at for SystemMacros
+constexpr int most_parents = 16;       // folders above the program that are searched for SystemMacros
 constexpr std::uint32_t most_short = 9999;
-constexpr std::size_t most_files = 10'000;  // of a folder that are looked at
-constexpr std::size_t most_head = 512;      // bytes of a file in which its number is looked for
+constexpr std::size_t most_files = 10'000;  // files of one folder that are examined
+constexpr std::size_t most_head = 512;      // bytes of a file that are searched for its number
 
 bool alike(std::string a, std::string b) {
   const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), to_lower); };
@@ -30,7 +30,7 @@ bool alike(std::string a, std::string b) {
   return a == b;
 }
 
-/// The file of that name in the folder; INFERRED: capital and small letters count as the same.
+/// The file of that name in the folder. INFERRED: capital and small letters are equal.
 std::optional<fs::path> in_folder(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::is_regular_file(folder / name, error)) return folder / name;
@@ -40,7 +40,7 @@ std::optional<fs::path> in_folder(const fs::path& folder, const std::string& nam
   return std::nullopt;
 }
 
-/// The file's real place, links followed, lies below the folder: a program reads nothing else.
+/// True if the file's real path, with links followed, is below the folder. A program may read no other file.
 bool is_below(const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -51,13 +51,13 @@ bool is_below(const fs::path& file, const fs::path& folder) {
   return parted.first == root.end();
 }
 
-/// Within the program memory: the main program's folder, or the one that was given to the run.
+/// True if the file is in the program memory: the main program's folder, or the folder given to the run (--files).
 bool is_inside(const BlockContext& m, const fs::path& file) {
   const std::string& given = m.program().limits().files;
   return is_below(file, fs::path(m.program().main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
 
-/// Four digits, then eight.
+/// Tries the name with four digits, then with eight.
 std::optional<fs::path> numbered(const fs::path& folder, std::uint32_t number, const std::string& extension) {
   if (number <= most_short)
     if (auto found = in_folder(folder, fmt::format("O{:04}{}", number, extension))) return found;
@@ -69,7 +69,7 @@ std::size_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// "\subs\x.prg", " ..\x.prg" → a path from the folder.
+/// Turns "\subs\x.prg" or " ..\x.prg" into a path relative to the folder.
 fs::path path_of(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -78,20 +78,21 @@ fs::path path_of(std::string_view name) {
   return fs::path(text).lexically_normal();
 }
 
-/// "O00020", "0020", "20": a number in any of its forms.
+/// Reads a number in any of the forms "O00020", "0020", "20".
 std::optional<std::uint32_t> number_in(std::string_view text) {
   if (!text.empty() && (text[0] == 'O' || text[0] == 'o')) text.remove_prefix(1);
   if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
   return static_cast<std::uint32_t>(std::stoul(std::string(text)));
 }
 
-/// Files of the NCT's own extensions have the names of 14.4.1 (O1, O01234 are none); those of other shops, `.nc`, come with any.
+/// True for the NCT's own extensions, whose file names follow 14.4.1 (O1, O01234 are invalid). Files of other shops, `.nc`, may have any
+/// name.
 bool names_are_strict(const std::string& extension) { return alike(extension, ".nct") || alike(extension, ".prg"); }
 
-/// What a file begins with: the number after `O` or `:`; a line of % and empty lines may stand before it.
+/// The start of a file: the number after `O` or `:`. A line of % and empty lines may come before it.
 struct Heading {
   std::uint32_t number = 0;
-  Position start;  // of the program: after a line with `:`, which this control does not read
+  Position start;  // of the program; after a line with `:`, which this control does not read
 };
 
 std::optional<Heading> heading_of(const fs::path& path, const FileDoor* door) {
@@ -119,8 +120,9 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* doo
   return heading && heading->number == number;
 }
 
-/// A file of that number in another form, or (`by_word`) one that begins with it: in the caller's folder, then in that of --files.
-///   returns  "": there is none
+/// Finds a file of that number in another form, or (`by_word`) a file that starts with the number: in the caller's folder, then in that of
+/// --files.
+///   returns  "" if there is none
 ///   alarms  label_twice
 Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
   const std::string extension = caller.extension().string();
@@ -134,7 +136,7 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
     for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
       if (left-- == 0) break;
       const fs::path& path = entry.path();
-      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is the number
+      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is itself the number
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
       if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path))
         continue;
@@ -154,7 +156,7 @@ std::string program_name(std::uint32_t number) {
 
 std::uint32_t number_of_file(const std::string& path) {
   std::string stem = fs::path(path).stem().string();
-  stem.resize(std::min(stem.size(), stem.find(' ')));  // "O9999 (macros)", the control's own
+  stem.resize(std::min(stem.size(), stem.find(' ')));  // the control's own form is "O9999 (macros)"
   if (stem.size() < 2 || stem.size() > 9 || (stem[0] != 'O' && stem[0] != 'o')) return 0;
   if (stem.find_first_not_of("0123456789", 1) != std::string::npos) return 0;
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
@@ -184,7 +186,7 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
     auto other = other_file(m, number, caller, false, where);
     if (!other) return fail(other.error());
     const auto built_in = other->empty() ? m.flow.open_built_in(program_name(number)) : std::nullopt;
-    if (built_in) {  // the control's own: G65 P9999 (23.6)
+    if (built_in) {  // a program of the control itself: G65 P9999 (23.6)
       place.reader = *built_in;
     } else {
       const bool by_word = other->empty();

@@ -1,5 +1,5 @@
 #pragma once
-// Programs by number and by name in the program memory: folders on the disk (spec/nct/14 14.4.1, 14.4.2; 23 23.3).
+// Finds programs by number and by name in the program memory, which is folders on the disk (spec/nct/14 14.4.1, 14.4.2; 23 23.3).
 
 #include <cstdint>
 #include <map>
@@ -16,46 +16,46 @@ class Interpreter;
 
 namespace kadr::macro_b {
 
-/// Where a called program begins.
+/// The location at which a called program starts: the open file and the position in it.
 struct ProgramPlace {
   std::uint16_t reader = 0;
   Position start;
 };
 
-/// In whose folder a program is looked for.
+/// Whose folder is searched for a program.
 enum class Beside : std::uint8_t { caller, main_program };
 
-/// Finds programs once and remembers them.
+/// Finds programs, and remembers those found.
 class Programs {
  public:
-  /// M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder (14.4.2). INFERRED: else the program
-  /// after `Onnnn` in the main file itself (a tape with several programs). Ours, for the files of other shops: else a file whose name is
-  /// that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own; else a file that
-  /// begins with `O` or `:` and the number.
-  ///   alarms  program_missing (2147), label_twice
+  /// Finds the program of M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder (14.4.2). INFERRED:
+  /// else the program after `Onnnn` in the main file itself (a tape with several programs). Ours, for files of other shops: else a file
+  /// whose name is that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own
+  /// program; else a file that starts with `O` or `:` and the number.
+  ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
   Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
-  /// M98 <path\\name.ext> from the caller's folder, within the main program's folder or that of --files.
+  /// Finds the program of M98 <path\\name.ext>, relative to the caller's folder, inside the main program's folder or that of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
   Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
-  /// A system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
+  /// Finds a system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
   Result<ProgramPlace> system(Interpreter& m, std::uint32_t number, Span where);
 
  private:
-  /// The steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
+  /// Searches in the steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
   Result<ProgramPlace> by_steps(Interpreter& m, std::uint32_t number, Span where);
   static Result<std::optional<ProgramPlace>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
-  /// A file whose program begins with <name>.
+  /// Finds a file whose program starts with <name>.
   static Result<std::optional<ProgramPlace>> by_heading(Interpreter& m, std::string_view name, Span where);
-  /// A file of the program memory. alarms file_outside, file_missing
+  /// Opens a file of the program memory. alarms file_outside, file_missing
   static Result<ProgramPlace> opened(Interpreter& m, const std::string& path, Span where);
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // {reader of the caller, number}
   std::map<std::uint32_t, ProgramPlace> systems_;
 };
 
-/// "O0012"; numbers above 9999 have eight digits.
+/// The name of a program: "O0012"; numbers above 9999 have eight digits.
 std::string program_name(std::uint32_t number);
-/// Number of a program by its file's name: O and at most eight digits; 0 otherwise (23.1.13).
+/// The number of a program from its file's name, O and at most eight digits; 0 for any other name (23.1.13).
 std::uint32_t number_of_file(const std::string& path);
 
 }  // namespace kadr::macro_b

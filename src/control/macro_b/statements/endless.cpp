@@ -1,4 +1,4 @@
-// Loops that never end, found without running them for long (spec/nct/23 23.2.8, 23.2.11). For control/macro_b/memory.
+// Finds loops that never end without running them for long (spec/nct/23 23.2.8, 23.2.11). Used by control/macro_b/memory.
 
 #include "control/macro_b/statements/endless.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::macro_b {
 
 struct Moment {
-  std::uint64_t blocks = 0;  // carried out
+  std::uint64_t blocks = 0;  // executed so far
   std::vector<CallFrame> frames;
   std::vector<Locals> levels;
   std::array<double, last_common + 1> commons{};
@@ -21,7 +21,7 @@ struct Moment {
   std::uint8_t active_modal_calls = 0;
   std::size_t finishing = 0;
   std::uint64_t parameters = 0;
-  // what system variables show
+  // ---- what system variables show
   std::uint64_t readings = 0, changes = 0;
   ProgramPosition position;
   ModalWords words;
@@ -31,10 +31,10 @@ struct Moment {
 namespace {
 
 constexpr std::uint64_t compared_passes = 8;                                        // after a snapshot
-constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;  // in passes of loops: then every loop is left
+constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;  // in passes of loops; beyond these every loop is left
 constexpr std::size_t most_faults = 1000;
 
-/// Bit by bit: vacant is vacant.
+/// Compares bit by bit, so that vacant equals vacant.
 bool same(const Locals& a, const Locals& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
 
 bool same(const CallFrame& a, const CallFrame& b) {
@@ -95,7 +95,7 @@ bool same_calls(const BlockContext& m, const Moment& then) {
                     then.modal_arguments.end(), [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
-/// What system variables show, as far as a program changes it.
+/// Compares what system variables show, as far as a program can change it.
 bool same_surroundings(const BlockContext& m, const Moment& then) {
   const MacroB& macros = macro_b_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
@@ -111,7 +111,7 @@ bool same(const BlockContext& m, const Moment& then) {
          (macros.endless.readings() == then.readings || same_surroundings(m, then));
 }
 
-/// The machine's logic, its operator or another channel may end the loop.
+/// True if the machine's logic, its operator or another channel may end the loop.
 bool others_act(const Emitter& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
 
 }  // namespace
@@ -129,17 +129,17 @@ void Endless::forget() {
 
 void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
-  for (Watch& w : watches_) w.next_look = 0;  // each jump is looked at from now on
+  for (Watch& w : watches_) w.next_look = 0;  // examine each jump from now on
   if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
-/// A faulty block that may steer stands between target and jump, or was met since the jump was made last.
+/// True if a faulty block that may steer is between the target and the jump.
 bool Endless::holds_fault(const Watch& w) const {
   return std::any_of(faults_.begin(), faults_.end(),
                      [&](const Fault& f) { return f.reader == w.reader && f.offset >= w.target && f.offset <= w.from; });
 }
 
-/// What a fault leaves behind may loop for long although no pass is like another: a check shall not.
+/// After a fault a loop may run for long although no pass equals another. Returns true when a check has spent enough on such loops.
 bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   const auto nth = static_cast<std::size_t>(&w - watches_.data());
   if (looked_ == nth) looped_ += m.program().blocks() - looked_at_;
@@ -148,7 +148,7 @@ bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   return ++looks_ > jumps_behind_fault || looped_ > blocks_behind_fault;
 }
 
-/// Another loop around this one was gone through since the snapshot: it is the one that does not end.
+/// True if another loop around this one was passed since the snapshot: the outer loop is then the one that does not end.
 bool Endless::is_inside_another(const Watch& w) const {
   return std::any_of(watches_.begin(), watches_.end(), [&](const Watch& other) {
     if (&other == &w || other.target == ~std::uint64_t{0} || other.arrived <= w.snapshot->blocks) return false;

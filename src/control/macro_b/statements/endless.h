@@ -1,12 +1,12 @@
 #pragma once
-// Loops that never end (GOTO back, END to its DO; spec/nct/23 23.2.8, 23.2.11), found without running them for long.
+// Finds loops that never end (GOTO back, END to its DO; spec/nct/23 23.2.8, 23.2.11) without running them for long.
 //
-// A pass is decided by the place in the program, the variables, the open calls and, where the pass read one, what a system variable
-// shows. If a jump back is made twice with all of these alike, it is made for ever. A snapshot is taken at passes 1, 2, 4, 8 … and
-// the few passes after each are held against it, so that a loop of a million passes pays nothing.
+// A pass depends on the position in the program, the variables, the open calls and, if the pass read one, the values of system
+// variables. If a jump back is made twice with all of these equal, the loop never ends. A snapshot is taken at passes 1, 2, 4, 8 … and
+// the few passes after each are compared with it, so a loop of a million passes costs almost nothing.
 //
-// `kadr check` goes on after faults. A loop in which a faulty block would have written a variable or jumped, and one that a fault
-// before it keeps from ending, is left after a pass: one fault is one alarm.
+// `kadr check` continues after faults. It leaves a loop after one pass if a faulty block in it would have written a variable or jumped, or
+// if an earlier fault keeps the loop from ending: one fault gives one alarm.
 
 #include <array>
 #include <cstdint>
@@ -23,16 +23,16 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-struct Moment;  // what decides a pass
+struct Moment;  // the state that a pass depends on
 
 class Endless {
  public:
   enum class Verdict : std::uint8_t {
-    go,       // nothing is known against the jump
-    endless,  // it would be made for ever
-    leave,    // after a fault: the program goes on after the loop
+    go,       // nothing shows that the loop is endless
+    endless,  // the loop would never end
+    leave,    // after a fault: the program continues after the loop
   };
-  /// A jump back to `target`, in the file being read, is about to be made.
+  /// Judges a jump back to `target`, in the file being read, before it is made.
   Verdict look(const Emitter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
     Watch& w = watches_[(target.offset ^ reader * 17u) % watches_.size()];
     if (w.target != target.offset || w.reader != reader) [[unlikely]]
@@ -43,13 +43,13 @@ class Endless {
     return look_closely(m, w);
   }
 
-  /// A system variable has been read: what it shows counts.
+  /// Records that a system variable has been read: from now on the values of system variables are compared too.
   void note_reading() { ++readings_; }
-  /// Something that system variables show, and nothing else, has changed.
+  /// Records a change of something that only system variables show.
   void note_change() { ++changes_; }
-  /// The current block was faulty, and the run goes on. `may_steer`: it would have written a variable, called or jumped.
+  /// Records that the current block was faulty and the run continues. `may_steer`: it would have written a variable, called or jumped.
   void note_fault(const BlockContext& m, bool may_steer);
-  /// Another pass of the whole program: what was seen counts no more.
+  /// Forgets all passes: another pass of the whole program starts.
   void forget();
 
   std::uint64_t readings() const { return readings_; }
@@ -60,15 +60,15 @@ class Endless {
     std::uint64_t target = ~std::uint64_t{0};
     std::uint64_t from = 0;  // offset of the block that jumps
     std::uint64_t passes = 0, next_look = 1;
-    std::uint64_t arrived = 0;  // blocks carried out when it was made last
+    std::uint64_t arrived = 0;  // blocks executed when the jump was last made
     std::uint64_t seen = 0;     // passes when the snapshot was taken
-    std::size_t depth = 0;      // calls open
+    std::size_t depth = 0;      // number of open calls
     std::uint16_t reader = 0;
     std::shared_ptr<const Moment> snapshot;
   };
   struct Fault {
     std::uint64_t offset = 0;
-    std::uint64_t blocks = 0;  // carried out then
+    std::uint64_t blocks = 0;  // executed when the fault was found
     std::uint16_t reader = 0;
   };
   void start(Watch& w, Position target, std::uint16_t reader);
@@ -78,11 +78,11 @@ class Endless {
   bool holds_fault(const Watch& w) const;
 
   std::array<Watch, 64> watches_;
-  std::vector<Fault> faults_;  // that may steer
+  std::vector<Fault> faults_;  // only those that may steer
   bool any_fault_ = false;
-  // … after one: jumps looked at, blocks of passes one after another, and where the last look was
+  // after a fault: jumps examined, blocks in successive passes of one loop, blocks() at the last examination
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
-  std::size_t looked_ = ~std::size_t{0};  // by watches_
+  std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump examined last
   std::uint64_t readings_ = 0, changes_ = 0;
 };
 

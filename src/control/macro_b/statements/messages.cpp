@@ -1,4 +1,4 @@
-// #3000, #3006, #3106, #3107 (spec/nct/23 23.1.8) and jumps to block numbers. For control/macro_b/calls/calls,
+// The messages of #3000, #3006, #3106, #3107 (spec/nct/23 23.1.8). Used by control/macro_b/calls/calls,
 // control/macro_b/statements/statements.
 
 #include "control/macro_b/statements/messages.h"
@@ -23,7 +23,7 @@ std::string text_of(BlockContext& m) {
   return m.program().shown(m.block->text_of(m.block->comments.front()), all);
 }
 
-/// The number before the text: at most three digits; nothing: 0.
+/// The number before the text: at most three digits; 0 if there is none.
 Result<int> number_of(Emitter& m, const Statement& s) {
   if (!s.value) return 0;
   const auto value = evaluate(*m.block, s.value, Reading{m});
@@ -33,7 +33,7 @@ Result<int> number_of(Emitter& m, const Statement& s) {
   return static_cast<int>(nearest);
 }
 
-/// #3000: the program stops with alarm ii4nnn00, ii the channel.
+/// #3000: the program stops with alarm ii4nnn00, where ii is the channel.
 Status program_alarm(BlockContext& m, const Statement& s, int number) {
   const int alarm_base = static_cast<int>(m.def.behaviour.alarm_base);
   const std::string code = fmt::format("{:02}{}00", m.def.channel, alarm_base + number);
@@ -41,7 +41,7 @@ Status program_alarm(BlockContext& m, const Statement& s, int number) {
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));
 }
 
-/// #3107: a question; its answer is read from #3107 (an event of the set-up, otherwise OK or Yes).
+/// #3107: a question. Its answer is read from #3107 (an event of the set-up, else OK or Yes).
 Status question(Emitter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);

@@ -1,4 +1,4 @@
-// Assignment, IF, GOTO, WHILE … DO … END (spec/nct/23 23.2).
+// Executes assignment, IF, GOTO, WHILE … DO … END (spec/nct/23 23.2).
 
 #include <cmath>
 
@@ -16,14 +16,14 @@ namespace {
 
 Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
 
-/// The number of the variable to be written: mostly a constant.
+/// The number of the variable to be written; usually a constant.
 Result<double> target_of(Emitter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
   return value_of(m, s.target);
 }
 
-/// An alarm of the words behind the assignment takes it back too.
+/// Lets an alarm in the words after the assignment take the assignment back too.
 void keep_target(BlockContext& m, double target) {
   MacroB& macros = macro_b_of(m);
   const auto n = static_cast<int>(target);
@@ -44,7 +44,7 @@ Status assign(Emitter& m, const Statement& s) {
 
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
-/// A jump back that would be made for ever is none.
+/// Jumps, unless the jump back would never end.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
     switch (macro_b_of(m).endless.look(m, target, m.program().reader(), m.program().blocks())) {
@@ -57,17 +57,17 @@ Status jump_to(Interpreter& m, Position target, Span where) {
   return {};
 }
 
-/// WHILE[…] DOm, DOm: on with the body, or after the END (23.2.11).
+/// WHILE[…] DOm, DOm: continues with the body, or after the END (23.2.11).
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
-  if (found == nullptr) return {};  // more loops than are looked at
+  if (found == nullptr) return {};  // the file has more loops than are kept
   if (found->fault != no_alarm) return faulty(*found, s.where);
   if (!holds) m.flow.jump(found->behind);
   return {};
 }
 
-/// ENDm goes back to its DOm, found by the text: a loop may be entered by a jump.
+/// ENDm: jumps back to its DOm, which is found by the text, as a jump may enter a loop.
 Status loop_end(Interpreter& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
@@ -76,7 +76,7 @@ Status loop_end(Interpreter& m, const Statement& s) {
   return jump_to(m, found->begin, s.where);
 }
 
-/// All conditions of IF and WHILE.
+/// True if all conditions of an IF or WHILE hold.
 Result<bool> holds(Emitter& m, const Statement& s) {
   for (std::uint8_t i = 0; i < s.condition_count; ++i) {
     const auto value = value_of(m, s.conditions[i]);

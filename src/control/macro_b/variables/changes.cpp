@@ -1,4 +1,4 @@
-// What must survive power-off and has changed: rows for the state file (spec/nct/09, 12.3, 23.1.4, 23.1.9, 24.1). For
+// Finds what must survive power-off and has changed, as rows for the state file (spec/nct/09, 12.3, 23.1.4, 23.1.9, 24.1). Used by
 // control/macro_b/memory.
 
 #include "control/macro_b/variables/changes.h"
@@ -10,11 +10,11 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr double cutting_step_ms = 1000;  // the cutting time is kept to a second
+constexpr double cutting_step_ms = 1000;  // the cutting time is saved in steps of a second
 
 using Rows = std::map<std::pair<StateTable, std::string>, StateValue>;
 
-/// Rows of all tables as they are now.
+/// The rows of all tables, except the variables, as they are now.
 Rows rows_now(Emitter& m) {
   Setup tables = macro_b_of(m).run_state(m).tables;
   tables.variables.clear();

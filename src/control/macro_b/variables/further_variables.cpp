@@ -1,5 +1,5 @@
-// Names of SETVN, further common variables, timers (spec/fanuc 5.1, 5.5, spec/haas 2.4). For control/macro_b/variables/system_variables,
-// control/macro_b/statements/statements.
+// Names given by SETVN, further common variables, timers (spec/fanuc 5.1, 5.5, spec/haas 2.4). Used by
+// control/macro_b/variables/system_variables, control/macro_b/statements/statements.
 
 #include "control/macro_b/variables/further_variables.h"
 
@@ -15,10 +15,10 @@ namespace {
 constexpr double ms_of_hour = 3'600'000;
 constexpr double ms_of_second = 1000;
 
-/// Of a row of timers by its `arg`.
+/// What a timer measures: `arg` of its row.
 enum class TimerOf { power_on = 20, cycle_start = 21, feed = 22, this_part = 23 };
 
-/// Of a row of switches by its `arg`; pallet, single block and dry run are off.
+/// `arg` of a row of switches; the others (pallet, single block, dry run) are off.
 constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace
@@ -70,7 +70,7 @@ double cutting_unit(const ControlDef& def) {
   return 1;
 }
 
-/// INFERRED: the run is the cycle and the part, and no part came before it.
+/// INFERRED: the run is both the cycle and the part, and no part came before it.
 double timer(const BlockContext& m, const VariableRow& row) {
   switch (static_cast<TimerOf>(row.arg)) {
     case TimerOf::power_on:

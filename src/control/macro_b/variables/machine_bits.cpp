@@ -1,4 +1,4 @@
-// Variables that hold a bit each of something (spec/nct/23 23.1.7, 23.1.11). For control/macro_b/variables/system_variables.
+// System variables that are bit masks (spec/nct/23 23.1.7, 23.1.11). Used by control/macro_b/variables/system_variables.
 
 #include "control/macro_b/variables/machine_bits.h"
 

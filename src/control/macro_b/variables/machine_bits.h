@@ -1,5 +1,5 @@
 #pragma once
-// System variables that hold a bit each of something: signals, mirrored axes, the block search (spec/nct/23 23.1.7, 23.1.11).
+// System variables that are bit masks: signals, mirrored axes, the block search (spec/nct/23 23.1.7, 23.1.11).
 
 #include <array>
 
@@ -11,9 +11,9 @@ namespace kadr::macro_b {
 class MacroB;
 
 double bits_to_word(const std::array<double, 32>& bits);
-/// A bit an axis that is mirrored, by its control-wide number.
+/// One bit for each mirrored axis; bit 0 is the axis with control-wide number 1.
 double mirror_bits(const BlockContext& m);
-/// Of #_CNTBS (23.1.11): all three as a mask, or one.
+/// #_CNTBS (23.1.11): one of its three bits, or all three as a mask if `bit` is negative.
 double search_bits(const MacroB& n, int bit);
 
 }  // namespace kadr::macro_b

@@ -1,6 +1,6 @@
 #pragma once
-// The parameters of the control: what the set-up gives, PRM reads (nct 24.2) and G10 L52 writes (24.1).
-// A value belongs to a row and an index. Rows are looked up once, at load; a read is then an access to an array.
+// The parameters of the control: the set-up gives them, PRM reads them (nct 24.2), G10 L52 writes them (24.1).
+// A value is identified by a row and an index. Rows are looked up once, at load; a read is then an array access.
 
 #include <cstdint>
 #include <map>
@@ -18,46 +18,46 @@
 
 namespace kadr::macro_b {
 
-/// A row of the control's table of parameters. `none` reads as 0, as a bit that is off, as an empty text.
+/// A row of the control's parameter table. `none` reads as 0, as a bit that is off, or as an empty text.
 enum class ParameterId : std::int16_t { none = -1 };
 
 class ParameterStore {
  public:
   struct Context {
-    std::vector<std::string> axes;  // names by control-wide number, the first is 1
-    int channel = 1;                // the own one
+    std::vector<std::string> axes;  // names by control-wide number, starting with number 1
+    int channel = 1;                // the channel of this store
   };
 
-  /// All values from the table, over them those of the set-up. Without an index a value of the set-up is that of all channels,
-  /// axes or spindles; one with an index goes before it.
-  ///   rows  by number (ControlDef::parameters); they must live as long as the store
+  /// Takes all values from the table, then those of the set-up. A value of the set-up without an index applies to all channels, axes or
+  /// spindles; a value with an index overrides it.
+  ///   rows  sorted by number (ControlDef::parameters); they must live as long as the store
   ParameterStore(std::span<const ParameterRow> rows, const Parameters& given, Context context);
 
-  /// Keys and values of the set-up that are wrong, in words; empty: none.
+  /// Describes the invalid keys and values of the set-up; empty if there are none.
   const std::string& error() const { return error_; }
 
-  /// Row of a number, or none.
+  /// The row of a number, or none.
   ParameterId find(int number) const;
-  /// Row by its name: "0107", "107", "CLRG".
+  /// The row of a name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
-  /// What a table of another control than the NCT calls otherwise (`as` of its row): the row, and the bit of it or -1.
+  /// The row, and its bit or -1, that the table of a control other than the NCT assigns to a name of the engine (`as` of the row).
   struct Meaning {
     ParameterId row = ParameterId::none;
     int bit = -1;
   };
   Meaning meaning(std::string_view name) const;
-  /// Number of a bit by its name, or -1: 0 to 7, from 8 on where the manual gives only the name.
+  /// The number of a bit by its name, or -1. It is 0 to 7, or from 8 on where the manual gives only the name.
   int bit_named(ParameterId id, std::string_view name) const;
 
-  /// Value in force; of bits all of them as a whole number, of a text the code of its first character.
-  ///   index  channel, axis or spindle, from 1; 0: the own channel, of a global parameter its only value
+  /// The value in force; for bits all of them as a whole number, for a text the code of its first character.
+  ///   index  channel, axis or spindle, from 1; 0: the own channel, or the only value of a global parameter
   double value(ParameterId id, int index = 0) const;
   bool bit(ParameterId id, int bit, int index = 0) const;
-  /// Of a text: the character or the name; empty where it is 0.
+  /// The character or name of a text parameter; empty if it is 0.
   std::string text(ParameterId id, int index = 0) const;
 
-  /// PRM[number,bit]/[index]; a vacant argument counts as missing.
-  ///   alarms  value_out_of_range N: no such parameter, Q: no such bit, P: no such channel, axis, spindle (inferred);
+  /// Reads PRM[number,bit]/[index]; a vacant argument counts as missing.
+  ///   alarms  parameter_unknown: no such parameter; value_out_of_range Q: no such bit, P: no such channel, axis, spindle (inferred);
   ///           parameter_argument 2: the bit is missing, 3: the axis or spindle is missing
   ///   manual  NCT 24.2
   Result<double> read(double number, std::optional<double> bit, std::optional<double> index, Span where) const;
@@ -67,34 +67,35 @@ class ParameterStore {
     double value = 0;
     Span where;
   };
-  /// N P Q R, R with `increment` added to the present value (`RI`).
+  /// The words N P Q R; with `increment` R is added to the present value (`RI`).
   struct Write {
     std::optional<Word> n, p, q, r;
     bool increment = false;
-    Span block;  // where a missing word is
+    Span block;  // location reported for a missing word
   };
-  /// One block between G10 L52 and G11; on an alarm nothing has changed.
+  /// Executes one block between G10 L52 and G11; an alarm changes nothing.
   ///   alarms  word_missing: N, R; Q of bits; P of an axis or spindle (inferred)
-  ///           value_out_of_range: N, no such parameter; P beyond 8 channels, 32 axes, 16 spindles or of a global parameter;
+  ///           parameter_unknown: N, no such parameter
+  ///           value_out_of_range: P beyond 8 channels, 32 axes, 16 spindles or of a global parameter;
   ///           Q beyond 0 to 7 or of a parameter without bits; R beyond the row's range
   ///           parameter_not_writable: takes effect after a restart, or needs the emergency state
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
-  /// Goes up with each change: what was derived from values is to be derived anew.
+  /// Rises with each change; whoever derived something from the values must then derive it again.
   std::uint64_t version() const { return now_.version; }
 
-  /// The values of another channel's store (24.1: one set for all channels, indexed), between two blocks.
+  /// Takes over the values of another channel's store (24.1: one indexed set for all channels). Called between two blocks.
   void take(const ParameterStore& from);
 
-  /// A value or a bit of it: index 0 means all channels, axes or spindles; bit -1 the whole.
+  /// Identifies a value or a bit of it: index 0 means all channels, axes or spindles; bit -1 the whole value.
   struct Place {
     int row = 0;
     int index = 0;
     int bit = -1;
     friend auto operator<=>(const Place&, const Place&) = default;  // NOLINT(modernize-use-nullptr): none here
   };
-  /// The values in force and which of them were written: what a snapshot holds.
+  /// What a snapshot holds: the values in force, and which of them were written.
   struct Memory {
     std::vector<double> values;                // by slot
     std::map<std::size_t, std::string> texts;  // by slot: names of more than one character
@@ -103,11 +104,11 @@ class ParameterStore {
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
-  /// The journal takes writes back. This object must not move from here on.
+  /// Lets the journal take writes back. This object must not move from here on.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
-  /// What the set-up gave, under its keys, and what was written besides, by number: as a next set-up would give it.
-  ///   law  a store made of it reads the same
+  /// What the set-up gave, under its keys, and everything else that was written, by number: the parameters of a next set-up.
+  ///   law  a store made from it reads the same
   Parameters written() const;
 
  private:
@@ -119,10 +120,10 @@ class ParameterStore {
     std::size_t slot = 0;
     double value = 0;
     std::string text;
-    std::optional<Place> place;  // that was new in Memory::written
+    std::optional<Place> place;  // if it was new in Memory::written
   };
 
-  /// An axis of any channel has that number.
+  /// True if an axis of any channel has that number.
   bool has_axis(int number) const {
     const auto n = static_cast<std::size_t>(number);
     return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
@@ -141,7 +142,7 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;  // slot of a row's first index
+  std::vector<std::size_t> first_;  // slot of each row's first index
   std::map<ParameterKey, Given> given_;
   Memory now_;
   JournalLink journal_;

@@ -1,4 +1,4 @@
-// What the parameters say of macros, in the form the interpreter works with. For control/macro_b/macro_b, control/fanuc/state/settings.
+// Derives the settings of macros from the parameters. Used by control/macro_b/macro_b, control/fanuc/state/settings.
 
 #include "control/macro_b/variables/settings.h"
 
@@ -33,7 +33,7 @@ ParameterSource source_of(const ParameterStore& store) {
 
 namespace {
 
-/// Individual codes: value → program + k; 0: none; 1000 means G0 (23.3.4).
+/// Adds individual codes: the value of parameter from + k calls program + k; 0 means none, 1000 means G0 (23.3.4).
 void single_codes(std::vector<CodeRun>& runs, const ParameterSource& p, int from, int count, int program) {
   for (int k = 0; k < count; ++k) {
     const double value = p.value(std::to_string(from + k).c_str(), 0);

@@ -1,4 +1,4 @@
-// Variables that are told after a run, and the numbers of their names. For control/macro_b/macro_b, the last line of a trace.
+// The variables reported after a run, and the numbers of symbolic names. Used by control/macro_b/macro_b for the last line of a trace.
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// System variables by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2). For the rest of control.
+// System variables by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2). Used by the rest of control.
 
 #include "control/macro_b/variables/system_variables.h"
 
@@ -62,7 +62,7 @@ double read_plain(const BlockContext& m, const FoundVariable& f) {
   }
 }
 
-/// 0, 1, or between: 1 (23.2.1).
+/// The value as a bit: 0, else 1 for any value up to 1 (23.2.1).
 Result<bool> bit_value(double value, Span where) {
   if (!(value >= 0 && value <= 1)) return fail(alarm(AlarmId::value_limit, where, value));
   return value > 0;
