@@ -1,9 +1,7 @@
 #pragma once
 // BlockContext: the block that is being executed, the state of the control before it, and what its words mean in that state. A function
-// that
-// only reads words, modes, tables or variables receives a BlockContext: through it, it can neither emit an action nor change the course
-// of the
-// program. Only src/control includes this file.
+// that only reads words, modes, tables or variables receives a BlockContext, through which it can neither emit an action nor change the
+// course of the program. Only src/control includes this file.
 
 #include <initializer_list>
 #include <memory>
@@ -75,8 +73,8 @@ class BlockContext : public ControlState, public RunMemory {
   bool axes_have_feeds() const;
   /// The part of the origin that is a shift of the work system: G92 and codes that act like it.
   Axes shift_by_tables() const;
-  /// The speed of the main spindle as G96, G97 define it (nct 11.5); on controls other than NCT the X coordinate is taken as a radius
-  /// (spec/gost 4; INFERRED: X).
+  /// The speed of the main spindle as G96, G97 define it (nct 11.5); on controls
+  /// other than NCT the X coordinate is taken as a radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   SurfaceSpeed speed_by_x() const;
   FrameChange frame_change() const;
@@ -88,12 +86,12 @@ class BlockContext : public ControlState, public RunMemory {
   /// What a block with this plan may change, judged by the plan alone; a dialect may be more precise.
   BlockChanges changes_of_block(const Plan& plan) const;
 
-  // // ---- course of the program
+  // ---- course of the program
 
   /// Files, open calls and limits of the run, read-only. Only the Interpreter changes the course of the program.
   const Flow& program() const { return flow; }
 
-  // // ---- tables that the words refer to
+  // ---- tables that the words refer to
 
   const std::unique_ptr<ControlDef> own_def;
   const ControlDef& def;
@@ -109,7 +107,7 @@ class BlockContext : public ControlState, public RunMemory {
   bool probe_stated = false;  // the set-up defines what a probe touches
   SetupFault start_fault;     // something that the set-up names and the control does not have
 
-  // // ---- the current block
+  // ---- the current block
 
   Block* block = nullptr;                  // the block being executed, never nullptr
   bool block_axes_taken = false;           // a code of this block uses its axis words: a motion code in the block only sets the mode

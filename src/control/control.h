@@ -141,8 +141,8 @@ class Control {
   std::function<void()> on_far_axes;
   /// Ends a coupling or exchange that is impossible: the axis is independent again, with a warning.
   void drop_far(const FarAxis& axis);
-  /// Moves an axis to a machine coordinate because the axis of another channel that it follows has moved; its own followers in this
-  /// channel move too.
+  /// Moves an axis to a machine coordinate because the axis of another channel
+  /// that it follows has moved; its own followers in this channel move too.
   void lead_axis(std::size_t axis, double machine);
   /// Returns true if the axis may be exchanged with a linear one.
   bool may_exchange(std::size_t axis) const;
@@ -185,8 +185,8 @@ class Control {
   const ProgramUse& use() const;
   void watch_use();
 
-  /// After the run, for a check: reads the subprograms that were never called, without executing them, and passes their faults to
-  /// `on_fault`.
+  /// After the run, for a check: reads the subprograms that were never
+  /// called, without executing them, and passes their faults to `on_fault`.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
   /// Returns lines of the program, or of the called file with number Origin::file, in UTF-8 by line number; unreadable lines are
@@ -224,8 +224,8 @@ class Control {
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// Something that the set-up names and this control does not have, beyond the checks of the table of keys (config/setup_check); empty
-  /// if there is none.
+  /// Something that the set-up names and this control does not have, beyond the
+  /// checks of the table of keys (config/setup_check); empty if there is none.
   const SetupFault& setup_fault() const;
   /// Returns true if the machine is described by parameters (nct 24).
   bool has_machine_parameters() const;

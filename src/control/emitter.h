@@ -25,8 +25,8 @@ struct Call {
 
 inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
 
-/// A canned cycle that continues after its block was executed, a few actions at a time, so that a cycle of any length runs in constant
-/// memory.
+/// A canned cycle that continues after its block was executed, a few actions
+/// at a time, so that a cycle of any length runs in constant memory.
 class Running {
  public:
   virtual ~Running() = default;
@@ -36,8 +36,8 @@ class Running {
   virtual Result<bool> next(Emitter& m) = 0;
   /// Called when the cycle is finished: from here it may continue the program elsewhere.
   virtual Status lead_on(Interpreter& m) const;
-  /// True if the other functions of the block act before the cycle continues (drilling, nct 18.0); else the functions after the motion
-  /// wait for its end.
+  /// True if the other functions of the block act before the cycle continues
+  /// (drilling, nct 18.0); else the functions after the motion wait for its end.
   virtual bool functions_first() const { return false; }
 };
 
@@ -72,8 +72,8 @@ class Emitter : public BlockContext {
   Status plain_arc(Turn turn, Span where);
   /// Sets the machine position after the axes have been moved by hand.
   void stand_at(const Axes& machine);
-  /// Sets the tool position on the named axes from `position.programmed`, if work coordinates equal the programmed ones and the frame
-  /// is not rotated.
+  /// Sets the tool position on the named axes from `position.programmed`, if
+  /// work coordinates equal the programmed ones and the frame is not rotated.
   void place_plainly(AxisMask named) {
     for (; named != 0; named &= named - 1) {
       const auto a = static_cast<std::size_t>(__builtin_ctz(named));

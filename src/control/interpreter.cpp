@@ -1,5 +1,5 @@
-// The path of a block through the interpreter: it is read, shown to the machine's logic, evaluated, planned and executed. Used by the
-// rest of control.
+// The path of a block through the interpreter: it is read, shown to the
+// machine's logic, evaluated, planned and executed. Used by the rest of control.
 
 #include "control/interpreter.h"
 
@@ -26,8 +26,8 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
 
 namespace {
 
-/// Returns true if holds_before stops the run before the block that was read; the block is then unread. Else records its line, where
-/// lines are recorded.
+/// Returns true if holds_before stops the run before the block that was read;
+/// the block is then unread. Else records its line, where lines are recorded.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
   const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.program().in_body();
   if (asks && (*m.holds_before)(m.origin)) {
@@ -54,8 +54,8 @@ void Interpreter::begin_batch(ActionBatch& to) {
   if (modal.surface_speed) emit(surface_speed());
 }
 
-/// Executes one pending step (of a canned cycle, or of the end of a watched block) before the next block is read. Returns false if
-/// nothing is pending.
+/// Executes one pending step (of a canned cycle, or of the end of a watched
+/// block) before the next block is read. Returns false if nothing is pending.
 bool Interpreter::goes_on_with_last() {
   if (cycling()) {
     if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -182,9 +182,9 @@ void Interpreter::take_block() {
 /// True if the machine's logic looks at each block, or an interrupt macro may come.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
-/// Executes a block after what the machine's logic does before it. end_block() follows once the actions of the block have been passed
-/// on (nct 23.4). A block that an interrupt macro has delayed comes again and is then executed at once: INFERRED, so that a signal that
-/// stays on lets it pass.
+/// Executes a block after what the machine's logic does before it. end_block() follows once the
+/// actions of the block have been passed on (nct 23.4). A block that an interrupt macro has delayed
+/// comes again and is then executed at once: INFERRED, so that a signal that stays on lets it pass.
 void Interpreter::watch_block() {
   const bool skipped = is_skipped();
   in_interrupt = dialect->in_interrupt();
@@ -390,8 +390,8 @@ Status Interpreter::check_place() const {
   return {};
 }
 
-/// Checks that the work offset does not move during cutter compensation (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code that moves
-/// it).
+/// Checks that the work offset does not move during cutter compensation
+/// (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code that moves it).
 Status Interpreter::check_zero_kept() const {
   if (dialect->zero_may_move() || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));

@@ -50,7 +50,7 @@ class Interpreter final : public Emitter {
   AlarmReport plain_report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
-  // // ---- words of the block being executed
+  // ---- words of the block being executed
 
   /// Evaluates the words written as expressions and checks the ranges of all words.
   Status evaluate_words();
@@ -90,12 +90,12 @@ class Interpreter final : public Emitter {
   /// Drops the canned cycles under way: the block repeats no further.
   void stop_cycles();
 
-  // // ---- behaviour by the control's file alone (a dialect may override it)
+  // ---- behaviour by the control's file alone (a dialect may override it)
 
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
-  // // ---- data that the functions work on
+  // ---- data that the functions work on
 
   using BlockContext::flow;  // position in the program, and where it continues
 

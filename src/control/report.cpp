@@ -15,8 +15,8 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Moves the place of an alarm to its own line where the block spans several: after a comment over several lines that is the last one
-/// (nct 14.3).
+/// Moves the place of an alarm to its own line where the block spans several:
+/// after a comment over several lines that is the last one (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);

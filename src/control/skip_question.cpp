@@ -1,5 +1,5 @@
-// Blocks that a skip switch skips, and whether the operator is asked first (spec/gost 2). Used by control/interpreter; tested by
-// tests/cases/gost/skip.cases.
+// Blocks that a skip switch skips, and whether the operator is asked first
+// (spec/gost 2). Used by control/interpreter; tested by tests/cases/gost/skip.cases.
 
 #include <algorithm>
 

@@ -130,8 +130,8 @@ void Interpreter::read_setup(const Setup& setup) {
   watch_ = setup.watch;
 }
 
-/// Puts a modal code of the set-up in force although this version does not support it; blocks that cannot be executed with it raise an
-/// alarm (modes_served).
+/// Puts a modal code of the set-up in force although this version does not support
+/// it; blocks that cannot be executed with it raise an alarm (modes_served).
 bool Interpreter::note_unserved() {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];

@@ -1,6 +1,5 @@
 #pragma once
-// Shapes: facts that all blocks of the same shape share, computed once. A long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`,
-// …).
+// Shapes: facts that all blocks of the same shape share, computed once. A long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …).
 
 #include <bitset>
 #include <vector>

@@ -70,8 +70,8 @@ Status Interpreter::next_program() {
   return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
-/// Handles the first block of a subprogram in the program: a subprogram with the number of a called canned cycle cannot be called (2С42
-/// 6.7.1).
+/// Handles the first block of a subprogram in the program: a subprogram
+/// with the number of a called canned cycle cannot be called (2С42 6.7.1).
 void Interpreter::note_section() {
   constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;

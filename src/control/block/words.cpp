@@ -183,5 +183,4 @@ Result<std::uint32_t> BlockContext::whole(char letter, double least, double most
   return static_cast<std::uint32_t>(nearest);
 }
 
-// // ---- the rest is in other files
 }  // namespace kadr

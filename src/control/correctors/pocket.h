@@ -25,8 +25,7 @@ struct PocketPiece {
   bool is_arc = false;
 };
 
-/// The rounds of one pass: parallels to the wall, `step` apart, from the middle outwards; the last is the wall offset by the tool
-/// radius.
+/// The rounds of one pass: parallels to the wall, `step` apart, from the middle outwards; the last is the wall offset by the tool radius.
 class PocketRounds {
  public:
   /// radius: of the tool, mm
@@ -43,8 +42,8 @@ class PocketRounds {
   double count_ = 0;
 };
 
-/// Divides a round into pieces, from its point on +X, counter-clockwise for direction +1, clockwise for -1. Some pieces may have length
-/// zero.
+/// Divides a round into pieces, from its point on +X, counter-clockwise
+/// for direction +1, clockwise for -1. Some pieces may have length zero.
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
 /// Executes the canned cycle one round at a time: constant memory for any pocket.

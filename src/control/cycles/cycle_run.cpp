@@ -116,8 +116,8 @@ Status CycleRun::peck(Emitter& m, bool full) {
   }
 }
 
-/// L83 of the 2С42 (table 9): pass i starts with a rapid to R2 + i·R3, drills one pass, waits 0.3 s, and returns at rapid to R2; the
-/// last pass stops at R1.
+/// L83 of the 2С42 (table 9): pass i starts with a rapid to R2 + i·R3, drills
+/// one pass, waits 0.3 s, and returns at rapid to R2; the last pass stops at R1.
 Status CycleRun::passes(Emitter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {

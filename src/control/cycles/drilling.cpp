@@ -100,9 +100,9 @@ class Drilling {
     return {};
   }
 
-  /// Replaces words that the block and those before it leave out, as the manual's example does (Mach3 10.7.6: G83 Z-0.6). INFERRED:
-  /// without R the cycle starts at the tool's position; without Q the drill goes down in one pass. Neither value is kept for the next
-  /// hole.
+  /// Replaces words that the block and those before it leave out, as the manual's example does
+  /// (Mach3 10.7.6: G83 Z-0.6). INFERRED: without R the cycle starts at the tool's position;
+  /// without Q the drill goes down in one pass. Neither value is kept for the next hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
     if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // remember() raises an alarm for it

@@ -1,6 +1,6 @@
 #pragma once
-// BlockDialect: what a control does with a block before and after its words are executed. One of the interfaces of a Dialect
-// (control/dialect.h).
+// BlockDialect: what a control does with a block before and after its words
+// are executed. One of the interfaces of a Dialect (control/dialect.h).
 
 #include <cstdint>
 
@@ -49,12 +49,12 @@ class BlockDialect {
   virtual Result<bool> interrupt(Interpreter& m, BlockMoment moment);
   /// True if numbered lines are data (of a G10), not blocks.
   virtual bool takes_data() const { return false; }
-  /// Executes a block that is a statement: IF, WHILE, GOTO, #1=…. Returns false if an IF … THEN is true and the words after it must be
-  /// executed.
+  /// Executes a block that is a statement: IF, WHILE, GOTO, #1=…. Returns
+  /// false if an IF … THEN is true and the words after it must be executed.
   virtual Result<bool> statement(Interpreter& m);
   virtual void begin_block(Emitter& m);
-  /// Called when the words have their values. Returns true if the block is complete with that (its words were arguments of a macro,
-  /// data …).
+  /// Called when the words have their values. Returns true if the block
+  /// is complete with that (its words were arguments of a macro, data …).
   virtual Result<bool> takes_block(Interpreter& m);
   /// Row of the motion code that axis words alone execute; -1 if there is none.
   virtual std::int16_t motion_row(const BlockContext& m) const;
@@ -72,8 +72,8 @@ class BlockDialect {
   virtual void taken_back(Emitter& m);
   /// Executes comments that have an effect, before the block's words.
   virtual Status comments(Emitter& m);
-  /// Called if a subprogram of the program has the number of a called canned cycle, which is called instead. `where`: the call, or the
-  /// first block of the subprogram.
+  /// Called if a subprogram of the program has the number of a called canned cycle,
+  /// which is called instead. `where`: the call, or the first block of the subprogram.
   virtual void note_shadowed(Emitter& m, std::uint32_t number, Span where);
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-// FrameDialect: where a control stores its coordinate systems, and in which unit. One of the interfaces of a Dialect
-// (control/dialect.h).
+// FrameDialect: where a control stores its coordinate systems, and in which unit. One of the interfaces of a Dialect (control/dialect.h).
 
 #include "base/vec.h"
 

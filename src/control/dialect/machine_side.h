@@ -14,8 +14,8 @@ class BlockContext;
 class Emitter;
 struct SearchRules;
 
-/// Input from the machine, its logic and its operator to a control that accepts such input, and their queries. NCT 11.7, 11.8, 20.2,
-/// 23.1, 23.4.
+/// Input from the machine, its logic and its operator to a control that
+/// accepts such input, and their queries. NCT 11.7, 11.8, 20.2, 23.1, 23.4.
 class MachineSide {
  public:
   virtual ~MachineSide() = default;
@@ -25,7 +25,7 @@ class MachineSide {
   /// Makes spindle `slave` follow `master`. `master` 0 ends it; `slave` 0 means all spindles.
   virtual void synchronise(int slave, int master) = 0;
   virtual void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) = 0;
-  // // ---- axes coupled to those of other channels: as in Control
+  // ---- axes coupled to those of other channels: as in Control
   virtual const std::vector<FarAxis>& far_axes() const = 0;
   virtual void drop_far(Emitter& m, const FarAxis& axis) = 0;
   virtual void lead_axis(Emitter& m, std::size_t axis, double machine) = 0;

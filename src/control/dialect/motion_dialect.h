@@ -1,6 +1,6 @@
 #pragma once
-// MotionDialect: what a control does differently for motions, feeds and the spindle. One of the interfaces of a Dialect
-// (control/dialect.h).
+// MotionDialect: what a control does differently for motions, feeds and
+// the spindle. One of the interfaces of a Dialect (control/dialect.h).
 
 #include "action/action.h"
 #include "base/result.h"
@@ -20,8 +20,8 @@ class MotionDialect {
 
   /// Computes the end point from the block's axis words.
   virtual Status target(const BlockContext& m, Axes& to, AxisMask& named) const;
-  /// Returns true if the block has words that add to its motion. add_to_motion() executes them and returns the axes moved in addition
-  /// to those of the axis words.
+  /// Returns true if the block has words that add to its motion. add_to_motion()
+  /// executes them and returns the axes moved in addition to those of the axis words.
   virtual bool adds_to_motion(const BlockContext& m) const;
   virtual Result<AxisMask> add_to_motion(Emitter& m);
   /// Returns true if the block has words that turn G0, G1 into something else, which straight() executes.

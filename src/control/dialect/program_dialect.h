@@ -1,6 +1,6 @@
 #pragma once
-// ProgramDialect: how a control starts and ends a program, and what it remembers beyond it. One of the interfaces of a Dialect
-// (control/dialect.h).
+// ProgramDialect: how a control starts and ends a program, and what it
+// remembers beyond it. One of the interfaces of a Dialect (control/dialect.h).
 
 #include <cstdint>
 #include <memory>
@@ -50,8 +50,8 @@ class ProgramDialect {
   virtual std::string start_words() const { return {}; }
   /// Called when the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
-  /// Limits of an axis from a file of the machine, machine coordinates; ±1e300 if there are none. Limits of the set-up and of a machine
-  /// file have priority.
+  /// Limits of an axis from a file of the machine, machine coordinates; ±1e300 if
+  /// there are none. Limits of the set-up and of a machine file have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
   /// M2, M30. Returns true if it replaces the effect of the end codes in the control's file.
   virtual bool end_program(Interpreter& m);

@@ -1,11 +1,11 @@
 #pragma once
-// FileWriter: writes files of the program memory (nct 23.2.13; linuxcnc 2.4). The control defines what a name means; this class handles
-// a path from the root.
+// FileWriter: writes files of the program memory (nct 23.2.13; linuxcnc 2.4). The
+// control defines what a name means; this class handles a path from the root.
 //
-// The program memory is a folder, the root. Nothing outside it is ever written, whatever the program requests: `..` cannot leave the
-// root, and the folders are entered one by one from the root's own descriptor (openat) without following any symbolic link below it. So
-// there is no moment between a check and its use in which a link could be inserted. Only regular files with one name are written: no
-// links, devices, pipes.
+// The program memory is a folder, the root. Nothing outside it is ever written, whatever the program
+// requests: `..` cannot leave the root, and the folders are entered one by one from the root's own descriptor
+// (openat) without following any symbolic link below it. So there is no moment between a check and its use in
+// which a link could be inserted. Only regular files with one name are written: no links, devices, pipes.
 
 #include <cstdint>
 #include <map>
@@ -45,8 +45,8 @@ struct Wanted {
   std::string running;      // path of the running program, which may not be written
 };
 
-/// Writes one file at a time. An alarm leaves the open file and the files on the disk unchanged, but a failing disk may leave a file
-/// emptied.
+/// Writes one file at a time. An alarm leaves the open file and the files
+/// on the disk unchanged, but a failing disk may leave a file emptied.
 class FileWriter {
  public:
   explicit FileWriter(OutputOptions options) : options_(std::move(options)) {}

@@ -48,7 +48,7 @@ class Flow {
   /// Reads the next block to execute, or finds the end of the program.
   Result<BlockReader::Got> next(Block*& block);
 
-  // // ---- a block that is read but not executed yet
+  // ---- a block that is read but not executed yet
   /// The state of reading.
   struct Mark {
     Position position;

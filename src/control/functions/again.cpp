@@ -28,8 +28,8 @@ Status Interpreter::begin_again(Span where, Position from) {
   return {};
 }
 
-/// Returns true if the faulty block could have written a variable, called or jumped. For a block that could not be read, its text is
-/// searched.
+/// Returns true if the faulty block could have written a variable, called
+/// or jumped. For a block that could not be read, its text is searched.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
@@ -37,8 +37,8 @@ bool Interpreter::may_have_steered() const {
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
 
-/// Continues after an alarm. After an end that came too early, the open call or repetition is left, so that the same fault is not
-/// reported again and again.
+/// Continues after an alarm. After an end that came too early, the open call or
+/// repetition is left, so that the same fault is not reported again and again.
 void Interpreter::go_on() {
   phase_ = RunPhase::next_block;
   motion_run_.end();

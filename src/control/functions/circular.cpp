@@ -1,5 +1,4 @@
-// G2 / G3: from words to an arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of their file
-// defines.
+// G2 / G3: from words to an arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of their file defines.
 
 #include <algorithm>
 #include <cmath>

@@ -49,8 +49,8 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   modal.contour_side = 0;
 }
 
-/// Returns the offset at the end of a straight motion: normal to it, or normal to the path tangent to the tool's circle (RS274/NGC,
-/// first move).
+/// Returns the offset at the end of a straight motion: normal to it, or
+/// normal to the path tangent to the tool's circle (RS274/NGC, first move).
 Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   const double distance = length(way), radius = motion.tool_radius;
   const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
@@ -60,8 +60,8 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
-/// Any motion of a queued contour begins or continues it, whatever axes it moves; after G40 any motion leads to its own end point
-/// (spec/linuxcnc 7.5).
+/// Any motion of a queued contour begins or continues it, whatever axes it
+/// moves; after G40 any motion leads to its own end point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   if (modal.contour == ContourPhase::leaving) return void(modal.contour = ContourPhase::off);

@@ -6,8 +6,7 @@
 
 namespace kadr {
 
-/// Puts G41 (side -1) or G42 (+1) in force from the block's motion on. INFERRED: a G40 whose leaving motion has not come yet is
-/// cancelled.
+/// Puts G41 (side -1) or G42 (+1) in force from the block's motion on. INFERRED: a G40 whose leaving motion has not come yet is cancelled.
 ///   alarms  compensation_active: the tool is still offset from a contour in another plane
 Status begin_contour(BlockContext& m, const Call& call, std::int8_t side);
 
@@ -26,8 +25,8 @@ void note_arc_end(BlockContext& m, const Motion& arc);
 ///   alarms  compensation_two_blocks: the contour has only one block (2С42 6.4.7)
 Status end_contour(Emitter& m, const Call& call);
 
-/// For M0 and similar codes: first executes what a queued contour holds back, up to the position offset from its last point
-/// (spec/linuxcnc 7.5).
+/// For M0 and similar codes: first executes what a queued contour holds
+/// back, up to the position offset from its last point (spec/linuxcnc 7.5).
 void stop_beside_contour(Emitter& m);
 
 /// Returns true if G0 or G1 alone is a motion too: with length zero it begins a queued contour or leaves it.

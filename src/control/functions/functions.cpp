@@ -62,7 +62,7 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 
 namespace functions {
 
-// // Addresses that other functions read; they do nothing by themselves.
+// Addresses that other functions read; they do nothing by themselves.
 Status block_number(Emitter&, const Call&) { return {}; }
 Status axis(Emitter&, const Call&) { return {}; }
 Status center(Emitter&, const Call&) { return {}; }

@@ -7,8 +7,7 @@
 
 namespace kadr::functions {
 
-/// Returns true for functions that call, return, jump or end, or execute other codes: they receive the Interpreter, all others an
-/// Emitter.
+/// Returns true for functions that call, return, jump or end, or execute other codes: they receive the Interpreter, all others an Emitter.
 constexpr bool steers(Function function) {
   switch (function) {
     case Function::repeat_word:

@@ -88,8 +88,7 @@ void set_axes(Axes& axes, AxisMask which, const Axes& values) {
     if ((which >> a & 1u) != 0) axes[a] = values[a];
 }
 
-/// G10: checks for words that this type of data does not use. L1 accepts X too (spec/mach3 5), but a milling tool has no offset along
-/// it.
+/// G10: checks for words that this type of data does not use. L1 accepts X too (spec/mach3 5), but a milling tool has no offset along it.
 Status data_words_used(Emitter& m, bool of_tool) {
   for (const char letter : {'X', 'Y', 'Z', 'A', 'B', 'C', 'R'}) {
     const bool used = of_tool ? letter == 'X' || letter == 'Z' || letter == 'R' : letter != 'R';
@@ -107,8 +106,8 @@ Status radius_comp_left(Emitter& m, const Call& call) { return radius_comp(m, ca
 Status radius_comp_right(Emitter& m, const Call& call) { return radius_comp(m, call, +1); }
 Status radius_comp_off(Emitter& m, const Call& call) { return end_contour(m, call); }
 
-/// G40 of the 2С42 ends the radius compensation; with a Z motion in its block the length compensation too (6.4.7, INFERRED for blocks
-/// without Z).
+/// G40 of the 2С42 ends the radius compensation; with a Z motion in its
+/// block the length compensation too (6.4.7, INFERRED for blocks without Z).
 Status compensation_off(Emitter& m, const Call& call) {
   KADR_TRY(end_contour(m, call));
   if (m.has('Z') && m.modal.length_sign != 0) {
@@ -274,8 +273,7 @@ Status set_data(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G51 (Mach3 10.7.15): sets the factors of the axes that have a word; other axes keep theirs. I and J must equal the factors of X and
-/// Y.
+/// G51 (Mach3 10.7.15): sets the factors of the axes that have a word; other axes keep theirs. I and J must equal the factors of X and Y.
 Status scale_on(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   for (std::size_t a = 0; a < m.axis_count; ++a) {

@@ -2,8 +2,8 @@
 // BlockStates: what was in force after each of the last blocks. The machine runs behind the control, and whoever looks at a motion
 // needs the modes of its block, not those of the block being read.
 //
-// An action's Origin holds the number of its block in the run. A state is stored only for a block whose state differs from that of the
-// block before.
+// An action's Origin holds the number of its block in the run. A state is
+// stored only for a block whose state differs from that of the block before.
 
 #include <cstdint>
 #include <deque>

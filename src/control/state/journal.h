@@ -1,7 +1,7 @@
 #pragma once
-// Journal: old values of the table cells and variables that a block has written, so that an alarm in the same block can restore them
-// (design.md 4). The state itself (ControlState) is a value and is restored by copying; code that writes anything else records it here
-// first.
+// Journal: old values of the table cells and variables that a block has written, so that an
+// alarm in the same block can restore them (design.md 4). The state itself (ControlState) is
+// a value and is restored by copying; code that writes anything else records it here first.
 
 #include <cstddef>
 #include <cstdint>
@@ -68,8 +68,7 @@ class Journal {
   std::uint64_t block_ = 0;
 };
 
-/// A table's link to its journal. It belongs to the object, not to its value: a table that another one is copied into keeps its own
-/// link.
+/// A table's link to its journal. It belongs to the object, not to its value: a table that another one is copied into keeps its own link.
 class JournalLink {
  public:
   JournalLink() = default;

@@ -1,6 +1,5 @@
 #pragma once
-// RunMemory: what the interpreter remembers from block to block besides its state. A snapshot includes it; an alarm does not restore
-// it.
+// RunMemory: what the interpreter remembers from block to block besides its state. A snapshot includes it; an alarm does not restore it.
 
 #include <array>
 #include <cstdint>
@@ -44,7 +43,7 @@ struct RunMemory {
   bool in_interrupt = false;  // the block belongs to an interrupt macro
   bool damaged = false;       // the block could not be read
   AxisMask unplaced = 0;      // axes whose position is unknown because a motion was refused
-  // // ---- switches of the panel
+  // ---- switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
   std::vector<bool> skip_answers;                // the operator's answers before a block is skipped (spec/gost 2); empty: nobody is asked

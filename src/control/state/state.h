@@ -142,7 +142,7 @@ struct Transform {
   /// Adds the partner of an axis that a rotation mixes: both move together.
   AxisMask moved_with(AxisMask named) const;
 
-  // // ---- effect in a plane
+  // ---- effect in a plane
   /// True if a rotation in another plane moves the figures of this plane out of it.
   bool leaves(PlaneAxes plane) const;
   /// True if a contour is traversed in the opposite sense: the determinant of the plane part is negative.

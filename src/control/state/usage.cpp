@@ -1,5 +1,5 @@
-// Records which data of a set-up a program uses: offsets, work offsets, correctors, tools, variables, switches. Used by the rest of
-// control.
+// Records which data of a set-up a program uses: offsets, work offsets,
+// correctors, tools, variables, switches. Used by the rest of control.
 
 #include "control/state/usage.h"
 

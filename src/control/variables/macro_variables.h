@@ -28,8 +28,7 @@ struct Commons {
 
 class MacroVariables {
  public:
-  /// `shared`: the common variables of all channels. They include the first `shared_100` from #100 and the first `shared_500` from
-  /// #500.
+  /// `shared`: the common variables of all channels. They include the first `shared_100` from #100 and the first `shared_500` from #500.
   MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500);
 
   /// Reads #0, local and common variables; returns false for any other number.

@@ -22,8 +22,8 @@ class BlockReader {
 
   enum class Got : std::uint8_t { block, end };
 
-  /// Reads the next block that is not empty. On an alarm `block` has its text, place and, if read, its number; the next call continues
-  /// after it.
+  /// Reads the next block that is not empty. On an alarm `block` has its
+  /// text, place and, if read, its number; the next call continues after it.
   Result<Got> next(Block& block);
   /// Continues with the block at `position`.
   void seek(Position position);

@@ -104,13 +104,13 @@ struct Grammar {
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)
   std::uint32_t block_length = 0;       // maximum number of characters in a block, 0 = any number
   std::uint32_t variables = 0;          // highest #n
-  // // ---- RS274/NGC as in LinuxCNC (spec/linuxcnc)
+  // ---- RS274/NGC as in LinuxCNC (spec/linuxcnc)
   bool o_words = false;                            // O lines: O100 while […] (6)
   bool percent_encloses = false;                   // `%` alone in its line starts the program and ends it (2.1)
   bool code_by_rounding = false;                   // G[10*0.1]: the number may be off by a thousandth; N may have a point (2.2, 2.3)
   std::shared_ptr<VariableNames> named_variables;  // #<name>; nullptr if the control has none
   bool filtered_lines = false;                     // each line is separate, and filtered: blanks, `/`, control characters (spec/grbl 1.2)
-  // // ---- custom macros and names of several characters (nct)
+  // ---- custom macros and names of several characters (nct)
   bool custom_macros = false;                               // values are those of custom macros (nct 23), not of RS274/NGC: see below
   bool operator_i = false;                                  // XI-40: the value of this word is an increment (nct 5.1)
   bool comments_span_lines = false;                         // (…) may contain ends of line (nct 14.3)
@@ -134,8 +134,8 @@ struct Grammar {
   std::vector<VariableName> symbols;                        // sorted by text
   std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: not an axis
 
-  // // ---- features of custom macros that RS274/NGC expressions do not have
-  // Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is one too, in a block without words.
+  // ---- features of custom macros that RS274/NGC expressions do not have
+  /// Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is one too, in a block without words.
   bool has_statements() const { return custom_macros; }
   /// Each call has its own #1 to #33, and a variable may be vacant: a word with a vacant value counts as not written.
   bool has_vacant_variables() const { return custom_macros; }

@@ -61,7 +61,7 @@ class Lexer {
     return LineWordReader(cursor_, grammar_, block_).read();
   }
 
-  // // ---- before the words
+  // ---- before the words
 
   Status beginning() {
     const char c = cursor_.peek();

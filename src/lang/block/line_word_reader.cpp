@@ -167,8 +167,8 @@ void LineWordReader::add(char letter, std::string_view number, Span where) {
   ++block_.word_count;
 }
 
-/// Sets the code to ten times the number, rounded to hundredths (1.3: G17.004 is G17); -1 if no code has so many digits, or the number
-/// is negative.
+/// Sets the code to ten times the number, rounded to hundredths (1.3: G17.004
+/// is G17); -1 if no code has so many digits, or the number is negative.
 void LineWordReader::code_of(Word& w) const {
   constexpr double most = 1e5;
   if (!(w.value >= 0 && w.value < most)) return;

@@ -13,16 +13,16 @@
 
 namespace kadr {
 
-/// Returns the characters that pass the filter of protocol.c, in capitals: no blanks, control characters, `/`, comments, real-time
-/// characters.
+/// Returns the characters that pass the filter of protocol.c, in capitals:
+/// no blanks, control characters, `/`, comments, real-time characters.
 ///   place  place of each of these characters in the line
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
 /// Returns the length of a number of Grbl at the start of the text: a sign, digits, one point. 0 if there is no digit.
 std::size_t size_of_number(std::string_view text);
 
-/// read_float of nuts_bolts.c: only the first eight digits are used, leading zeros included; further digits before the point are read
-/// as zeros (1.3).
+/// read_float of nuts_bolts.c: only the first eight digits are used, leading
+/// zeros included; further digits before the point are read as zeros (1.3).
 double value_of_digits(std::string_view number);
 /// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
 float single_of_digits(std::string_view number);

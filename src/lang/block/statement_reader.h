@@ -1,6 +1,6 @@
 #pragma once
-// StatementReader: reads statements of custom macros: IF, WHILE, DO, END, GOTO, #n=…, output (spec/nct/23 23.2, 23.5). Used by the
-// lexer only.
+// StatementReader: reads statements of custom macros: IF, WHILE, DO, END,
+// GOTO, #n=…, output (spec/nct/23 23.2, 23.5). Used by the lexer only.
 
 #include "base/result.h"
 #include "lang/block/block.h"

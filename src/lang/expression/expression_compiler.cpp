@@ -1,7 +1,7 @@
-// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file (ExpressionRules); what a row
-// cannot describe differs between two families, by Grammar::custom_macros: RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23,
-// grammar at its end). Used by lexer, word_reader and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp,
-// expression_rules_test.cpp.
+// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file
+// (ExpressionRules); what a row cannot describe differs between two families, by Grammar::custom_macros:
+// RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). Used by lexer, word_reader
+// and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@ namespace {
 constexpr double least_bits = -4294967297.0;  // 23.2.3, as printed
 constexpr double beyond_bits = 4294967296.0;
 
-/// Converts a logical operand: the nearest whole number modulo 2^32. INFERRED: rounding; 2^31 … 2^32−1 have the same bits as the
-/// negative numbers.
+/// Converts a logical operand: the nearest whole number modulo 2^32. INFERRED:
+/// rounding; 2^31 … 2^32−1 have the same bits as the negative numbers.
 Result<std::uint32_t> bits_of(double v, Span where) {
   if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
   return static_cast<std::uint32_t>(std::llround(v));

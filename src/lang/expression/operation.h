@@ -46,7 +46,7 @@ enum class Op : std::uint8_t {
   sqrt,
   tan,
   scale,  // divides by `number`: from raw digits to the unit of the address
-  // // ---- custom macros (nct 23.2)
+  // ---- custom macros (nct 23.2)
   remainder,
   bit_and,
   bit_or,

@@ -1,6 +1,6 @@
 #pragma once
-// VariableNames: numbers for the variables that a program names itself, `#<depth of cut>` (spec/linuxcnc 4.2), so that an expression
-// can hold a number.
+// VariableNames: numbers for the variables that a program names itself, `#<depth
+// of cut>` (spec/linuxcnc 4.2), so that an expression can hold a number.
 
 #include <cstdint>
 #include <map>
@@ -15,8 +15,8 @@ namespace kadr {
 /// The number of the first named variable, far above every number that a program can write.
 inline constexpr double first_named_variable = 1e9;
 
-/// Names from all programs that one control reads. They are never removed, so a number always means the same name. Safe for use by any
-/// thread.
+/// Names from all programs that one control reads. They are never removed,
+/// so a number always means the same name. Safe for use by any thread.
 class VariableNames {
  public:
   static constexpr std::size_t most = 1'000'000;  // maximum number of names; a name is at most as long as a line

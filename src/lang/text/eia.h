@@ -1,6 +1,6 @@
 #pragma once
-// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 hold the character, track 5 makes the number of holes odd, track 8 alone ends
-// a block.
+// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 hold the character,
+// track 5 makes the number of holes odd, track 8 alone ends a block.
 
 #include <cstdint>
 #include <optional>

@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-// // ---- one-byte encodings: iconv converts all 128 bytes once, into a table
+// ---- one-byte encodings: iconv converts all 128 bytes once, into a table
 
 struct Utf8 {
   std::array<char, 4> bytes{};
@@ -84,7 +84,7 @@ Status append_eia_rows(std::string_view rows, std::string& text) {
   return {};
 }
 
-// // ---- detection: how likely the sample's Russian words are in each encoding
+// ---- detection: how likely the sample's Russian words are in each encoding
 
 /// Cost of a letter after another, in half bits: 'a' is 0, 'z' is 12.5 bits and more. Rows are the first letter of the pair, columns
 /// the second, а..я and the edge of a word. Counted from the words of the controls' manuals (spec/) and of the shop (СВЕРЛО, ФРЕЗА, …),

@@ -211,8 +211,7 @@ bool LineReader::fill() {
   return got > 0;
 }
 
-/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may
-/// reach.
+/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may reach.
 std::size_t LineReader::find_end() {
   std::size_t searched = 0;
   while (true) {

@@ -1,5 +1,5 @@
-// A tape with several programs: where each starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2, 6.3.5). Used
-// by cli/open_program.
+// A tape with several programs: where each starts, and which sections of subprograms
+// belong to it (spec/gost 1, 2С42 6.2, 6.3.5). Used by cli/open_program.
 
 #include "lang/text/several_programs.h"
 

@@ -35,8 +35,7 @@ struct TapeContents {
 /// Counts the signs % of a file, whatever their meaning: with fewer than two it has only one program and need not be analysed.
 std::size_t count_program_signs(ByteSource& source, std::optional<Encoding> encoding);
 
-/// Analyses a whole file, up to some thousand programs. A sign % without a block after it is not a program. Unreadable blocks are
-/// skipped.
+/// Analyses a whole file, up to some thousand programs. A sign % without a block after it is not a program. Unreadable blocks are skipped.
 TapeContents contents_of(const std::shared_ptr<ByteSource>& source, const Grammar& grammar, std::optional<Encoding> encoding);
 
 /// Returns the program with this number; if no program has a number, the one at this place, counted from 1 (our choice).

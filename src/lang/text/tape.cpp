@@ -10,8 +10,8 @@
 #include "lang/text/eia.h"
 #include "lang/text/encoding.h"
 
-// // The Russian register is KOI-7 Н1: the codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч.
-// // Ъ would have the code of a deleted row and therefore has none. Digits and signs, 0x20..0x3F, are the same in both registers.
+// The Russian register is KOI-7 Н1: the codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч.
+// Ъ would have the code of a deleted row and therefore has none. Digits and signs, 0x20..0x3F, are the same in both registers.
 
 namespace kadr {
 namespace {

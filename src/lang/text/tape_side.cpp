@@ -1,5 +1,5 @@
-// Detects the image of a punched tape, its code, and the orientation in which it was read. Used by cli, lang; tested by
-// tests/lang/tape_side_test.cpp.
+// Detects the image of a punched tape, its code, and the orientation in which
+// it was read. Used by cli, lang; tested by tests/lang/tape_side_test.cpp.
 
 #include "lang/text/tape_side.h"
 

@@ -15,7 +15,7 @@ struct CommentToken {
   double value = 0;          // of a figure
   bool joined = false;       // nothing is between it and the token before
   bool underscored = false;  // only `_` is between it and the token before
-  // // ---- of a figure
+  // ---- of a figure
   bool has_point = false;     // 6. 0.5 6,5
   std::uint8_t decimals = 0;  // digits after the point
   bool leads_point = false;   // .5
@@ -23,8 +23,8 @@ struct CommentToken {
   bool is_broken = false;     // 3/7, 3/4/21, 1.2.3: not a valid figure
 };
 
-/// `text`: UTF-8. Signs with the same meaning are unified: Ø and similar signs are the word DIA, × is X, ° is DEG, dashes are `-`, inch
-/// marks `"`.
+/// `text`: UTF-8. Signs with the same meaning are unified: Ø and similar
+/// signs are the word DIA, × is X, ° is DEG, dashes are `-`, inch marks `"`.
 std::vector<CommentToken> comment_tokens(std::string_view text);
 
 }  // namespace kadr

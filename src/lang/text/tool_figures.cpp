@@ -1,7 +1,7 @@
 // Determines the meaning of each figure in a comment. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
 //
-// Each pass searches the whole comment for one pattern and marks the figures that it is sure of; a figure that no pass has marked stays
-// open.
+// Each pass searches the whole comment for one pattern and marks the
+// figures that it is sure of; a figure that no pass has marked stays open.
 
 #include "lang/text/tool_figures.h"
 
@@ -129,8 +129,8 @@ void FigureMarker::take_units() {
   }
 }
 
-/// A figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a leading point separates it from a word:
-/// DRILL.828, BAR5/8.
+/// A figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL.
+/// A fraction or a leading point separates it from a word: DRILL.828, BAR5/8.
 bool FigureMarker::is_part_of_name(std::size_t i) const {
   const CommentPiece& f = all_[i];
   if (f.is_broken) return true;

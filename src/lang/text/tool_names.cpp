@@ -66,8 +66,8 @@ ToolName ToolNames::name_from(std::size_t first) const {
   return name;
 }
 
-/// Returns true for words that are not a tool: part of a name alone (FACE TOP OF BLOCK), another ball (BALL VALVE), a bar that does not
-/// bore, the machine (CNC MILL).
+/// Returns true for words that are not a tool: part of a name alone (FACE TOP OF
+/// BLOCK), another ball (BALL VALVE), a bar that does not bore, the machine (CNC MILL).
 bool ToolNames::is_none(const ToolName& name) const {
   bool is_tool = false, bores = false, bar = false;
   for (std::size_t i = name.first; i <= name.last; ++i) {

@@ -90,7 +90,7 @@ std::optional<double> ToolSize::diameter() const {
   return only_one(sizes);
 }
 
-// // ---- figures called diameter
+// ---- figures called diameter
 
 ToolSize::Sizes ToolSize::called() const {
   Sizes sizes;
@@ -107,8 +107,8 @@ bool ToolSize::is_called(std::size_t i) const {
   return f.value >= least_mm && f.value <= most_of_any && !looks_like_inches(f);
 }
 
-/// Recognises D as an offset number, T1 H1 D1: D without `=` and point, next to the same H, or next to an H that is not the tool number
-/// either.
+/// Recognises D as an offset number, T1 H1 D1: D without `=` and point,
+/// next to the same H, or next to an H that is not the tool number either.
 bool ToolSize::is_offset(std::size_t i) const {
   const CommentPiece& d = pieces_[i];
   const bool is_d = i > 0 && (pieces_[i - 1].text == "D" || pieces_[i - 1].text == "Д");
@@ -153,7 +153,7 @@ bool ToolSize::speaks_of_tool(std::size_t figure) const {
   return listed || is_told || beside_number;
 }
 
-// // ---- figures in the name
+// ---- figures in the name
 
 ToolSize::Sizes ToolSize::in_names() const {
   Sizes sizes;
@@ -261,7 +261,7 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   return (quoted || plain) && !hyphen && names_drill(at) ? std::optional(at) : std::nullopt;
 }
 
-// // ---- figures after the name
+// ---- figures after the name
 
 ToolSize::Sizes ToolSize::behind_names() const {
   Sizes sizes;
@@ -315,7 +315,7 @@ ToolSize::Sizes ToolSize::without_name() const {
   return sizes;
 }
 
-// // ---- corner radius
+// ---- corner radius
 
 std::optional<double> ToolSize::corner(std::optional<double> diameter) const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {

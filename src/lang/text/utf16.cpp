@@ -1,5 +1,5 @@
-// Program text in UTF-16, as editors of Windows save it: detects it, and reads it as UTF-8. Used by cli, control; tested by
-// tests/lang/utf16_test.cpp.
+// Program text in UTF-16, as editors of Windows save it: detects it, and reads
+// it as UTF-8. Used by cli, control; tested by tests/lang/utf16_test.cpp.
 
 #include "lang/text/utf16.h"
 

@@ -26,16 +26,15 @@ struct SaidEncoding {
 bool read_encoding(std::string_view name, SaidEncoding& said);
 
 /// Detects UTF-16 by its byte order mark (FF FE, FE FF), or if at least half of the characters in the first kilobyte are ASCII (every
-/// other byte is 0) and none is a control character, as in binary files and on a tape's blank leader. Returns nullopt if it is not
-/// UTF-16.
+/// other byte is 0) and none is a control character, as in binary files and on a tape's blank leader. Returns nullopt if it is not UTF-16.
 std::optional<ByteOrder> look_at_utf16(std::string_view sample);
 
 /// Returns the byte order of a text that is given as UTF-16: by its mark, else by the given name, else by the text. INFERRED: without
 /// any of them little-endian, as Windows uses it.
 ByteOrder order_of(std::string_view sample, Utf16 said);
 
-/// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair becomes U+FFFD, and so does an odd byte at the end of the
-/// text (`last`).
+/// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair
+/// becomes U+FFFD, and so does an odd byte at the end of the text (`last`).
 ///   returns  number of bytes used: a cut character is left over, unless `last`
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 

@@ -22,8 +22,8 @@ std::optional<WrittenLetters> written_letters_named(std::string_view name);
 /// Returns true if it includes Russian letters.
 bool has_russian(const WrittenLetters& letters);
 
-/// Returns true if the text has only these characters and its bytes equal their UTF-8: neither transliterated() nor bytes_of() would
-/// change it.
+/// Returns true if the text has only these characters and its bytes equal
+/// their UTF-8: neither transliterated() nor bytes_of() would change it.
 bool is_written_so(std::string_view utf8, const WrittenLetters& letters);
 
 struct Transliterated {
