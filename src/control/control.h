@@ -56,7 +56,7 @@ class Control {
   /// Called before each block that has been read. If it returns true, the block is not executed now and the next run() reads it again.
   /// In the meantime the control answers every query, except those that need the middle of a block.
   std::function<bool(const Origin&)> holds_before;
-  /// From now on records in `marks` the lines whose blocks are executed; after `most` such lines without actions run() returns. Read
+  /// From now on records in `marks` the lines whose blocks are executed; run() returns after `most` blocks at the latest. Read
   /// `marks` only while the control is at rest (RunAhead::settle). nullptr ends the recording.
   void note_lines(LineMarks* marks, std::uint64_t most);
   /// Returns true if a block is not finished: its canned cycle continues, or something waits for the end of that cycle.

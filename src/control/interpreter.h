@@ -87,7 +87,7 @@ class Interpreter final : public Emitter {
   bool carry_out_call(std::uint8_t word);
   /// Saves the position in the program, so that an alarm later in the block can restore it.
   void keep_flow_place() { flow_before_ = flow.place(); }
-  /// Drops the canned cycles under way: the block repeats no further.
+  /// Drops the canned cycle or ellipse that is being executed.
   void stop_cycles();
 
   // ---- behaviour by the control's file alone (a dialect may override it)

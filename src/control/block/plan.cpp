@@ -186,7 +186,7 @@ class BlockPlanner {
     }
   }
 
-  /// nct 18.2: Q, E, P, … without an axis do nothing while a cycle is in force.
+  /// nct 18.2: Q, E, P, … without an axis do nothing while a canned cycle is in force.
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];

@@ -25,7 +25,7 @@ enum class RunPhase : std::uint8_t {
 
 struct RunMemory {
   Origin origin;          // of the block being executed
-  Axes moved_from{};      // work coordinates before the last motion; set in inch mode and during cutter compensation
+  Axes moved_from{};      // work coordinates before the last motion; set in inch mode, during cutter compensation, and with feeds of axes
   std::string call_text;  // text of the block that called the cycle body being executed, and place of its L word
   Span call_where;
   WaitingCodes waiting;

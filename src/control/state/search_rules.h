@@ -7,7 +7,7 @@
 namespace kadr {
 
 struct SearchRules {
-  std::vector<std::pair<int, int>> groups;  // ranges of M codes that exclude each other: only the last of a range is executed
+  std::vector<std::pair<int, int>> groups;  // M codes (least, greatest) that exclude each other: only the last is executed
   bool tool_on_m6 = false;                  // the tool is changed by M6; else by T
 };
 

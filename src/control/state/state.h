@@ -104,9 +104,9 @@ struct Modal : MotionModal {
   bool turning_lengths = false;   // G43.7
   double other_feed = 0;          // feed of G94 while G95 is in force, and vice versa
   bool other_feed_known = false;
-  bool polar_data = false;          // G16
-  bool polar_radius_given = false;  // a polar radius was given since G16, and is absolute
-  bool polar_radius_absolute = true;
+  bool polar_data = false;            // G16
+  bool polar_radius_given = false;    // since G16; in GOST since the first G10
+  bool polar_radius_absolute = true;  // it was given as an absolute value
   bool polar_angle_given = false;
   std::uint8_t smoothing = 0;                // Q of G5.1: 2, 3
   PathSurface surface = PathSurface::plane;  // G12.1, G7.1

@@ -166,7 +166,7 @@ struct Block {
   bool kept = false;            // stays in memory at its address, because a loop executes it again
   bool no_clock = false;        // was checked and reads no clock
   std::uint64_t checked = 0;    // addresses at the time when its words were checked and found correct
-  bool calls_macro = false;     // result of that check
+  bool calls_macro = false;     // that check has found a call of a macro
   bool altered = false;         // words were removed during execution: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
