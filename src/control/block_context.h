@@ -1,6 +1,7 @@
 #pragma once
-// BlockContext: the block that is being executed, the state that it meets, and what its words mean there. A function that reads words,
-// modes, tables or variables takes one; it can neither emit an action nor change where the program goes on. Only src/control includes it.
+// BlockContext: the block that is being executed, the state of the control before it, and what its words mean in that state. A function
+// that only reads words, modes, tables or variables receives a BlockContext, through which it can neither emit an action nor change the
+// course of the program. Only src/control includes this file.
 
 #include <initializer_list>
 #include <memory>
@@ -25,74 +26,75 @@ namespace kadr {
 
 inline constexpr double farthest = 1e7;  // mm, degrees: a coordinate beyond ten kilometres is a mistake
 
-/// The state is its base: `m.modal` is that of the block being executed.
+/// ControlState is a base class, so `m.modal` is the modal state of the block being executed.
 class BlockContext : public ControlState, public RunMemory {
  public:
   // ---- words of the block
 
   const Word* word(char letter) const { return block->find(letter); }
   bool has(char letter) const { return block->has(letter); }
-  /// Value of a word with the scale of its address; 0 if it is not there.
+  /// Returns the value of a word, with the scale of its address; 0 if the block has no such word.
   double value(char letter) const;
-  /// The same as a length: mm.
+  /// Returns the value of a word as a length in mm.
   double length_value(char letter) const { return value(letter) * unit_scale(); }
   double unit_scale() const { return modal.inch ? mm_per_inch : 1.0; }
-  /// A whole number between the two.
+  /// Returns the value of a word as a whole number between `least` and `most`.
   ///   alarms  word_not_integer, value_out_of_range
   Result<std::uint32_t> whole(char letter, double least, double most) const;
   Span where(char letter) const;
-  /// The block holds a code of one of these functions.
+  /// Returns true if the block has a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
-  /// What is known of blocks like this one; nullptr: it is no plain block, or words were taken away from it.
+  /// Facts that all blocks of the same shape share; nullptr if the block is not a plain one, or if words were removed from it.
   ShapeFacts* shape() const { return block->altered ? nullptr : shape_; }
-  /// Every value within the limits of its address.
+  /// Checks that every value is within the limits of its address.
   ///   alarms  value_out_of_range, word_not_integer
   Status check_ranges() const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
-  /// Collects the addresses of the block again, after words were taken away (address 0) or given back.
+  /// Rebuilds the set of addresses of the block, after words were removed (address 0) or restored.
   void note_addresses();
 
   // ---- coordinates that the words mean
 
-  /// End point by the block's axis words, programmed coordinates; `named`: axes that have a word.
+  /// Computes the end point, in programmed coordinates, from the axis words. `named`: the axes that have a word.
   Status target(Axes& to, AxisMask& named) const;
-  /// The same by the file's tables alone: a dialect may say otherwise.
+  /// Like target(), by the tables of the control's file alone; a dialect may read the words differently.
   Status axis_words(Axes& to, AxisMask& named) const;
-  /// One axis word as a programmed end coordinate.
+  /// Returns the end coordinate, in programmed coordinates, that one axis word means.
   double axis_target(const Word& w, std::size_t axis) const;
-  /// A point that a transformation has led to. alarms position_out_of_range
+  /// Checks a point that a transformation has computed. alarms position_out_of_range
   Status within_reach(const Axes& work) const;
   double radius_in_force() const;
-  /// The row of the offset table whose length is in force; 0: none.
+  /// The row of the offset table whose length is in force; 0 if there is none.
   std::uint16_t length_row() const;
   ArcRule arc_rule() const { return dialect->arc_rule(*this); }
   ArcRule plain_arc_rule() const;
   double feed_limited(double feed) const;
   double feed_by_axes(const Motion& motion) const;
   bool axes_have_feeds() const;
-  /// The axis that the block's word `index`, an F, belongs to: that of the axis word before it, where another axis word follows; else F
-  /// is for all axes that have none of their own. Only where Behaviour::feed_of_axis is set (GOST 20999-83).
+  /// The axis that the block's word `index`, an F, belongs to: the axis of the word before it, if another axis word follows. Otherwise
+  /// the F is for all axes without a feed of their own. Only where Behaviour::feed_of_axis is set (GOST 20999-83).
   std::optional<std::size_t> axis_of_feed(std::uint32_t index) const;
-  /// What of their origin is a shift of the work system: G92 and what acts like it.
+  /// The part of the origin that is a shift of the work system: G92 and codes that act like it.
   Axes shift_by_tables() const;
-  /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).
+  /// The speed of the main spindle as G96, G97 define it (nct 11.5); on controls
+  /// other than NCT the X coordinate is taken as a radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   SurfaceSpeed speed_by_x() const;
   FrameChange frame_change() const;
 
-  /// The state as the block found it, where it is kept for an alarm.
+  /// The state before the block; valid only where it is kept for an alarm (keeps_state()).
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_kept_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
-  /// What a block may change by its plan alone: a dialect may know better.
+  /// What a block with this plan may change, judged by the plan alone; a dialect may be more precise.
   BlockChanges changes_of_block(const Plan& plan) const;
 
-  // ---- where the program is
+  // ---- course of the program
 
-  /// Files, calls that are open, limits of the run: to be read. Only the Interpreter changes where the program goes on.
+  /// Files, open calls and limits of the run, read-only. Only the Interpreter changes the course of the program.
   const Flow& program() const { return flow; }
 
-  // ---- what the words are looked up in
+  // ---- tables that the words refer to
 
   const std::unique_ptr<ControlDef> own_def;
   const ControlDef& def;
@@ -101,17 +103,17 @@ class BlockContext : public ControlState, public RunMemory {
   Tables tables;
   Variables variables;
   std::unique_ptr<Dialect> dialect = make_iso_dialect();  // never nullptr
-  MacroVariables* macro_variables = nullptr;              // those of the dialect, where it has levels of locals
+  MacroVariables* macro_variables = nullptr;              // the dialect's, if it has levels of local variables; else nullptr
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
-  bool has_fixtures = false;  // its work systems are Modal::fixture, else Modal::work_zero
-  bool probe_stated = false;  // the set-up says what a probe meets
-  SetupFault start_fault;     // what the set-up names and the control has not
+  bool has_fixtures = false;  // the number of the work system is Modal::fixture, else Modal::work_zero
+  bool probe_stated = false;  // the set-up defines what a probe touches
+  SetupFault start_fault;     // something that the set-up names and the control does not have
 
-  // ---- of the block
+  // ---- the current block
 
-  Block* block = nullptr;                  // being executed, never nullptr
-  bool block_axes_taken = false;           // a code of this block has its axis words: a motion code in it only sets the mode
+  Block* block = nullptr;                  // the block being executed, never nullptr
+  bool block_axes_taken = false;           // a code of this block uses its axis words: a motion code in the block only sets the mode
   bool block_exact = false;                // G9 in this block
   bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
   bool needs_probe = false;
@@ -129,7 +131,7 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_kept_ = false;
-  std::optional<Flow::Place> flow_before_;  // where the program was, where a block has more than one item that jumps
+  std::optional<Flow::Place> flow_before_;  // position in the program, kept if a block has more than one item that jumps
   ShapeFacts* shape_ = nullptr;             // of the current block
 };
 

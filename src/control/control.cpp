@@ -1,5 +1,5 @@
-// The door of the interpreter: each call is passed to Interpreter, or to what the dialect lets the machine tell. For cli, control,
-// session.
+// The entrance to the interpreter: each call is passed to Interpreter, or to MachineSide, the part of the dialect that serves the
+// machine. Used by cli, control, session.
 
 #include "control/control.h"
 
@@ -68,7 +68,7 @@ void Control::note_lines(LineMarks* marks, std::uint64_t most) {
 void Control::stand_at(const Axes& machine) { interpreter_->stand_at(machine); }
 bool Control::in_block() const { return interpreter_->in_block(); }
 void Control::enter(const std::string& line) {
-  interpreter_->block = &interpreter_->first_block;  // that of the line before is going
+  interpreter_->block = &interpreter_->first_block;  // the previous block may belong to a line that is destroyed now
   interpreter_->flow.enter(line + "\n");
 }
 bool Control::in_entered() const { return interpreter_->flow.in_entered(); }
@@ -104,7 +104,7 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 }
 AlarmReport::Line Control::line_at(const Origin& origin) const {
   AlarmReport::Line line{origin.line, interpreter_->flow.file(), {}, {}};
-  constexpr std::uint16_t bodies = 1;  // of cycles: they stand in no file
+  constexpr std::uint16_t bodies = 1;  // bodies of canned cycles: they are in no file
   if (origin.file == bodies || origin.line == 0 || !interpreter_->flow.has_file(origin.file)) return line;
   line.file = file_name(origin.file);
   line.text = interpreter_->flow.file(origin.file).text_of(origin.line);

@@ -1,5 +1,5 @@
 #pragma once
-// Control: the interpreter. Block → Action, with everything a control remembers. The door of this room.
+// Control: the interpreter. It turns blocks into actions and holds everything that a control remembers. The entrance to this room.
 
 #include <functional>
 #include <map>
@@ -38,202 +38,205 @@ class SharedMemory;  // control/shared_memory.h
 
 class Control {
  public:
-  /// `def` must outlive the control. `shared`: what the channels of one machine have in common (nct 1.2), or nullptr.
+  /// `def` must outlive the control. `shared`: the memory that the channels of one machine share (nct 1.2), or nullptr.
   Control(const ControlDef& def, const Setup& setup, Program program, const RunLimits& limits,
           std::shared_ptr<SharedMemory> shared = nullptr);
   ~Control();
 
   enum class State : std::uint8_t { running, needs_probe, waiting, held, stopped, ended };
 
-  /// Carries out blocks until `batch` (cleared first) is full or something must be answered.
-  ///   needs_probe  the last action is a probe motion: call answer() with what it met, then go on
-  ///   waiting      at a waiting code (nct 14.5), after meet_channels(): meeting() tells; call release(), then go on
-  ///   held         holds_before() asked for it
-  ///   stopped      by an alarm: report() tells; go_on() takes the next block (checking), nothing of the faulty one has been done
+  /// Executes blocks until `batch` (cleared first) is full or the caller must react.
+  ///   needs_probe  the last action is a probe motion: call answer() with the contact, then continue
+  ///   waiting      at a waiting code (nct 14.5) after Waiting::meet: see meeting(); call release(), then continue
+  ///   held         holds_before() has returned true
+  ///   stopped      by an alarm, see report(); go_on() continues with the next block (for a check); the faulty block has no effect
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
 
-  /// Asked before each block that has been read; true: it is not carried out now, and read once more by the next run(). The control may
-  /// be asked for anything meanwhile, but for what it is asked about in the middle of a block.
+  /// Called before each block that has been read. If it returns true, the block is not executed now and the next run() reads it again.
+  /// In the meantime the control answers every query, except those that need the middle of a block.
   std::function<bool(const Origin&)> holds_before;
-  /// From now on the lines that blocks are carried out of are noted there, while the control stands still (RunAhead::settle) to be looked
-  /// at; after so many of them without actions run() returns. nullptr: no more.
+  /// From now on records in `marks` the lines whose blocks are executed; run() returns after `most` blocks at the latest. Read
+  /// `marks` only while the control is at rest (RunAhead::settle). nullptr ends the recording.
   void note_lines(LineMarks* marks, std::uint64_t most);
-  /// A block has been begun and is not over: a cycle goes on, something waits for its end.
+  /// Returns true if a block is not finished: its canned cycle continues, or something waits for the end of that cycle.
   bool in_block() const;
-  /// The operator enters a line (MDI): it is carried out next, in the present state; after it the program goes on where it stood.
+  /// Enters a line of the operator (MDI). It is executed next, in the present state; then the program continues where it was.
   ///   pre  !in_block()
   void enter(const std::string& line);
-  /// It is not over.
+  /// Returns true while an entered line is not finished.
   bool in_entered() const;
-  /// The axes have been moved by hand: they stand there now.
+  /// Sets the machine position after the axes have been moved by hand.
   ///   pre  !in_block()
   void stand_at(const Axes& machine);
-  /// The value of an expression, written as a program would write it, now: `#100+1`, `R2`.
-  ///   alarms  expression_syntax and what else an expression may be refused for
+  /// Returns the present value of an expression in the program's notation: `#100+1`, `R2`.
+  ///   alarms  expression_syntax and every other alarm of an expression
   Result<double> evaluate(std::string_view expression) const;
-  /// Calls and repetitions that are open, the outermost first.
+  /// Open calls and repetitions, outermost first.
   std::vector<AlarmReport::Call> calls() const;
-  /// Of the block that is under way, or was carried out last.
+  /// Place of the block that is being executed, or was executed last.
   const Origin& origin() const;
-  /// mm: of lengths in the machine's own tables.
+  /// mm per unit of the lengths in the machine's own tables.
   double machine_unit() const;
-  /// Axis of the normal of the plane in force.
+  /// Axis normal to the selected plane.
   std::size_t plane_normal() const;
-  /// What is in force, all blocks so far carried out.
+  /// What is in force after all blocks executed so far.
   BlockState state_now() const;
   std::vector<InForce> in_force() const;
 
-  /// All that decides how the run goes on; nothing while a probe is waited for. What the program has read from standard input or written
-  /// into files is not in it, nor what refused() brings back.
+  /// Returns everything that decides how the run continues; nullopt while the control waits for a probe. Not included: what the program
+  /// has read from standard input or written into files, and what refused() restores.
   std::optional<Snapshot> snapshot() const;
-  /// Goes on from a snapshot of a control of the same file, set-up and program: the actions, alarms and notes that follow are those that
-  /// followed there. The tables shared by channels get the values of this channel.
-  ///   alarms  file_missing, file_write: a file that the program had called or was writing is not there as it was
+  /// Continues from a snapshot of a control with the same file, set-up and program: the actions, alarms and notes that follow are the
+  /// same as there. Tables shared by channels get the values of this channel.
+  ///   alarms  file_missing, file_write: a file that the program had called or was writing is missing or has changed
   Status restore(const Snapshot& from);
 
   void answer(const ProbeAnswer& answer);
-  /// Hands actions over after each block, so that the machine may refuse one.
+  /// From now on returns the actions of each block separately, so that the machine may refuse a block.
   void hand_over_each_block();
-  /// It does: from the start, or since the program came to a safety zone or a clock.
+  /// Returns true if it does so: from the start, or since the program has reached a safety zone or a clock.
   bool hands_over_each_block() const;
-  /// The machine has refused an action of the last block: nothing of the block is done, as with an alarm of its own.
+  /// Cancels the last block because the machine has refused one of its actions; the block has no effect, as after an alarm of its own.
   void refused();
   using Waiting = WaitingMode;
   void set_waiting(Waiting waiting);
   using Meeting = ChannelMeeting;
-  /// What this channel waits for; nothing: it goes on (the signal CP_NOWT takes the waiting away).
+  /// The waiting code that this channel is at; nullopt if it does not wait (the signal CP_NOWT switches waiting off).
   const std::optional<Meeting>& meeting() const;
   void release();
 
-  /// Stopped by an alarm, of a block or of an answer (no contact).
+  /// Returns true if an alarm of a block, or of an answer (no contact), has stopped the run.
   bool is_stopped() const;
   void go_on();
 
   /// The alarm that stopped the run.
   const AlarmReport& report() const;
-  /// An alarm of a later room, with the place of the action that caused it.
+  /// Returns the report of an alarm that a later room raised, with the place of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
-  /// The line that an action comes from, as it is shown; without text where it stands in no file.
+  /// Returns the line that an action comes from, for display; its text is empty if it is in no file.
   AlarmReport::Line line_at(const Origin& origin) const;
 
-  /// Called before and after each block that is carried out, for what the machine's logic does then (Control::set_signal, …);
-  /// after a block only when its actions have been handed over, and not if it failed.
+  /// Called before and after each executed block, so that the machine's logic can act (Control::set_signal, …). The call after a block
+  /// comes once its actions have been passed on, and not if the block failed.
   std::function<void(const Origin&, bool at_end)> on_block;
   /// Called for each signal that the machine's logic sets.
   std::function<void(const std::string& name, bool on)> on_signal;
-  /// The machine's logic and its operator (nct): a signal, a skip switch, the answer to a message box (#3107).
+  /// Input of the machine's logic and its operator (nct): a signal, a skip switch, the answer to a message box (#3107).
   void set_signal(const std::string& name, double value);
   void set_skip(int number, bool on);
   void set_optional_stop(bool on);
   void set_answer(double answer);
-  /// Spindle `slave` follows `master` (nct 11.7.4); 0: no more. `slave` 0: all spindles.
+  /// Makes spindle `slave` follow `master` (nct 11.7.4). `master` 0 ends it; `slave` 0 means all spindles.
   void synchronise(int slave, int master);
-  /// What the channels of a machine have in common besides the variables (nct 12.3, 24.1): goes up as it changes.
+  /// Version of what the channels of a machine share besides the variables (nct 12.3, 24.1); it rises with each change.
   std::uint64_t common_version() const;
-  /// Of another channel of the same machine, between two blocks.
+  /// Copies the shared data from another channel of the same machine, between two blocks.
   void take_common(const Control& from);
-  /// Axes follow the masters that N2101 names, or not any more (nct 20.2).
+  /// Makes the axes follow the masters that N2101 names, or ends it (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
-  /// Axes of this channel that hang on those of others now (nct 20.2, 20.3).
+  /// Axes of this channel that are coupled to, or exchanged with, axes of other channels at present (nct 20.2, 20.3).
   const std::vector<FarAxis>& far_axes() const;
-  /// Called when the machine's logic may have changed far_axes(); the axes of both channels stand.
+  /// Called when the machine's logic may have changed far_axes(); the axes of both channels are at rest.
   std::function<void()> on_far_axes;
-  /// It cannot be: the axis is its own again, with a warning.
+  /// Ends a coupling or exchange that is impossible: the axis is independent again, with a warning.
   void drop_far(const FarAxis& axis);
-  /// The axis has been moved along with that of another channel; those that follow it in this channel go with it. Machine coordinate.
+  /// Moves an axis to a machine coordinate because the axis of another channel
+  /// that it follows has moved; its own followers in this channel move too.
   void lead_axis(std::size_t axis, double machine);
-  /// The axis may be exchanged with a linear one.
+  /// Returns true if the axis may be exchanged with a linear one.
   bool may_exchange(std::size_t axis) const;
-  /// From the next block on the axis drives that of another channel, which stands there, or is its own again.
+  /// From the next block on, lets the axis drive that of another channel, which is at `machine`; or ends this.
   void exchange_far(std::size_t axis, double machine, bool on);
   bool is_parked(std::size_t axis) const;
   bool rolls_over(std::size_t axis) const;
-  /// Number of an axis: these run on through the channels (nct 1.2).
+  /// Number of an axis; the numbers are unique across the channels (nct 1.2).
   int axis_number(std::size_t axis) const;
-  /// The machine has made an axis of the spindle (nct 11.8): it stands, its loop is closed; or a spindle of it again.
+  /// Records that the machine has converted the spindle into an axis (nct 11.8), at rest with its loop closed, or back into a spindle.
   void convert_spindle(int number, bool to_axis);
-  /// Power off and on: the program is over, and what only the power kept is lost (nct 23.1.4, 23.5).
+  /// Switches the power off and on: the program is over, and what is lost without power is lost (nct 23.1.4, 23.5).
   void power_cycle();
-  /// Virtual time since the start of the run and time at feed, for clocks the program reads (nct 23.1.9).
+  /// Sets the virtual time since the start of the run and the time at feed, for the clocks that a program reads (nct 23.1.9).
   void set_time(double now_ms, double cutting_ms);
-  /// The program may read a clock: from here on set_time() counts, and each block is handed over.
+  /// Returns true once the program may read a clock: from then on set_time() has an effect, and each block is passed on separately.
   bool reads_clock() const;
-  /// Programs of this control can read one: the time since the start may be asked for.
+  /// Returns true if programs of this control can read a clock, so that the time since the start may matter.
   bool may_read_clock() const;
-  /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
+  /// Tables and switches after the run, in the form of a set-up; nullopt if the control has none to show.
   std::optional<RunState> run_state() const;
 
-  /// Tables that a program can write, as they are now (control/tables_now).
+  /// Present contents of the tables that a program can write (control/tables_now).
   Setup tables_now() const;
 
-  /// Of its own block search (session/block_search); nothing: it has none.
+  /// Rules of the control's own block search (session/block_search); nullopt if it has none.
   std::optional<SearchRules> search_rules() const;
 
-  /// Called after each block that changed something that survives power-off (nct); the block is carried out.
+  /// Called after each executed block that changed something that survives power-off (nct).
   std::function<void(const StateChanges&)> on_changes;
 
-  /// Finds the corners of a contour that is looked at before it is carried out (nct 19.A 5): chamfers, roundings, calculated ends. They
-  /// are the room path's, which control does not know. `from`: where the contour begins, work coordinates.
+  /// Computes the corners of a contour that is read ahead before it is executed (nct 19.A 5): chamfers, roundings, calculated end
+  /// points. The code is in the room path, which control does not include. `from`: start of the contour, work coordinates.
   std::function<std::optional<Alarm>(ActionBatch& contour, const Axes& from)> find_corners;
 
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 
-  /// What the program has used of a set-up. With watch_use(), before the run, variables and lines too.
+  /// What the program has used of a set-up. Includes variables and lines if watch_use() was called before the run.
   const ProgramUse& use() const;
   void watch_use();
 
-  /// After the run, for people who check: the subprograms never called, read but not carried out; their faults go to `on_fault`.
+  /// After the run, for a check: reads the subprograms that were never
+  /// called, without executing them, and passes their faults to `on_fault`.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
-  /// Lines of the program or, by Origin::file, of another file that it called, UTF-8 by their numbers; those that cannot be read are
-  /// missing. After the run; passes through the file once.
+  /// Returns lines of the program, or of the called file with number Origin::file, in UTF-8 by line number; unreadable lines are
+  /// missing. To be called after the run; reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
-  /// The bytes of the program or of another file, as it was when it was opened; nullptr: there is no file of that number.
+  /// The bytes of the program or of another file as they were when it was opened; nullptr if there is no file with this number.
   std::shared_ptr<ByteSource> source_of(std::uint32_t file) const;
   /// Path of the program or of another file.
   const std::string& file_name(std::uint16_t file) const;
-  /// Paths of all files that have been read: the program, what it called.
+  /// Paths of all files that have been read: the program and those that it called.
   std::vector<std::string> files_read() const;
-  /// Numbers of the files that the program has called: file_name(), source_of(), Origin::file. They do not follow each other.
+  /// Numbers of the files that the program has called, for file_name(), source_of(), Origin::file. They are not consecutive.
   std::vector<std::uint16_t> called_files() const;
-  /// What the program has written, or would have (RunLimits::writes_files).
+  /// The files that the program has written, or would have written (RunLimits::writes_files).
   const WrittenFiles& files_written() const;
 
   Ending ending() const;
-  /// Where the tool stands, all blocks carried out; its frame is the first of the actions.
+  /// Tool position after all blocks executed so far; its frame is the one that the first action sets.
   ToolPosition tool_position() const;
-  /// How work coordinates lie on the machine, all blocks carried out.
+  /// Placement of the work coordinates on the machine, after all blocks executed so far.
   const Placement& placement() const;
-  /// From now on state_of() can tell; a block costs a comparison, one that changes a mode a copy of the state.
+  /// Starts recording for state_of(). It costs a comparison per block, and a copy of the state per block that changes a mode.
   void watch_states();
-  /// What was in force when the block that an action comes from had been carried out: the control may be far ahead. Nothing where
-  /// more than some thousand changes of modes lie in between, or nobody watches.
+  /// What was in force after the block that an action comes from; the control may have read far beyond it. Returns nullopt if some
+  /// thousand changes of modes lie in between, or without watch_states().
   std::optional<BlockState> state_of(const Origin& origin) const;
-  /// From now on calls_of() can tell, and reports of report_for() have the calls of their place.
+  /// Starts recording for calls_of(); reports of report_for() then include the calls at their place.
   void watch_calls();
-  /// By which calls and repetitions the block of an action came to be carried out, the outermost first; the control may be far ahead.
-  /// Not in snapshots: of actions that a control before this one has made it knows none.
+  /// The calls and repetitions through which the program reached the block of an action, outermost first; the control may have read far
+  /// beyond it. Snapshots do not include them: actions of a control before the restored one have none.
   std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
-  std::uint64_t blocks() const;      // carried out
+  std::uint64_t blocks() const;      // executed
   std::uint64_t bytes_read() const;  // for progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// What the set-up names and this control has not, beyond what the table of keys says (config/setup_check); empty: all is well.
+  /// Something that the set-up names and this control does not have, beyond the
+  /// checks of the table of keys (config/setup_check); empty if there is none.
   const SetupFault& setup_fault() const;
-  /// Its machine is described by parameters (nct 24).
+  /// Returns true if the machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
-  /// Its contours are those of path/contour/queued_compensation.
+  /// Returns true if its cutter compensation is that of path/contour/queued_compensation.
   bool queues_contours() const;
   std::uint32_t rotary() const;
-  /// Dialect::limits_by_file().
+  /// See Dialect::limits_by_file().
   std::pair<double, double> limits_by_file(std::size_t axis) const;
 
  private:
-  /// What the machine may tell the control; nullptr: nothing.
+  /// The part of the dialect that serves the machine; nullptr if the dialect has none.
   MachineSide* machine_side() const;
 
   std::unique_ptr<Interpreter> interpreter_;

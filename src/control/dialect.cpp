@@ -1,4 +1,4 @@
-// What all controls do where a dialect says nothing of its own: ISO 6983.
+// Default behaviour of all controls where a dialect overrides nothing: ISO 6983.
 
 #include "control/dialect.h"
 

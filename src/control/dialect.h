@@ -1,7 +1,8 @@
 #pragma once
-// Dialect: what a control does that no row of its file can say (`dialect = "…"` in controls/*.toml). One object a channel; the interpreter
-// asks it block by block or motion by motion, never word by word. Each default is what all controls do: ISO 6983. A control whose file says
-// everything has these defaults (make_iso_dialect()). Its functions are in five interfaces; what needs one of them takes that one.
+// Dialect: the behaviour of a control that no row of its file can describe (`dialect = "…"` in controls/*.toml). Each channel has one
+// object; the interpreter calls it per block or per motion, never per word. The defaults are the behaviour of all controls, ISO 6983; a
+// control that its file describes completely has only them (make_iso_dialect()). The functions are grouped in five interfaces, so that
+// code can depend on the one that it needs.
 
 #include <memory>
 
@@ -18,7 +19,7 @@ struct RunLimits;
 
 class Dialect : public ProgramDialect, public BlockDialect, public MotionDialect, public FrameDialect, public VariableDialect {};
 
-// Each stands in the folder of its name.
+// Each is defined in the folder of its name.
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const BlockContext& m, const Setup& setup);
 std::unique_ptr<Dialect> make_grbl_dialect(const Setup& setup);
@@ -26,7 +27,7 @@ std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits);
 std::unique_ptr<Dialect> make_linuxcnc_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
-/// Of a control whose file says everything: each answer is the default.
+/// The dialect of a control that its file describes completely: every function is the default.
 std::unique_ptr<Dialect> make_iso_dialect();
 
 /// The dialect that the control's file names. `commons`: variables that all channels of the machine share.

@@ -1,10 +1,10 @@
-// What a line of the operator (MDI) may not do. For control/interpreter; tested by tests/panel.py.
+// What a line entered by the operator (MDI) may not do. Used by control/interpreter; tested by tests/panel.py.
 
 #include "control/interpreter.h"
 
 namespace kadr {
 
-/// A line of the operator has no caller: what the program is in stays open.
+/// An entered line has no caller: a return in it must not close the calls that the program has open.
 bool Interpreter::returns_from_entered() const {
   if (!flow.in_entered() || flow.depth() > flow.entered_depth()) return false;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {

@@ -1,4 +1,5 @@
-// What is in force, thing by thing: for restart in mid program, panels, the debugger. Tested by tests/session/stepping_test.cpp.
+// Lists what is in force, item by item: for a restart in mid-program, for panels, for the debugger. Tested by
+// tests/session/stepping_test.cpp.
 
 #include "action/in_force.h"
 

@@ -1,5 +1,5 @@
-// The way of a block through the interpreter: read, looked at by the machine's logic, evaluated, planned, carried out. For the rest of
-// control.
+// The path of a block through the interpreter: it is read, shown to the
+// machine's logic, evaluated, planned and executed. Used by the rest of control.
 
 #include "control/interpreter.h"
 
@@ -26,7 +26,8 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
 
 namespace {
 
-/// Before the block that was read: it is to be held there, and read again then. Notes its line otherwise, where lines are noted.
+/// Returns true if holds_before stops the run before the block that was read;
+/// the block is then unread. Else records its line, where lines are recorded.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
   const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.program().in_body();
   if (asks && (*m.holds_before)(m.origin)) {
@@ -46,14 +47,15 @@ Status Running::lead_on(Interpreter&) const { return {}; }
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
   batch = &to;
-  motion_run_.end();  // between two calls anything may have been changed
+  motion_run_.end();  // between two calls of run() anything may have been changed
   if (!needs_frames) return;
   needs_frames = false;
   emit(frame_change());
   if (modal.surface_speed) emit(surface_speed());
 }
 
-/// A part of what comes before the next block is read: of a cycle, of a watched block's end. false: there is nothing left of it.
+/// Executes one pending step (of a canned cycle, or of the end of a watched
+/// block) before the next block is read. Returns false if nothing is pending.
 bool Interpreter::goes_on_with_last() {
   if (cycling()) {
     if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -68,7 +70,7 @@ bool Interpreter::goes_on_with_last() {
   return true;
 }
 
-/// The dialect has something to finish. true: the next block waits for more of it.
+/// Lets the dialect finish what it has pending. Returns true if the next block must still wait.
 bool Interpreter::waits_for_dialect() {
   if (!dialect->has_unfinished()) return false;
   const auto waits = dialect->finish(*this);
@@ -76,7 +78,7 @@ bool Interpreter::waits_for_dialect() {
   return !waits || *waits;
 }
 
-/// The file is over. `last`: the block before, which is told of. Returns nullopt where that was only a line entered by hand.
+/// Handles the end of the file. `last`: the block before, for reports. Returns nullopt if only a line entered by hand has ended.
 std::optional<Control::State> Interpreter::close_file(Block* last) {
   block = last;
   if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
@@ -88,7 +90,7 @@ std::optional<Control::State> Interpreter::close_file(Block* last) {
   return Control::State::ended;
 }
 
-/// Carries out a block that was read, or reports what is wrong in it. Returns nullopt where the run goes on to the next one.
+/// Executes a block that was read, or reports its fault. Returns nullopt if the run continues with the next block.
 std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::Got>& got) {
   if (got && !reads_clock && !block->no_clock && !block->code.empty()) {
     if (dialect->reads_clock(*block)) {
@@ -98,10 +100,10 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
     }
     block->no_clock = true;
   }
-  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // damaged, but there
+  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but it is there
   if (!block->warnings.empty()) [[unlikely]] {
     for (const Alarm& w : block->warnings) warn(w);
-    block->warnings.clear();  // of a block that is kept: told once
+    block->warnings.clear();  // the block may be kept and executed again: its warnings are reported once
   }
   if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
   if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
@@ -174,14 +176,15 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
   else report_changes();
-  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 has come
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have come into force
 }
 
-/// The machine's logic looks at each block, or an interrupt macro may come.
+/// True if the machine's logic looks at each block, or an interrupt macro may come.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
-/// A block with what the machine's logic does before it; after it: end_block, when its actions have been handed over (nct 23.4).
-/// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
+/// Executes a block after what the machine's logic does before it. end_block() follows once the
+/// actions of the block have been passed on (nct 23.4). A block that an interrupt macro has delayed
+/// comes again and is then executed at once: INFERRED, so that a signal that stays on lets it pass.
 void Interpreter::watch_block() {
   const bool skipped = is_skipped();
   in_interrupt = dialect->in_interrupt();
@@ -190,7 +193,7 @@ void Interpreter::watch_block() {
   Result<bool> instead = false;
   if (!put_off && !skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
-    if (flow.ended()) return;  // the power went off
+    if (flow.ended()) return;  // the machine's logic has switched the power off
     instead = dialect->interrupt(*this, BlockMoment::start);
   }
   if (instead && *instead) {
@@ -198,7 +201,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was checked above
   const Status status = instead ? execute() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -206,7 +209,7 @@ void Interpreter::watch_block() {
   if (!is_stopped() && !skipped) phase_ = RunPhase::end_of_block;
 }
 
-/// The end of a watched block: the interrupt macro, then the machine's logic.
+/// Executes the end of a watched block: the interrupt macro, then the machine's logic.
 void Interpreter::end_block() {
   phase_ = RunPhase::next_block;
   if (!in_interrupt) {
@@ -216,7 +219,7 @@ void Interpreter::end_block() {
   if (!is_stopped() && on_block != nullptr && *on_block) (*on_block)(origin, true);
 }
 
-/// Power off and on (nct 23.5): the program is over.
+/// Switches the power off and on (nct 23.5): the program is over.
 void Interpreter::power_cycle() {
   if (!dialect->lose_power(*this)) return;
   stop_cycles();
@@ -226,14 +229,14 @@ void Interpreter::power_cycle() {
   flow.end();
 }
 
-/// The file's end ends the program too; not in the middle of a call or a repetition.
+/// The end of the file also ends the program, unless a call or a repetition is open.
 Status Interpreter::end_of_file() {
-  origin.line = std::max<std::uint32_t>(origin.line, 1);  // of an empty file too
+  origin.line = std::max<std::uint32_t>(origin.line, 1);  // in an empty file too
   const auto done = dialect->end_of_file(*this);
   if (!done) return fail(done.error());
   if (*done) return {};
   if (flow.depth() == 0) {
-    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
+    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // the file has no block
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
   }
@@ -294,7 +297,7 @@ Status Interpreter::execute() {
   return attempt();
 }
 
-/// N and O have ranges too (nct 1.1); O names a program at the start of a file.
+/// Checks the ranges of N and O (nct 1.1); O names a program at the start of a file.
 Status Interpreter::check_numbers() {
   const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
     const AddressRow& row = def.address(letter);
@@ -303,14 +306,14 @@ Status Interpreter::check_numbers() {
   };
   if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
   if (block->marker != Marker::label) return {};
-  if (block->label == 0 && def.address('O').least == 0) {  // spec/fanuc 1.1: a CAM system's usual number, and the operator gives one
+  if (block->label == 0 && def.address('O').least == 0) {  // spec/fanuc 1.1: a CAM system's usual number; the operator enters another
     warn(warning(AlarmId::program_number_zero, block->where));
     return {};
   }
   return check('O', block->label, block->where);
 }
 
-/// The block's words carried out, or nothing of them.
+/// Executes the block's words completely, or undoes all of it.
 Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
   state_kept_ = false;
@@ -320,7 +323,7 @@ Status Interpreter::attempt() {
   shape_ = shapes_.of(def, *block);
   dialect->begin_block(*this);
   if (sets_variables_only(*block)) return assign_alone();
-  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are statements: blocks of their own
+  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are blocks of their own (statements)
   Status status = words();
   if (!status) take_back(actions);
   return status;
@@ -346,8 +349,8 @@ Status Interpreter::words() {
   return dialect->after_block(*this);
 }
 
-/// The block's plan: that of its shape; of one that a loop carries out again, that of the last pass where nothing it depends on has
-/// changed.
+/// Plans the block, or finds its plan: a plain block has the plan of its shape; a block that a loop executes again has that of its last
+/// pass, if nothing that it depends on has changed.
 Status Interpreter::plan() {
   const std::int16_t motion_row = dialect->motion_row(*this);
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
@@ -378,16 +381,17 @@ BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
   return modal.motion == MotionMode::cycle ? BlockChanges::cycle : BlockChanges::position;
 }
 
-/// Shifts and factors must not carry the tool beyond what a number of the control can hold.
+/// Checks that shifts and factors have not moved the tool beyond what a number of the control can hold.
 Status Interpreter::check_place() const {
-  constexpr double most = 4 * farthest;  // origin, length and coordinate may lie apart
+  constexpr double most = 4 * farthest;  // origin, length and coordinate may each be large and cancel out
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));
   return {};
 }
 
-/// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
+/// Checks that the work offset does not move during cutter compensation
+/// (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code that moves it).
 Status Interpreter::check_zero_kept() const {
   if (dialect->zero_may_move() || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));

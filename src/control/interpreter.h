@@ -1,7 +1,7 @@
 #pragma once
-// Interpreter: runs a program block by block. It reads the next block, plans and executes it, takes a faulty one back, and knows where the
-// program goes on. What its functions read is a BlockContext, what they emit goes through an Emitter; only what changes the course of the
-// program takes the Interpreter itself. Only src/control includes it.
+// Interpreter: runs a program block by block. It reads the next block, plans and executes it, undoes a faulty one, and decides where
+// the program continues. Its functions read the state as a BlockContext and emit actions through an Emitter; only functions that change
+// the course of the program receive the Interpreter itself. Only src/control includes this file.
 
 #include <memory>
 #include <optional>
@@ -25,13 +25,13 @@ struct BlockMemory;  // control/snapshot_content.h
 
 class Interpreter final : public Emitter {
  public:
-  /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
+  /// `own`: the control's definition adapted to this machine, or nullptr (then `control` is used unchanged).
   Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
               std::shared_ptr<Commons> commons);
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Nothing while a probe is waited for. `cutting_seen_ms` goes along for Control.
+  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms` is stored in the snapshot for Control.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -41,69 +41,69 @@ class Interpreter final : public Emitter {
   bool is_stopped() const { return phase_ == RunPhase::stopped; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
-  /// From now on the states of blocks are kept: state_of() tells them.
+  /// Starts recording the state after each block, for state_of().
   void watch_states();
   std::optional<BlockState> state_of(const Origin& at) const;
   Alarm with_names(Alarm alarm) const;
   void decode_arguments(Alarm& alarm) const;
-  /// Without the control's own words for it.
+  /// Like report_of(), without the control's own wording of the message.
   AlarmReport plain_report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
-  // ---- words of the block being carried out
+  // ---- words of the block being executed
 
-  /// Values of the words written as expressions, ranges of all.
+  /// Evaluates the words written as expressions and checks the ranges of all words.
   Status evaluate_words();
-  /// A block has been begun and is not over: its cycle is being carried out, or what waits for the cycle's end.
+  /// True while a block is not finished: its canned cycle is being executed, or what waits for the end of the cycle.
   bool in_block() const { return cycling() || waiting_count_ != 0 || phase_ == RunPhase::end_of_block || phase_ == RunPhase::same_block; }
-  /// Calls and repetitions that are open, the outermost first.
+  /// Open calls and repetitions, outermost first.
   std::vector<AlarmReport::Call> calls() const;
-  /// From now on ways of calls are kept: calls_of() tells them.
+  /// Starts recording the chain of calls of each block, for calls_of().
   void watch_calls() { call_tree_ = std::make_unique<CallTree>(); }
   bool watches_calls() const { return call_tree_ != nullptr; }
   std::vector<AlarmReport::Call> calls_of(const Origin& at) const;
   BlockState state_now() const;
   std::vector<InForce> in_force();
-  /// What the channels have in common, of another one.
+  /// Copies the data that the channels share from another channel.
   void take_common(const Interpreter& from);
 
-  /// Modes that a cycle sets by itself.
+  /// Executes codes that a canned cycle sets by itself, for their modes.
   void run_modes(std::initializer_list<Function> functions);
   void warn(const Alarm& alarm) override;
-  /// M99, M47 of a main program: another pass, from its first block or from `from`. Where nothing on the way could change the next
-  /// pass, or RunLimits::restarts passes are done, the run is over, with a note: that is no fault (control/functions/again.cpp).
+  /// M99, M47 of a main program: starts another pass, from its first block or from `from`. If nothing in this pass could make the next
+  /// one different, or after RunLimits::restarts passes, the run ends with a note, which is not a fault (control/functions/again.cpp).
   Status begin_again(Span where, Position from = {});
 
-  /// The state is kept: an alarm later in the block brings it back.
+  /// Saves the state, so that an alarm later in the block can restore it.
   void keep_state();
-  /// The block is a statement, and nobody watches: carried out, or an alarm.
+  /// Executes a block that is a statement, where nothing watches the block; fails with an alarm if it is faulty.
   void carry_out_statement();
-  /// A block that only sets variables (sets_variables_only()); false: it is faulty, and nothing of it is done.
+  /// Executes a block that only sets variables (sets_variables_only()). Returns false if it is faulty; then nothing is changed.
   bool assign_again();
-  /// What is in force has been changed by other means than a block's words.
+  /// To be called after something other than the words of a block has changed what is in force.
   void modes_changed() { motion_run_.end(); }
-  /// The block is a call of a macro or a return alone (its `word`), and nobody watches.
-  ///   returns  false: it must go the general way; nothing has changed
+  /// Executes a block that is only a macro call or a return (word number `word` of the block), where nothing watches the block.
+  ///   returns  false if the block must be executed in the general way; nothing has changed
   bool carry_out_call(std::uint8_t word);
-  /// The same of where the program goes on.
+  /// Saves the position in the program, so that an alarm later in the block can restore it.
   void keep_flow_place() { flow_before_ = flow.place(); }
-  /// A block does not begin again, a cycle does not go on: the program is over.
+  /// Drops the canned cycle or ellipse that is being executed.
   void stop_cycles();
 
-  // ---- what the file alone says (a dialect may say otherwise)
+  // ---- behaviour by the control's file alone (a dialect may override it)
 
-  /// The words' ranges, and assignments that act with them.
+  /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
-  // ---- what the functions work on
+  // ---- data that the functions work on
 
-  using BlockContext::flow;  // where the program is, and goes on
+  using BlockContext::flow;  // position in the program, and where it continues
 
-  Block first_block;  // before the first one is read, and in the middle of which a snapshot was taken
+  Block first_block;  // the current block before any was read, or after a restore in the middle of one
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
-  std::uint64_t most_unseen = 0;  // blocks that run() carries out without being looked at, where lines are noted
+  std::uint64_t most_unseen = 0;  // with `line_marks`: run() returns after this number of blocks
   std::function<void(const StateChanges&)>* on_changes = nullptr;
   const std::function<std::optional<Alarm>(ActionBatch&, const Axes&)>* find_corners = nullptr;
 
@@ -169,14 +169,14 @@ class Interpreter final : public Emitter {
   std::shared_ptr<const BlockMemory> block_memory() const;
   void go_on_in_block(const BlockMemory& then);
 
-  /// The end of a watched block will not come.
+  /// Cancels the end of a watched block, which is not reached.
   void close_block() {
     if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
   }
 
   RunPhase phase_ = RunPhase::next_block;
   Plan plan_;
-  /// Plans of blocks that loops carry out again, found by the block's place in memory.
+  /// Plans of blocks that loops execute again, found by the address of the block in memory.
   struct KeptPlan {
     const Block* block = nullptr;
     std::uint64_t letters = 0;
@@ -188,22 +188,22 @@ class Interpreter final : public Emitter {
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
   MotionRun motion_run_;
-  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
+  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the canned cycle
   std::size_t waiting_count_ = 0;
-  mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot
+  mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot, shared by the next one if equal
   mutable std::shared_ptr<const Variables::Values> last_variables_;
-  std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks
-  std::unique_ptr<CallTree> call_tree_;        // the same
-  std::string first_text_;                     // of first_block
+  std::unique_ptr<BlockStates> block_states_;  // nullptr: not recorded
+  std::unique_ptr<CallTree> call_tree_;        // nullptr: not recorded
+  std::string first_text_;                     // text of first_block
   std::vector<double> assigned_;
   StopToken stop_;
   std::vector<std::string> watch_;
 };
 
-/// `#1=…` alone, of variables that neither modes nor tables are made of.
+/// Returns true if the block is only `#1=…` and sets no variable that modes or tables depend on.
 bool sets_variables_only(const Block& block);
 
-/// What a row's function does (control/functions/functions.cpp).
+/// Returns the C++ function for the function of a code row (control/functions/functions.cpp).
 using Handler = Status (*)(Interpreter&, const Call&);
 Handler handler_of(Function function);
 

@@ -1,4 +1,4 @@
-// What people are told: places of alarms, the state at the end, faults of subprograms never called.
+// Reports for people: places of alarms, the state at the end, faults of subprograms that were never called.
 
 #include <algorithm>
 #include <memory>
@@ -15,7 +15,8 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// After a comment over several lines the place is in the last of them (nct 14.3).
+/// Moves the place of an alarm to its own line where the block spans several:
+/// after a comment over several lines that is the last one (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
@@ -34,7 +35,8 @@ void Interpreter::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
-/// Addresses of several characters by their names (`,C`, `XDE`); a piece of the text stays as it is written: `]` is no `,A`.
+/// Replaces internal letters of addresses that have several characters by their names (`,C`, `XDE`). A piece of the program's text is
+/// left as written: `]` is not `,A`.
 Alarm Interpreter::with_names(Alarm alarm) const {
   if (alarm.id == AlarmId::expression_syntax || alarm.id == AlarmId::unexpected_character) return alarm;
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
@@ -47,7 +49,7 @@ Alarm Interpreter::with_names(Alarm alarm) const {
   return alarm;
 }
 
-/// Pieces of a text that was not decoded (a comment, DPRNT) become UTF-8.
+/// Converts arguments that are undecoded pieces of the program (a comment, DPRNT) to UTF-8.
 void Interpreter::decode_arguments(Alarm& alarm) const {
   for (AlarmArg& arg : alarm.args) {
     std::string text;
@@ -61,7 +63,7 @@ AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, s
   AlarmReport r{def.grammar.names.empty() && !def.grammar.comma_words ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
-  if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
+  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
   if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
   if (r.alarm.where.begin <= r.line_text.size())
@@ -118,7 +120,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   auto plan = std::make_unique<Plan>();
   flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
     Status status = got ? Status() : Status(fail(got.error()));
-    Block& looked_at = const_cast<Block&>(read);  // expressions have no value here: codes by expression are left alone
+    Block& looked_at = const_cast<Block&>(read);  // expressions have no value here: blocks with a code by expression are not planned
     bool known = true;
     for (std::uint32_t i = 0; i < looked_at.word_count; ++i)
       known = known &&
@@ -133,7 +135,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   });
 }
 
-/// Code words in force, F, S, T, D, H.
+/// Code words in force, and F, S, T, D, H.
 std::vector<std::string> Interpreter::codes_in_force(const Modal& of) const {
   std::vector<std::string> codes;
   for (std::size_t g = 1; g < def.groups.size(); ++g)
@@ -182,10 +184,10 @@ Ending Interpreter::ending() {
   return e;
 }
 
-/// Of an axis that machines of this control may have.
+/// True for the letter of an axis that machines of this control may have.
 constexpr bool names_an_axis(char letter) { return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z'); }
 
-/// Words that nothing in the block takes: the control says nothing of them (spec/fanuc 1.2).
+/// Warns of words that no function of the block uses; the control itself reports nothing (spec/fanuc 1.2).
 void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (const Word& w = block->words[i]; w.address != 0 && (letters_passed & letter_bit(w.address)) != 0)
@@ -193,7 +195,7 @@ void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
                                     : warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
 }
 
-/// What the block changed of the things that survive power-off.
+/// Reports what the block changed among the data that survive power-off.
 void Interpreter::report_changes() {
   if (on_changes == nullptr || !*on_changes) return;
   const StateChanges changes = dialect->take_changes(*this);

@@ -1,6 +1,6 @@
 #pragma once
-// What the channels of one machine have in common (spec/nct/01 1.2): common variables (23.1.4) and tool offsets (15.1), as far as
-// the parameters say so.
+// SharedMemory: the data that the channels of one machine share (spec/nct/01 1.2): common variables (23.1.4) and tool offsets (15.1),
+// as far as the parameters say so.
 
 #include <algorithm>
 #include <memory>
@@ -15,12 +15,12 @@ class SharedMemory {
  public:
   std::shared_ptr<Commons> commons = std::make_shared<Commons>();
 
-  /// Offsets 1 … `count` (N1401) are common: the first channel that comes brings them.
+  /// Makes offsets 1 … `count` (N1401) common; their values come from the first channel that calls this.
   void share_offsets(std::vector<ToolOffset>& of_channel, int count) {
     if (!offsets_.empty() || count <= 0) return lend(of_channel);
     offsets_.assign(of_channel.begin(), of_channel.begin() + std::min<std::ptrdiff_t>(count + 1, std::ssize(of_channel)));
   }
-  /// A channel is about to run; it has run. Only one does at a time.
+  /// Called before and after a channel runs. Only one channel runs at a time.
   void lend(std::vector<ToolOffset>& to) const { std::copy_n(offsets_.begin(), std::min(offsets_.size(), to.size()), to.begin()); }
   void take_back(const std::vector<ToolOffset>& from) {
     std::copy_n(from.begin(), std::min(offsets_.size(), from.size()), offsets_.begin());

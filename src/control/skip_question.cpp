@@ -1,5 +1,5 @@
-// Blocks that a switch skips, and whether the operator is asked first (spec/gost 2). For control/interpreter; tested by
-// tests/cases/gost/skip.cases.
+// Blocks that a skip switch skips, and whether the operator is asked first
+// (spec/gost 2). Used by control/interpreter; tested by tests/cases/gost/skip.cases.
 
 #include <algorithm>
 
@@ -7,8 +7,8 @@
 
 namespace kadr {
 
-/// The switch skips the block: the operator is asked whether it may, and answers before the block comes again (spec/gost 2). INFERRED:
-/// the question is the block's text.
+/// Asks the operator whether the switch may skip the block, if operators are asked; the answer is there when the block comes again
+/// (spec/gost 2). INFERRED: the question is the text of the block.
 bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;
   skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];

@@ -1,4 +1,4 @@
-// Control::snapshot() and restore(): for stepping back and for going on in mid program; tests/control/snapshot_test.cpp.
+// Control::snapshot() and restore(), for stepping back and for continuing in mid-program. Tested by tests/control/snapshot_test.cpp.
 
 #include "control/state/snapshot.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// The value, shared with the last snapshot where it is still the same.
+/// Returns the last snapshot's copy of the value if it is still equal, else a new copy.
 template <class Value>
 std::shared_ptr<const Value> shared_with(std::shared_ptr<const Value>& last, const Value& now) {
   if (!last || !(*last == now)) last = std::make_shared<const Value>(now);
@@ -43,7 +43,7 @@ Status Flow::remember(const Memory& memory) {
     if (!reader) return fail(alarm(AlarmId::file_missing, {}, std::string_view(file.name)));
     readers.push_back(*reader);
   }
-  // Each file gets the place it had: calls and origins name it by that. Files opened since are closed.
+  // Each file gets its old number, because calls and origins refer to it by number. Files opened since are closed.
   std::vector<std::unique_ptr<ProgramFile>> files(memory.files.size());
   files[0] = std::move(files_[0]);
   for (std::size_t i = 0; i < readers.size(); ++i) files[own_files + i] = std::move(files_[readers[i]]);
@@ -100,7 +100,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
 
 void Interpreter::go_on_in_block(const BlockMemory& then) {
   first_block = then.block;
-  first_block.kept = false;  // it stands in no loop's memory here
+  first_block.kept = false;  // it is in no loop's memory here
   first_text_ = then.text;
   first_block.text = first_text_;
   plan_ = then.plan;
@@ -128,7 +128,7 @@ Status Interpreter::restore(const Snapshot& from) {
   flow_before_.reset();
   journal.begin();
   first_block = Block();
-  block = &first_block;  // the one before stands in a file that may be gone
+  block = &first_block;  // the current block may be in a file that is closed now
   shape_ = nullptr;
   static_cast<ControlState&>(*this) = then.state;
   static_cast<RunMemory&>(*this) = then.run;
@@ -136,7 +136,7 @@ Status Interpreter::restore(const Snapshot& from) {
   if (std::exchange(block_states_, nullptr)) watch_states();  // block numbers have gone back
   tables = *then.tables;
   variables.put(*then.variables);
-  variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
+  variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)
   go_on_in_block(*then.block);
   return then.dialect ? dialect->restore(*this, *then.dialect) : Status();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a snapshot holds. Only src/control includes it.
+// The contents of a snapshot. Only src/control includes this file.
 
 #include <memory>
 
@@ -8,19 +8,19 @@
 
 namespace kadr {
 
-/// The current block, and what stands open of it: a cycle, what waits for its end.
+/// The current block and what is unfinished in it: a canned cycle, items that wait for the cycle's end.
 struct BlockMemory {
   Block block;
   std::string text;  // of the block
   Plan plan;
   std::vector<std::uint8_t> waiting;  // items of the plan
   CycleRun cycle_run;
-  std::size_t cycle = 0;  // row of it
+  std::size_t cycle = 0;  // row of the cycle in ControlDef::cycles
   EllipseRun ellipse_run;
   std::shared_ptr<const Running> running;
   RunPhase phase = RunPhase::next_block;
-  AlarmReport report;                                                   // of a control that has stopped
-  bool exact = false, machine_coordinates = false, axes_taken = false;  // of Interpreter
+  AlarmReport report;                                                   // if the control has stopped
+  bool exact = false, machine_coordinates = false, axes_taken = false;  // BlockContext::block_exact and so on
 };
 
 struct Snapshot::Content {
@@ -29,7 +29,7 @@ struct Snapshot::Content {
   Flow::Memory flow;
   std::shared_ptr<const Tables> tables;
   std::shared_ptr<const Variables::Values> variables;
-  std::shared_ptr<const DialectState> dialect;  // nullptr: it remembers nothing
+  std::shared_ptr<const DialectState> dialect;  // nullptr: the dialect remembers nothing
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
   double cutting_seen_ms = 0;  // of Control

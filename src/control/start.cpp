@@ -1,4 +1,4 @@
-// The state before the first block: power-on codes of the control, then the set-up file.
+// Sets up the state before the first block: the control's power-on codes, then the set-up file.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// Row of a work offset in the table of zeros or fixtures: "common" → 0; -1: no work offset's name.
+/// Returns the row of a work offset in the table of zeros or fixtures: 0 for "common", -1 if the name is not that of a work offset.
 int zero_number(const std::vector<WorkSystem>& systems, const std::string& name) {
   if (name == "common") return 0;
   const auto found = std::find_if(systems.begin(), systems.end(), [&](const WorkSystem& system) { return system.name == name; });
@@ -25,8 +25,8 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 
 }  // namespace
 
-/// What the set-up names and this control has not: axes, numbers beyond its tables. A file's set-up has been asked before, key by key
-/// (config/setup_check); this holds for one that a program made.
+/// Checks for things that the set-up names and this control does not have: axes, numbers beyond its tables. A set-up from a file has
+/// been checked before, key by key (config/setup_check); this covers one made by a program.
 void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
     if (start_fault.empty())
@@ -122,7 +122,7 @@ void Interpreter::read_setup(const Setup& setup) {
   for (const int s : setup.skip)
     if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;
   skip_answers = setup.skip_answers;
-  if (!skip_answers.empty()) each_block = true;  // each answer is to come before the next block
+  if (!skip_answers.empty()) each_block = true;  // each answer must come before the next block is read
   optional_stop_on = setup.optional_stop;
   for (const std::string& axis : setup.mirror)
     if (const auto found = std::find(axis_names.begin(), axis_names.end(), axis); found != axis_names.end())
@@ -130,7 +130,8 @@ void Interpreter::read_setup(const Setup& setup) {
   watch_ = setup.watch;
 }
 
-/// A mode of the set-up that is not in this version: in force all the same, and what needs it not to be will say so.
+/// Puts a modal code of the set-up in force although this version does not support
+/// it; blocks that cannot be executed with it raise an alarm (modes_served).
 bool Interpreter::note_unserved() {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
@@ -144,7 +145,7 @@ bool Interpreter::note_unserved() {
   return false;
 }
 
-/// Runs the initial code of each group and the set-up's code words like a block, without moving.
+/// Executes the initial code of each group and the code words of the set-up like a block, without moving.
 void Interpreter::start_modal(const Setup& setup) {
   modal.diameter = def.diameter;
   for (std::size_t a = 0; a < axis_count && def.diameter_by_setup; ++a)
@@ -208,7 +209,7 @@ void Interpreter::start_modal(const Setup& setup) {
   batch = nullptr;
 }
 
-/// Is it a code word of this control?
+/// Returns true if the text is a code word of this control.
 bool Interpreter::starts(const std::string& text) const {
   if (text.size() < 2) return false;
   if (text[0] < 'A' || text[0] > 'Z') return false;

@@ -1,5 +1,5 @@
-// Tables of a control as a set-up would give them: what read_setup of control/start reads, the other way. For Control::tables_now; tested
-// by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
+// Returns the tables of a control as a set-up would give them: the inverse of read_setup in control/start. Used by Control::tables_now;
+// tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 
 #include "control/tables_now.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_stored = 6;  // axes of a fixture's parameters
+constexpr std::size_t most_stored = 6;  // axes in the variables of a fixture
 
 Axes stored_zero(const BlockContext& m, std::uint32_t row) {
   if (!m.has_fixtures) return row < m.tables.zeros.size() ? m.tables.zeros[row] : Axes{};
@@ -22,7 +22,7 @@ Axes stored_zero(const BlockContext& m, std::uint32_t row) {
 }
 
 void add_work_systems(const BlockContext& m, Setup& tables) {
-  std::set<std::uint32_t> named;  // G54 is G59 P1 too
+  std::set<std::uint32_t> named;  // G54 is also G59 P1: one name per row
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);
     if (!system.works || !is_stored || !named.insert(system.row).second) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Tables as the program and the lines of an operator have left them.
+// The tables of a control as the program and the operator's lines have left them.
 
 #include "config/setup.h"
 
@@ -7,8 +7,8 @@ namespace kadr {
 
 class Emitter;
 
-/// Those that a program can write (G10 and its like), as a set-up would give them: offsets and work zeros that are not 0; of a control with
-/// parameters these and its tool tables too. No variables.
+/// Returns the tables that a program can write (G10 and similar), in the form of a set-up: offsets and work offsets that are not 0; on
+/// a control with parameters also the parameters and the tool tables. Variables are not included.
 Setup tables_of(const Emitter& m);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The geometry of one programmed arc: centre, sweep, checks. For the rest of control; tested by tests/control/arc_test.cpp.
+// Geometry of one programmed arc: centre, sweep, checks. Used by the rest of control; tested by tests/control/arc_test.cpp.
 
 #include "control/block/arc.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Angle from `a` to `b` in the direction of `turn`, degrees, (0, 360].
+/// Returns the angle from `a` to `b` in the direction of `turn`; degrees, (0, 360].
 double sweep_deg(Vec2 a, Vec2 b, Turn turn) {
   const double ccw = angle_deg({dot(a, b), cross(a, b)});
   const double sweep = turn == Turn::ccw ? ccw : -ccw;
@@ -37,9 +37,9 @@ Result<PlaneArc> arc_by_radius(Vec2 from, Vec2 to, double radius, Turn turn, dou
   double r = std::fabs(radius);
   if (r < half - max_difference || r <= tol::same_point) return fail(alarm(AlarmId::radius_too_small, {}, r, half));
   r = std::max(r, half);
-  const double rise = std::sqrt((r - half) * (r + half));    // r*r - half*half cancels near a half circle
-  const Vec2 left{-chord.y / distance, chord.x / distance};  // of the chord
-  // A short ccw arc has its centre on the left of the chord, a long one on the right; cw the other way round.
+  const double rise = std::sqrt((r - half) * (r + half));    // r*r - half*half would lose digits near a half circle
+  const Vec2 left{-chord.y / distance, chord.x / distance};  // normal to the left of the chord
+  // A short ccw arc has its centre on the left of the chord, a long one on the right; for cw it is the opposite.
   const bool center_left = (turn == Turn::ccw) == (radius > 0);
   const Vec2 center = from + 0.5 * chord + (center_left ? rise : -rise) * left;
   return PlaneArc{center, sweep_deg(from - center, to - center, turn) / 360};

@@ -1,4 +1,4 @@
-// A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
+// Executes a planned block in the order of execution and undoes it if it fails: a faulty block has no effect.
 
 #include "control/functions/contour.h"
 #include "control/interpreter.h"
@@ -8,10 +8,10 @@ namespace {
 
 bool is(const CodeRow* row, std::uint8_t fact) { return row != nullptr && traits_of(row->function).is(fact); }
 
-/// Ends the program, a subprogram or a repetition.
+/// True if the code ends the program, a subprogram or a repetition.
 bool ends(const CodeRow* row) { return is(row, function_fact::ends); }
 
-/// Stops the program or ends something.
+/// True if the code stops the program or ends something.
 bool ends_or_stops(const CodeRow* row) { return is(row, function_fact::ends | function_fact::stops); }
 
 }  // namespace
@@ -67,7 +67,7 @@ Status Interpreter::carry_out(const PlanItem& item) {
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   dialect->before_function(*this, function);
-  const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may make another block the current one
+  const std::int32_t code = w != nullptr ? w->code : -1;  // read now: a jump may make another block the current one
   if (row != nullptr && row->told) tell_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
@@ -81,7 +81,7 @@ bool Interpreter::carry_out_call(std::uint8_t word) {
   if (row.function == Function::return_program) {
     const CallFrame* const top = flow.innermost();
     const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    if (!plain || top->return_to >= 0) return false;  // another pass of the main program, an interrupt, a jump
+    if (!plain || top->return_to >= 0) return false;  // general way: another pass of the main program, an interrupt, a jump
   }
   journal.begin();
   const std::size_t actions = batch->size();
@@ -102,8 +102,8 @@ void Emitter::tell_machine(std::int32_t code) {
   emit(function);
 }
 
-/// In a drilling cycle's block M0 acts after operation 1, the end of the program after the last hole; in a turning cycle's
-/// all that follows a motion waits.
+/// Returns true if an item of the block waits for the end of its canned cycle. In the block of a drilling cycle M0 acts after operation
+/// 1, the end of the program after the last hole; in the block of a turning cycle everything after the motion waits.
 bool Interpreter::waits_for(const Running& cycle, const PlanItem& item) const {
   if (cycle.functions_first()) return ends(row_of(item));
   return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
@@ -115,8 +115,8 @@ bool Interpreter::is_call(const PlanItem& item) const {
   return traits_of(f).is(function_fact::calls);
 }
 
-/// An end that waits must be one that can come: what would fail then fails now, before anything is done.
-///   depth  calls and repetitions open around the block
+/// Checks that an end that waits will be possible, so that it fails now, before the block has had any effect.
+///   depth  number of open calls and repetitions around the block
 Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const {
   const Span at = block->words[item.word].where;
   const CallFrame* const around = depth == 0 ? nullptr : &flow.frames()[depth - 1];
@@ -136,7 +136,7 @@ Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const 
   return in_repetition ? Status(fail(alarm(AlarmId::repeat_end_missing, at, double(around->caller.line)))) : Status();
 }
 
-/// `L03 M17`: the call first, what the block ends when it is over (2С42 6.3.4, 6.3.5).
+/// `L03 M17`: the call comes first; what the block ends is stored and executed on return (2С42 6.3.4, 6.3.5).
 void Interpreter::keep_for_return(const PlanItem& item) {
   for (std::int16_t& row : flow.frames().back().then)
     if (row < 0) {
@@ -145,7 +145,7 @@ void Interpreter::keep_for_return(const PlanItem& item) {
     }
 }
 
-/// Measuring looks at the modes itself (nct 21.1); any other motion is not possible in one that Kadr has not.
+/// Checks the modes that Kadr does not support. Measuring checks the modes itself (nct 21.1); any other motion fails in such a mode.
 Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
@@ -157,7 +157,7 @@ Status Interpreter::modes_served(const PlanItem& item) const {
   return {};
 }
 
-/// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).
+/// Executes M0, M2 and similar codes in the block of a canned cycle: after the drilled holes (order of execution: motion, stop, flow).
 Status Interpreter::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
@@ -172,10 +172,10 @@ void Interpreter::keep_state() {
   dialect->keep(*this);
 }
 
-/// The same of a block that only moves and feeds, or only calls.
+/// Like keep_state(), for a block that only moves and feeds, or only calls.
 void Interpreter::keep_little() { journal.keep<MotionModal>(modal); }
 
-/// Nothing of a faulty block is done (design.md 4).
+/// Undoes a faulty block completely (design.md 4).
 void Interpreter::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;
@@ -184,10 +184,10 @@ void Interpreter::take_back(std::size_t actions) {
   if (flow_before_) flow.back_to(*flow_before_);
   if (state_kept_) static_cast<ControlState&>(*this) = before_;
   dialect->take_back(*this);
-  journal.undo();  // after the values: what was kept first is right
+  journal.undo();  // after the copies above: the journal has the oldest values
   if (state_kept_) {
     (void)variables.take_frames_changed();
-    variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
+    variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)
   }
   dialect->taken_back(*this);
 }

@@ -1,4 +1,4 @@
-// What a block asks for: its words as rows of the control's table, in the order of execution. For the rest of control.
+// Turns the words of a block into rows of the control's table, in the order of execution. Used by the rest of control.
 
 #include "control/block/plan.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint8_t sequence_length = static_cast<std::uint8_t>(FunctionOrder::last) + 1;
 
-/// Collects the calls of one block.
+/// Collects the function calls of one block.
 class BlockPlanner {
  public:
   BlockPlanner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan)
@@ -45,7 +45,7 @@ class BlockPlanner {
   }
 
  private:
-  /// Beside G65, G66, G66.1 all words are arguments, M too: nothing else is carried out (nct 23.3).
+  /// In a block with G65, G66, G66.1 all words are arguments, M too, and nothing else is executed (nct 23.3).
   bool macro_call() {
     if ((block_.letters & letter_bit('G')) == 0) return false;
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
@@ -91,7 +91,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// `G#1` as G77.3.
+  /// Returns the code with its computed number: `G#1` as G77.3.
   static std::string by_value(const Word& word) {
     std::string text = std::to_string(word.value);
     while (text.back() == '0') text.pop_back();
@@ -118,7 +118,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// Two codes that both want the axis words of the block; a motion code beside G28 and its like only sets the mode.
+  /// Fails if two codes use the axis words of the block; a motion code together with G28 and similar codes only sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
     const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
@@ -141,7 +141,7 @@ class BlockPlanner {
     add(row.phase, index, -1, word.address);
   }
 
-  /// Axis words alone: the motion code in force acts again.
+  /// Plans the modal motion code for a block that has only axis words.
   Status motion_in_force(std::int16_t motion_row) {
     std::uint64_t starts = letters_.axes | letters_.centers;
     if (def_.address('L').function == Function::corrector_word) starts |= letter_bit('L');
@@ -167,13 +167,13 @@ class BlockPlanner {
       plan_.taken |= row.takes;
       return {};
     }
-    if ((loose & row.takes) == 0) return {};  // words_used names it
+    if ((loose & row.takes) == 0) return {};  // words_used() reports the word
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
   }
 
-  /// Blocks that change little are taken back cheaply (Interpreter::keep_little).
+  /// Recognises blocks that change little and can be undone cheaply (Interpreter::keep_little).
   void note_kind() {
     plan_.moves_and_feeds = plan_.calls_only = true;
     for (std::uint32_t i = 0; i < plan_.count; ++i) {
@@ -185,7 +185,7 @@ class BlockPlanner {
     }
   }
 
-  /// nct 18.2: Q, E, P, … without an axis do nothing while a cycle is in force.
+  /// nct 18.2: Q, E, P, … without an axis do nothing while a canned cycle is in force.
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
@@ -205,7 +205,7 @@ class BlockPlanner {
       plan_.passed_over = loose;
     } else if (loose != 0) {
       const Word& word = *first_of(loose);
-      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W without an axis Z
+      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W if there is no axis Z
       return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }
     const std::uint64_t own_words = own_block_ != nullptr ? letters_.codes | own_takes_ : 0;
@@ -238,11 +238,11 @@ class BlockPlanner {
   const Block& block_;
   Plan& plan_;
   std::uint64_t groups_seen_ = 0;
-  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of its item; means something only where groups_seen_ has the bit
+  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of the group's item; valid only if groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
-  bool motion_is_cycle_ = false;  // nct: its words would be another code's
+  bool motion_is_cycle_ = false;  // nct: the cycle would use words of the other code
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

@@ -1,5 +1,4 @@
-// What all blocks of one shape have in common, found once: a long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …). For
-// control/interpreter.
+// Facts that all blocks of the same shape share, in a small hash table. Used by control/interpreter.
 
 #include "control/block/shapes.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What all blocks of one shape have in common, found once: a long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …).
+// Shapes: facts that all blocks of the same shape share, computed once. A long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …).
 
 #include <bitset>
 #include <vector>
@@ -13,16 +13,16 @@ using FunctionSet = std::bitset<static_cast<std::size_t>(Function::count)>;
 struct ShapeFacts {
   BlockShape shape;
   FunctionSet functions;     // of its codes
-  bool words_right = false;  // nct: its words may stand together, whatever their values
-  bool planned = false;      // `plan` is good where this motion code is in force
+  bool words_right = false;  // nct: its words are allowed together, whatever their values
+  bool planned = false;      // `plan` is valid for this motion code
   std::int16_t motion_row = -1;
   Plan plan;
 };
 
-/// The shapes met last.
+/// The shapes of the latest blocks.
 class Shapes {
  public:
-  /// Those of a plain block; nullptr of any other.
+  /// Returns the facts of a plain block's shape; nullptr for other blocks.
   ShapeFacts* of(const ControlDef& def, const Block& block);
 
  private:

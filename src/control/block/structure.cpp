@@ -1,11 +1,11 @@
-// The signs that structure a file: '%', sections of subprograms, labels.
+// The marks that structure a file: '%', sections of subprograms, labels.
 
 #include "control/functions/section_calls.h"
 #include "control/interpreter.h"
 
 namespace kadr {
 
-/// The letter of the block's label; the whole block where it is written in other letters.
+/// Returns the place of the letter of the block's label; of the whole block if the label is written with another letter.
 Span Interpreter::label_place() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
@@ -13,7 +13,7 @@ Span Interpreter::label_place() const {
   return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + 1)};
 }
 
-/// '%', sections of subprograms, labels: where a program begins.
+/// Executes '%', sections of subprograms and labels, which show where a program starts.
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
@@ -25,7 +25,7 @@ Status Interpreter::structure() {
       }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
-        flow.end();  // the next program of the tape
+        flow.end();  // the next program of the tape follows
       }
       flow.set_started(true);
       skipping_section = false;
@@ -56,7 +56,7 @@ Status Interpreter::structure() {
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
 
-/// O… of a file that holds several programs: the one being carried out ends there (spec/fanuc 1.1).
+/// Handles O… in a file that contains several programs: the program being executed ends there (spec/fanuc 1.1).
 Status Interpreter::next_program() {
   const CallFrame* const top = flow.innermost();
   if (top == nullptr) {
@@ -70,7 +70,8 @@ Status Interpreter::next_program() {
   return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
-/// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (2С42 6.7.1).
+/// Handles the first block of a subprogram in the program: a subprogram
+/// with the number of a called canned cycle cannot be called (2С42 6.7.1).
 void Interpreter::note_section() {
   constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;

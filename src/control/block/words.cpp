@@ -1,4 +1,4 @@
-// The words of the block being carried out: their values, and what the functions ask of them.
+// The words of the block being executed: computes their values and answers the functions' queries about them.
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// The value of a word written as an expression; a vacant one is as if not written (nct 23.1.6).
+/// Computes the value of a word written as an expression; a word with a vacant value counts as not written (nct 23.1.6).
 Status Interpreter::evaluate_word(Word& w) {
   const auto result = evaluate(*block, w.expression, Reading{*this});
   if (!result) return fail(result.error());
@@ -32,7 +32,7 @@ Status Interpreter::evaluate_word(Word& w) {
 }
 
 Result<double> Emitter::value_of(std::string_view expression) {
-  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // there a sum stands between them only
+  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // without brackets these controls have no sums
   const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
   Cursor cursor{text};
   Block looked_at;
@@ -43,7 +43,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   };
   cursor.skip_blanks();
   if (cursor.at == text.size()) return wrong(0);
-  for (int i = 0; i < variables.parameter_count(); ++i)  // R2, QN15: without brackets they stand alone
+  for (int i = 0; i < variables.parameter_count(); ++i)  // R2, QN15: allowed alone, without brackets
     if (!brackets && !def.grammar.sums_without_brackets() && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
   if (!brackets && !def.grammar.sums_without_brackets() && def.grammar.variables == 0) return wrong(0);
   const auto compiled = def.grammar.sums_without_brackets() ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
@@ -54,7 +54,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   return kadr::evaluate(looked_at, *compiled, Reading{*this});
 }
 
-/// AX[n]=…: the channel's axis of that control-wide number (nct 23.2.12).
+/// Resolves AX[n]=…: the channel's axis with this control-wide number (nct 23.2.12).
 Status Interpreter::find_axis(Word& w) {
   const auto number = evaluate(*block, w.axis, Reading{*this});
   if (!number) return fail(number.error());
@@ -81,7 +81,7 @@ Status Interpreter::take_words() {
   return def.behaviour.delayed_assignment && !block->code.empty() ? assign() : Status();
 }
 
-/// Which addresses the block has, after some were found vacant or taken away.
+/// Rebuilds the set of addresses of the block, after some words were vacant or removed.
 void BlockContext::note_addresses() {
   block->letters = 0;
   for (std::uint32_t i = block->word_count; i-- > 0;) {
@@ -92,7 +92,7 @@ void BlockContext::note_addresses() {
   }
 }
 
-/// All values first, then all assignments: `#1=5 X#1` uses the old #1 (spec/mach3 1).
+/// Computes all values first, then assigns: `#1=5 X#1` uses the old #1 (spec/mach3 1).
 Status Interpreter::assign() {
   assigned_.clear();
   for (const Assignment& a : block->assignments) {
@@ -112,7 +112,7 @@ Status Interpreter::assign() {
   return {};
 }
 
-/// What they write is kept by the journal: nothing else has changed.
+/// Executes a block that only assigns. Its writes are in the journal, and nothing else changes.
 Status Interpreter::assign_alone() {
   pass_varies = true;
   Status done = assign();
@@ -183,5 +183,4 @@ Result<std::uint32_t> BlockContext::whole(char letter, double least, double most
   return static_cast<std::uint32_t>(nearest);
 }
 
-// ---- the rest of the contract
 }  // namespace kadr

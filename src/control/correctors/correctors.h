@@ -7,25 +7,25 @@
 
 namespace kadr::correctors {
 
-/// Parameters of G87, kept for G79 (3).
+/// Parameters of G87, stored for G79 (3).
 struct PocketCycle {
   bool defined = false;
   double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
-  double feed = 0;  // 0: that in force
+  double feed = 0;  // 0: the feed in force
 };
 
-/// A pocket that G79 has cut: programmed coordinates.
+/// A pocket that G79 has cut; programmed coordinates.
 struct PocketCut {
   Vec2 middle, half;
   double face = 0, floor = 0;
 };
 
-/// All that the dialect remembers.
+/// Everything that the dialect remembers.
 struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
-  std::vector<bool> is_set;     // by number: the set-up names it, or its absence has been told of (1)
-  std::vector<double> applied;  // by corrector and axis: what it added last (1)
+  std::vector<bool> is_set;     // by number: the set-up gives it, or the warning that it does not was reported (1)
+  std::vector<double> applied;  // by corrector and axis: what the corrector added last (1)
 };
 
 class Correctors final : public Dialect, public Memory {
@@ -40,12 +40,12 @@ class Correctors final : public Dialect, public Memory {
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
-  /// An L stands in the block.
+  /// Returns true if the block has an L.
   bool adds_to_motion(const BlockContext& m) const override;
   bool lines_follow(const BlockContext&) const override { return true; }
   /// Adds the block's correctors to its motion: sets Transform::added.
-  ///   returns  the axes it moves besides those of the words
-  ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
+  ///   returns  the axes moved in addition to those of the axis words
+  ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code above 7; corrector_unknown
   Result<AxisMask> add_to_motion(Emitter& m) override;
 
  private:

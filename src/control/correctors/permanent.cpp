@@ -1,10 +1,11 @@
-// Permanent subprograms of the control in formal parameters (spec/correctors 3): called by a code with a block format of its own.
+// Permanent subprograms of the control with formal parameters (spec/correctors 3), called by a code with its own block format.
 
 #include "control/functions/functions.h"
 
 namespace kadr {
 
-/// The words of the block set the parameters that its row names; what is left out keeps its value ("the actual path is set by them").
+/// The words of the block set the parameters that the code's row names;
+/// parameters without a word keep their value ("the actual path is set by them").
 Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;

@@ -1,4 +1,4 @@
-// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool's centre from the middle outwards, pass by pass. For
+// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool centre from the middle outwards, pass by pass. Used by
 // control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
 
 #include "control/correctors/pocket.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr AxisMask in_plane = 3u, along_tool = 4u;
 
-/// Steps of a size that make up a whole; a rest within rounding is none.
+/// Number of steps of a size that make up a whole; a remainder within rounding does not count.
 double steps(double whole, double size) { return std::ceil(whole / size - tol::whole_number); }
 
 }  // namespace
@@ -33,7 +33,7 @@ Result<PocketRounds> PocketRounds::of(const PocketCycle& pocket, double radius, 
 
 PocketRound PocketRounds::at(double index) const {
   if (index + 1 >= count_) return wall_;
-  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // of the wall's round
+  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance inside the wall's round
   return {wall_.x - inside, wall_.y - inside, std::max(wall_.corner - inside, 0.0)};
 }
 
@@ -62,7 +62,7 @@ Status PocketRun::move(Emitter& m, MotionKind kind, Vec2 at, double z, AxisMask 
   return m.straight(kind, to, named);
 }
 
-/// Over the middle at the height where the tool stands, or at the clearance if it stands lower; INFERRED.
+/// Moves over the middle at the tool's present height, or at the clearance if the tool is lower; INFERRED.
 Status PocketRun::approach(Emitter& m) const {
   const double z = std::max(m.position.programmed[2], clear());
   if (z > m.position.programmed[2]) {

@@ -1,5 +1,5 @@
 #pragma once
-// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool's centre from the middle outwards, pass by pass.
+// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool centre from the middle outwards, pass by pass.
 //
 //   rapid to the clearance over the face ─▶ feed down by a pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ the next pass …
 
@@ -13,23 +13,23 @@
 
 namespace kadr::correctors {
 
-/// A round of the tool's centre: half its lengths along X and Y, radius of its corners; mm.
+/// A round of the tool centre: half its lengths along X and Y, and its corner radius; mm.
 struct PocketRound {
   double x = 0, y = 0, corner = 0;
 };
 
-/// A line of a round, or an arc around `center`; mm from the pocket's middle.
+/// A line of a round, or an arc around `center`; mm from the middle of the pocket.
 struct PocketPiece {
   Vec2 to;
   Vec2 center;
   bool is_arc = false;
 };
 
-/// The rounds of one pass: parallels of the wall, `step` apart from the middle on; the last one is the wall moved by the tool's radius.
+/// The rounds of one pass: parallels to the wall, `step` apart, from the middle outwards; the last is the wall offset by the tool radius.
 class PocketRounds {
  public:
   /// radius: of the tool, mm
-  ///   alarms  pocket_tool_large; pocket_corner: below the radius of the tool, or above half the pocket
+  ///   alarms  pocket_tool_large; pocket_corner: smaller than the tool radius, or larger than half the pocket
   ///   law     no point of the pocket is further than `radius` from a round or the middle
   static Result<PocketRounds> of(const PocketCycle& pocket, double radius, Span where);
 
@@ -42,17 +42,18 @@ class PocketRounds {
   double count_ = 0;
 };
 
-/// A round from its point on +X, counter-clockwise for direction +1, clockwise for -1; pieces of no length among them.
+/// Divides a round into pieces, from its point on +X, counter-clockwise
+/// for direction +1, clockwise for -1. Some pieces may have length zero.
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
-/// The cycle, a round at a time: constant memory for any pocket.
+/// Executes the canned cycle one round at a time: constant memory for any pocket.
 class PocketRun final : public RunningValue<PocketRun> {
  public:
-  /// middle: programmed; Z the face
+  /// middle: programmed coordinates; its Z is the face of the pocket
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)
       : pocket_(pocket), rounds_(rounds), middle_(middle) {}
 
-  /// Passes of no more than K.
+  /// Number of passes, none deeper than K.
   static double passes(const PocketCycle& pocket);
   Result<bool> next(Emitter& m) override;
 

@@ -1,5 +1,5 @@
-// Drilling cycles by steps (CycleRow::steps): a hole at a time, an action at a time, so that a cycle of any length runs in constant
-// memory. For control/interpreter.
+// Executes drilling cycles by steps (CycleRow::steps), one drilled hole and one action at a time, so that a cycle of any length runs in
+// constant memory. Used by control/interpreter.
 
 #include "control/cycles/cycle_run.h"
 
@@ -24,7 +24,7 @@ void CycleRun::start(const BlockContext& m, const Job& job) {
            m.modal.feeds_of_axes == 0;
 }
 
-/// A cycle that moves nothing is left now and then, too: a Ctrl-C is asked for between two calls.
+/// The number of steps per call is limited even if they emit nothing, because Ctrl-C is checked between two calls.
 Status CycleRun::next(Emitter& m) {
   for (std::size_t i = 0; i < batch_size && active(); ++i) {
     KADR_TRY(go_on(m));
@@ -52,7 +52,7 @@ Status CycleRun::go_on(Emitter& m) {
   return step(m);
 }
 
-/// Up to R if below it (once), over the hole, down to R (spec/mach3 4, preliminary motion).
+/// Moves up to R if the tool is below it (first hole only), over the hole, and down to R (spec/mach3 4, preliminary motion).
 Status CycleRun::begin_hole(Emitter& m) {
   in_hole_ = true;
   step_ = 0;
@@ -98,7 +98,7 @@ Status CycleRun::step(Emitter& m) {
   }
 }
 
-/// Down by the peck; out to R and back to just above the bottom (G83), or back a little and down again (G73).
+/// Drills one peck; then retracts to R and returns to just above the bottom (G83), or retracts a little (G73).
 Status CycleRun::peck(Emitter& m, bool full) {
   switch (part_) {
     case 0:
@@ -116,7 +116,8 @@ Status CycleRun::peck(Emitter& m, bool full) {
   }
 }
 
-/// L83 of the 2С42 (table 9): pass i begins at rapid at R2 + i·R3, a pass down, 0.3 s, rapid to R2; the last stops at R1.
+/// L83 of the 2С42 (table 9): pass i starts with a rapid to R2 + i·R3, drills
+/// one pass, waits 0.3 s, and returns at rapid to R2; the last pass stops at R1.
 Status CycleRun::passes(Emitter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {
@@ -162,7 +163,7 @@ Status CycleRun::plane_to(Emitter& m, double first, double second) {
   return emit_in_hole(*m.batch, work_, [&] { return m.straight(MotionKind::rapid, to, named); });
 }
 
-/// To the programmed position, as Interpreter::straight would.
+/// Moves to the programmed position like Emitter::straight(), without its checks.
 Status CycleRun::line(Emitter& m, MotionKind kind, AxisMask named) {
   m.place_plainly(named);
   Motion& motion = m.add_motion(kind, named);

@@ -1,6 +1,6 @@
 #pragma once
-// Drilling cycles by steps (CycleRow::steps): a hole at a time, an action at a time, so that a cycle of any length runs
-// in constant memory. Levels are checked before the first motion; nothing fails after it.
+// CycleRun: executes a drilling cycle that is given by steps (CycleRow::steps), one drilled hole and one action at a time, so that a
+// cycle of any length runs in constant memory. Levels are checked before the first motion; nothing fails after it.
 
 #include <cstdint>
 
@@ -19,26 +19,26 @@ class CycleRun {
   bool active() const { return cycle_ != nullptr; }
   void stop() { cycle_ = nullptr; }
   const CycleRow* cycle() const { return cycle_; }
-  /// The same row in the table of another control of the same kind.
+  /// Continues with the same row in the table of another control with the same definition.
   void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
-  /// Levels and holes of one block. Axes by index: first and second in the plane, drilling axis.
+  /// Levels and positions of one block. Axes by index: first and second axis of the plane, drilling axis.
   struct Job {
     const CycleRow* cycle = nullptr;
     std::size_t first = 0, second = 1, drill = 2;
-    double step_first = 0, step_second = 0;  // from hole to hole, mm
-    Axes hole{};                             // programmed, of the first hole
+    double step_first = 0, step_second = 0;  // from one drilled hole to the next, mm
+    Axes hole{};                             // first drilled hole, programmed coordinates
     std::uint32_t holes = 1;
-    double level = 0, bottom = 0, clear = 0;  // R, Z, and where each hole ends
+    double level = 0, bottom = 0, clear = 0;  // R, Z, and the level at the end of each drilled hole
     double peck = 0, dwell = 0;
     double shift_first = 0, shift_second = 0, back_face = 0;  // G87
-    double return_level = 0;                                  // L83: rapid here between passes
-    bool preliminary = true;                                  // up to R before the first hole if below it
-    bool pass_from_level = false;                             // L83: rapid to the level a pass begins at
+    double return_level = 0;                                  // L83: level between passes, reached at rapid
+    bool preliminary = true;                                  // rapid up to R before the first drilled hole if the tool is below it
+    bool pass_from_level = false;                             // L83: rapid to the level where a pass begins
   };
   void start(const BlockContext& m, const Job& job);
 
-  /// Emits the next actions, as many as the batch has room for; a few at a time where each block is handed over.
+  /// Emits the next actions, as many as fit into the batch; only a few if each block is passed on separately.
   Status next(Emitter& m);
 
  private:
@@ -56,12 +56,12 @@ class CycleRun {
   SpindleDir spindle_ = SpindleDir::stop;
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
-  std::uint32_t part_ = 0;  // within pecks
-  double depth_ = 0;        // reached by pecks
+  std::uint32_t part_ = 0;  // step within a peck
+  double depth_ = 0;        // depth reached by pecks
   bool in_hole_ = false;
   bool taps_ = false;
   HoleWork work_ = HoleWork::none;
-  bool plain_ = false;  // a motion of one axis changes nothing else
+  bool plain_ = false;  // motions along one axis have no side effects
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// G73, G81–G89: words → levels and holes, checked before anything moves (Mach3 10.7.22–10.7.24).
+// G73, G81–G89: converts the words to levels and drilled holes, which are checked before anything moves (Mach3 10.7.22–10.7.24).
 
 #include <bit>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double most_pecks = 1e6;
 struct CycleAxes {
   std::size_t first, second, drill;
 };
-/// Mach3: XY/Z, YZ/X, XZ/Y.
+/// Plane axes and drilling axis in Mach3: XY/Z, YZ/X, XZ/Y.
 CycleAxes cycle_axes(Plane plane) {
   switch (plane) {
     case Plane::zx: return {0, 2, 1};
@@ -32,7 +32,7 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) {  // only R outlives another cycle or motion (Mach3 10.7.24)
+    if (memory_.row != row) {  // only R remains valid after another cycle or motion (Mach3 10.7.24)
       CycleMemory kept;
       kept.level = memory_.level;
       kept.known = memory_.known & letter_bit('R');
@@ -72,7 +72,7 @@ class Drilling {
     return {};
   }
 
-  /// Sticky words of the same cycle; Z stands for the drilling axis of the plane.
+  /// Updates the sticky words of the same cycle; memory_.bottom (Z) is the word of the drilling axis of the plane.
   Status remember() {
     const char drill = letter_of(axes_.drill);
     const auto take = [&](char letter, char kept, double& to, bool is_length) {
@@ -100,11 +100,12 @@ class Drilling {
     return {};
   }
 
-  /// What the block, and those before it, leave out and the manual's example too (Mach3 10.7.6: G83 Z-0.6). INFERRED: without R the cycle
-  /// begins where the tool stands, without Q the drill goes down in one pass. Neither is kept for the next hole.
+  /// Replaces words that the block and those before it leave out, as the manual's example does
+  /// (Mach3 10.7.6: G83 Z-0.6). INFERRED: without R the cycle starts at the tool's position;
+  /// without Q the drill goes down in one pass. Neither value is kept for the next hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // an alarm says that
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // remember() raises an alarm for it
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);
@@ -118,7 +119,7 @@ class Drilling {
     m_.warn(warning(AlarmId::cycle_word_taken, call_.where, letter, call_.row->code, m_.modal.inch ? taken / mm_per_inch : taken));
   }
 
-  /// G90: R and Z are coordinates; G91: R from where the tool stands, Z from R.
+  /// G90: R and Z are coordinates; G91: R counts from the tool's position, Z from R.
   Status levels(CycleRun::Job& job) const {
     const double here = m_.position.programmed[axes_.drill];
     job.level = m_.modal.absolute ? memory_.level : here + memory_.level;
@@ -137,7 +138,7 @@ class Drilling {
     return {};
   }
 
-  /// Nothing may fail once the first hole has begun: every corner of it in work coordinates, too.
+  /// Checks each corner of a drilled hole, in work coordinates too, because nothing may fail after the first one has started.
   Status within_reach(const CycleRun::Job& job, Axes hole) const {
     for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
       hole[axes_.drill] = level;
@@ -179,7 +180,7 @@ class Drilling {
   const CycleRow& cycle_;
   CycleAxes axes_;
   CycleMemory& memory_;
-  std::uint64_t taken_ = 0;  // words that are left out, and what is taken for them
+  std::uint64_t taken_ = 0;  // words that are left out and have been replaced
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): emitted as short straight motions, one at
-// a time, so that it takes no memory. Nothing fails after its start.
+// EllipseRun: executes an arc under unequal scale factors, which is part of an ellipse (Mach3 10.7.15). It is emitted as short straight
+// motions, one at a time, so that it takes no memory. Nothing fails after its start.
 
 #include <cstdint>
 
@@ -13,11 +13,11 @@ class Emitter;
 
 class EllipseRun {
  public:
-  /// The programmed arc, before scaling. Axes by index: first and second of the plane.
+  /// The programmed arc, before scaling. Axes by index: first and second axis of the plane.
   struct Job {
     std::size_t first = 0, second = 1;
-    Vec2 center;                // programmed
-    Axes from{}, to{};          // programmed; other axes go linearly along
+    Vec2 center;                // programmed coordinates
+    Axes from{}, to{};          // programmed coordinates; the other axes move linearly with the arc
     double sweep_deg = 0;       // counter-clockwise positive
     double greatest_scale = 1;  // of the two axes
     std::uint32_t named = 0;
@@ -26,7 +26,7 @@ class EllipseRun {
   bool active() const { return pieces_ != 0; }
   void stop() { pieces_ = 0; }
 
-  /// Pieces whose chords stay within tol::ellipse_chord of the ellipse.
+  /// Divides the arc into chords that stay within tol::ellipse_chord of the ellipse.
   void start(const Job& job);
 
   /// Emits the next straight motion.

@@ -1,5 +1,5 @@
 #pragma once
-// What a drilling cycle says of its motions beside where they go: HoleWork of action/action.h.
+// Marks the motions of a drilling cycle with what they do besides their path: HoleWork of action/action.h.
 
 #include <variant>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Emits into `batch`, and says of the motions among it that a cycle makes them.
+/// Calls `emit`, which adds to `batch`, and marks the added motions as those of a canned cycle.
 template <class Emit>
 Status emit_of_cycle(ActionBatch& batch, Emit&& emit) {
   const std::size_t before = batch.size();
@@ -18,7 +18,7 @@ Status emit_of_cycle(ActionBatch& batch, Emit&& emit) {
   return {};
 }
 
-/// The same, and what they are for.
+/// Like emit_of_cycle(), and also records the purpose of the motions.
 template <class Emit>
 Status emit_in_hole(ActionBatch& batch, HoleWork work, Emit&& emit) {
   const std::size_t before = batch.size();

@@ -1,5 +1,5 @@
 #pragma once
-// FrameDialect: where a control has its coordinate systems, and in which unit. One of the interfaces of a Dialect (control/dialect.h).
+// FrameDialect: where a control stores its coordinate systems, and in which unit. One of the interfaces of a Dialect (control/dialect.h).
 
 #include "base/vec.h"
 
@@ -12,17 +12,17 @@ class FrameDialect {
  public:
   virtual ~FrameDialect() = default;
 
-  /// Origin, length, shifts by the tables and the modal state.
+  /// Recomputes origin, length and shifts from the tables and the modal state.
   virtual void refresh_frames(Emitter& m);
-  /// What of the origin in force is a shift of the work system, and no zero of its table (G52, G92), mm.
+  /// Returns the part of the current origin that is a shift of the work system (G52, G92), not a work offset of its table; mm.
   virtual Axes shift_of_origin(const BlockContext& m) const;
-  /// The zero may move under a contour that is being compensated.
+  /// True if the work offset may change during cutter compensation.
   virtual bool zero_may_move() const { return false; }
-  /// mm: of lengths in the machine's own tables.
+  /// mm per unit of the lengths in the machine's own tables.
   virtual double machine_unit() const { return 1; }
-  /// G20 and G21 may come while a contour is being compensated.
+  /// True if G20 and G21 may come during cutter compensation.
   virtual bool units_may_change() const { return false; }
-  /// Positions as they are shown: axes that roll over within their turn.
+  /// Converts positions for display: brings axes that roll over into one revolution.
   virtual void roll(const BlockContext& m, Axes& positions) const;
 };
 

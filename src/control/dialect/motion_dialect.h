@@ -1,5 +1,6 @@
 #pragma once
-// MotionDialect: what a control makes of motions, feeds and the spindle. One of the interfaces of a Dialect (control/dialect.h).
+// MotionDialect: what a control does differently for motions, feeds and
+// the spindle. One of the interfaces of a Dialect (control/dialect.h).
 
 #include "action/action.h"
 #include "base/result.h"
@@ -17,44 +18,45 @@ class MotionDialect {
  public:
   virtual ~MotionDialect() = default;
 
-  /// End point by the block's axis words.
+  /// Computes the end point from the block's axis words.
   virtual Status target(const BlockContext& m, Axes& to, AxisMask& named) const;
-  /// The block has words that add to its motion; add_to_motion() does. Returns the axes it moves besides those of the words.
+  /// Returns true if the block has words that add to its motion. add_to_motion()
+  /// executes them and returns the axes moved in addition to those of the axis words.
   virtual bool adds_to_motion(const BlockContext& m) const;
   virtual Result<AxisMask> add_to_motion(Emitter& m);
-  /// The block has words that make of G0, G1 something else: then straight() carries it out.
+  /// Returns true if the block has words that turn G0, G1 into something else, which straight() executes.
   virtual bool shapes_lines(const BlockContext& m) const;
   virtual Status straight(Emitter& m, const Call& call, MotionKind kind);
-  /// The words only shift the start point: nothing moves.
+  /// Returns true if the words only shift the start point and nothing moves.
   virtual bool only_shifts(const BlockContext& m) const;
   virtual Status arc(Emitter& m, const Call& call, Turn turn);
-  /// A straight motion where the plane is a surface (PathSurface).
+  /// Executes a straight motion where the plane is a surface (PathSurface).
   virtual Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named);
-  /// Blocks that give only the end point of a motion, its centre, its feed go on as the block before did: neither words,
-  /// modes nor anything else that is known here has to be looked at again (control/block/motion_run).
+  /// Returns true if a block that gives only an end point, an arc centre and a feed may be executed like the block before it, because
+  /// neither its words nor the modes nor other data of the dialect need another check (control/block/motion_run).
   virtual bool lines_follow(const BlockContext&) const { return false; }
-  /// Axes for which this does not hold.
+  /// Axes to which lines_follow() does not apply.
   virtual AxisMask rolling_axes(const BlockContext&) const { return 0; }
-  /// How it reads the centre of an arc in such blocks.
+  /// Rule by which such blocks give the centre of an arc.
   virtual ArcRule arc_rule(const BlockContext& m) const;
-  /// The numbers of such a block, as they are read, become what the control counts: of F without a point, of expressions. Called before
-  /// they are used.
+  /// Scales the numbers of such a block, as they were read, to what the control counts them in: F without a point, expressions. Called
+  /// before they are used.
   virtual void count_words(BlockContext&) const {}
-  /// Such a block has been carried out.
+  /// Called when such a block has been executed.
   virtual void note_line(BlockContext&) {}
-  /// These axes may be moved.
+  /// Checks that these axes may be moved.
   virtual Status may_move(const BlockContext& m, AxisMask named) const;
   virtual void note_motion(Emitter& m, Motion& motion);
-  /// Feed of a motion programmed in inches.
+  /// Returns the feed of a motion programmed in inches.
   virtual double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const;
-  /// A feed of its own comes into force.
+  /// Called when a feed given in the block comes into force.
   virtual void note_feed(BlockContext& m);
-  /// Feeds per minute and per revolution stand side by side; else a change of the unit forgets the feed.
+  /// True if the feeds per minute and per revolution are stored separately; else a change of the unit discards the feed.
   virtual bool keeps_both_feeds() const { return false; }
-  /// M3, M4, M5 are for other spindles than the first one: it has commanded them.
+  /// Returns true if M3, M4, M5 are for other spindles than the first one; the dialect has then commanded them.
   virtual Result<bool> turns_spindle(Emitter&, SpindleDir, Span) { return false; }
   virtual SurfaceSpeed surface_speed(const BlockContext& m) const;
-  /// Its drilling cycles emit their motions alone: nothing here is asked about them.
+  /// True if its drilling cycles only emit their motions and call no other function of the dialect.
   virtual bool drills_plainly() const { return false; }
   virtual Status take_answer(Emitter& m, const ProbeAnswer& answer);
 };

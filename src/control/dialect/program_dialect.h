@@ -1,6 +1,6 @@
 #pragma once
-// ProgramDialect: how a control begins and ends a program, and what it remembers beyond it. One of the interfaces of a Dialect
-// (control/dialect.h).
+// ProgramDialect: how a control starts and ends a program, and what it
+// remembers beyond it. One of the interfaces of a Dialect (control/dialect.h).
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ class Emitter;
 class Interpreter;
 class Dialect;
 
-/// What a dialect remembers, in a snapshot.
+/// Data that a dialect remembers, in a snapshot.
 struct DialectState {
   virtual ~DialectState() = default;
 };
@@ -31,52 +31,52 @@ class ProgramDialect {
  public:
   virtual ~ProgramDialect() = default;
 
-  /// All that it remembers, between two blocks.
+  /// Returns everything that the dialect remembers between two blocks; nullptr if it remembers nothing.
   virtual std::shared_ptr<const DialectState> snapshot() const { return nullptr; }
-  /// Goes on from a snapshot of its like; the interpreter has been restored.
-  ///   alarms  file_write: a file that the program was writing cannot be gone on with
+  /// Restores the data from a snapshot of the same dialect, after the interpreter has been restored.
+  ///   alarms  file_write: a file that the program was writing cannot be continued
   virtual Status restore(BlockContext& m, const DialectState& from);
-  /// nullptr: there is no machine whose logic, operator or parameters are known.
+  /// The interface of the machine; nullptr if the control has no machine with logic, operator or parameters.
   virtual MachineSide* machine_side() { return nullptr; }
-  /// What the program has written: path, bytes.
+  /// The files that the program has written: path, size in bytes.
   virtual const WrittenFiles& files_written() const;
-  /// Power-on, instead of the codes that the file's groups begin with. true: done.
+  /// Power-on. Returns true if it replaces the power-on codes of the modal groups in the control's file.
   virtual bool start(Interpreter& m, const Setup& setup);
-  /// The modal codes of a set-up are carried out one by one, not as one block.
+  /// True if the modal codes of a set-up are executed one by one, not as one block.
   virtual bool starts_code_by_code() const { return false; }
-  /// What the set-up says, after its modal codes.
+  /// Reads the set-up, after its modal codes.
   virtual void take_setup(Emitter& m, const Setup& setup);
-  /// Words carried out behind the power-on codes, before those of the set-up.
+  /// Words to be executed after the power-on codes and before those of the set-up.
   virtual std::string start_words() const { return {}; }
-  /// The tool stands where the set-up says.
+  /// Called when the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
-  /// Limits of an axis that a file of the machine says, machine coordinates; ±1e300: none. Those of the set-up and of a machine file
-  /// count before them.
+  /// Limits of an axis from a file of the machine, machine coordinates; ±1e300 if
+  /// there are none. Limits of the set-up and of a machine file have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
-  /// M2, M30, instead of the file's end codes. true: done.
+  /// M2, M30. Returns true if it replaces the effect of the end codes in the control's file.
   virtual bool end_program(Interpreter& m);
-  /// The run has stopped with an alarm; all that the block had changed is as it was.
+  /// Called when an alarm has stopped the run and everything that the block had changed is restored.
   virtual void failed(Emitter&) {}
-  /// Power off and on: what only the power kept is lost. false: nothing is known of that.
+  /// Power off and on: discards what is lost without power. Returns false if the control does not model this.
   virtual bool lose_power(Interpreter& m);
-  /// Tables as a set-up would give them (control/tables_now). false: they are those of the interpreter.
+  /// Adds tables in the form of a set-up (control/tables_now). Returns false if the interpreter's own tables are to be used.
   virtual bool add_tables(const BlockContext&, Setup&) const { return false; }
-  /// What the block changed of the things that survive power-off.
+  /// Returns what the block changed among the data that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
-  /// What the channels of a machine have in common besides Commons: goes up as it changes.
+  /// Version of what the channels of a machine share besides Commons; it rises with each change.
   virtual std::uint64_t common_version() const { return 0; }
-  /// Of another channel, a dialect of the same kind; between two blocks.
+  /// Copies the shared data from another channel, whose dialect is of the same type; between two blocks.
   virtual void take_common(BlockContext&, const Dialect&) {}
-  /// A line of nothing but `%` (Grammar::percent_encloses). true: dealt with.
+  /// Handles a line with nothing but `%` (Grammar::percent_encloses). Returns true if no other handling is needed.
   virtual Result<bool> sign_of_file(Interpreter& m);
-  /// The program's file is over, without a code that ends it. true: dealt with.
+  /// Handles the end of the program's file without a code that ends it. Returns true if no other handling is needed.
   virtual Result<bool> end_of_file(BlockContext& m);
   virtual void note_fault(Interpreter& m, bool may_have_steered);
-  /// A main program begins again: what was noted of its passes is forgotten.
+  /// Called when a main program starts again: discards what was recorded about its passes.
   virtual void begin_again() {}
-  /// The innermost call is left although its end is missing. true: done.
+  /// Leaves the innermost call although its end is missing. Returns true if done.
   virtual bool leave_call(Interpreter& m);
-  /// The control's own words for what is reported, where no row of [alarms] can have them.
+  /// Puts the control's own wording into a report where no row of [alarms] can give it.
   virtual void reword(const BlockContext& m, AlarmReport& report) const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// VariableDialect: the variables of a control beyond those that its file lists. One of the interfaces of a Dialect (control/dialect.h).
+// VariableDialect: the variables of a control that its file does not list. One of the interfaces of a Dialect (control/dialect.h).
 
 #include <string>
 #include <vector>
@@ -16,14 +16,14 @@ class VariableDialect {
  public:
   virtual ~VariableDialect() = default;
 
-  /// Variables that hold something, and those that are asked for.
+  /// Adds the variables that have a value, and those of `watch`, to the report of the end.
   virtual void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch);
   virtual Result<double> read_variable(Emitter& m, double number, Span where) const;
-  /// #n=… of a control without levels of locals.
+  /// Executes #n=… on a control without levels of local variables.
   virtual Status write_variable(BlockContext& m, double number, double value, Span where);
-  /// Number of an element of a variable with a name.
+  /// Returns the number of an element of a named variable.
   virtual Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const;
-  /// A parameter of the control; NaN bit, index: left out.
+  /// Returns a parameter of the control; `bit` and `index` are NaN if left out.
   virtual Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const;
 };
 

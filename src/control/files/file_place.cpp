@@ -1,4 +1,5 @@
-// The program memory on the disk: what a path means, and opening it. For file_writer.cpp; tests/control/macro_b/output_file_test.cpp.
+// The program memory on the disk: finds the place of a path and opens it. Used by file_writer.cpp; tested by
+// tests/control/macro_b/output_file_test.cpp.
 
 #include "control/files/file_place.h"
 
@@ -14,14 +15,14 @@
 namespace kadr::files {
 namespace {
 
-/// The entry of that name in a folder: exactly so, else the first one equal but for small and capital letters, else the name.
+/// Returns the entry of a folder with this name: the exact one, else the first that differs only in letter case, else the name itself.
 std::string entry_like(int folder, const std::string& name) {
   struct stat there {};
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) return name;
   Descriptor own(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   DIR* list = own.number() >= 0 ? ::fdopendir(own.number()) : nullptr;
   if (list == nullptr) return name;
-  own.release();  // the list closes it
+  own.release();  // closedir() closes it
   const std::string wanted = capitals(name);
   std::string found;
   while (const dirent* entry = ::readdir(list)) {
@@ -37,7 +38,7 @@ There what_is(int folder, const std::string& name) {
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? There::nothing : There::other;
   if (S_ISLNK(there.st_mode)) return There::outside;
   if (!S_ISREG(there.st_mode)) return There::other;
-  return there.st_nlink > 1 ? There::outside : There::file;  // its other name may stand anywhere
+  return there.st_nlink > 1 ? There::outside : There::file;  // its other name may be anywhere
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ Result<int> open_regular(const Place& place, const FileMode& rule, std::string_v
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, shown)); };
   constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int makes = place.what == There::nothing ? O_CREAT | O_EXCL : 0;
-  constexpr mode_t rights = 0666;  // less the umask
+  constexpr mode_t rights = 0666;  // minus the umask
   Descriptor opened(::openat(place.folder.number(), place.file.c_str(), flags | makes, rights));
   if (opened.number() < 0) return bad(errno == ELOOP ? AlarmId::file_outside : AlarmId::file_write);
   struct stat there {};

@@ -1,6 +1,6 @@
 #pragma once
-// Where a path of the program memory ends on the disk, for file_writer.h: folders are entered one by one from the root's own
-// descriptor, no link is followed.
+// Finds the place on the disk for a path of the program memory, for file_writer.h: folders are entered one by one from the root's own
+// descriptor, and no link is followed.
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@
 
 namespace kadr::files {
 
-/// A descriptor that closes itself.
+/// A file descriptor that closes itself.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -38,28 +38,28 @@ class Descriptor {
 
 enum class There : std::uint8_t { nothing, file, outside, other, no_folder };
 
-/// Where a path ends: its folder, entered part by part, and what is there.
+/// The end of a path: its folder, entered part by part, and what is there.
 struct Place {
   Descriptor folder{-1};
   std::string file;
-  std::string path;  // from the root, letters as on the disk
+  std::string path;  // from the root, with the letter case on the disk
   There what = There::no_folder;
 };
 
 Place look_up(const std::string& root, const std::string& path);
 
-/// What opening does with the file.
+/// How the file is opened.
 struct FileMode {
   bool creates, takes_existing, appends;
 };
-/// Opens the file of a place for writing. What was opened is looked at again by its descriptor, before anything in it changes.
+/// Opens the file of a place for writing. The opened file is checked again through its descriptor before anything in it changes.
 ///   returns  the descriptor
 ///   alarms   file_outside, file_write, file_already_open (`shown`)
 Result<int> open_regular(const Place& place, const FileMode& rule, std::string_view shown, const FileSet& untouched);
 
 std::string capitals(std::string_view text);
 std::vector<std::string> parts_of(std::string_view path, char separator);
-/// With `/` between.
+/// Joins the parts with `/`.
 std::string joined_parts(const std::vector<std::string>& parts);
 
 }  // namespace kadr::files

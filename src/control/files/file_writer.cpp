@@ -1,4 +1,4 @@
-// A file that a program writes: opening, writing, closing. What is on the disk: file_place.h.
+// Opens, writes and closes a file for a program. For access to the disk see file_place.h.
 
 #include "control/files/file_writer.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::files {
 namespace {
 
-/// Names that some systems take for devices, whatever their extension.
+/// Returns true for names that some systems reserve for devices, whatever their extension.
 bool is_device(std::string_view part) {
   std::string stem = capitals(part.substr(0, part.find('.')));
   while (!stem.empty() && stem.back() == ' ') stem.pop_back();
@@ -73,7 +73,7 @@ Status FileWriter::write(std::string_view bytes) {
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) {
         const bool taken_back = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
-        static_cast<void>(taken_back);  // if that fails too, the alarm is the same
+        static_cast<void>(taken_back);  // if the undo fails too, the alarm is the same
         return bad();
       }
       rest.remove_prefix(static_cast<std::size_t>(count));
@@ -105,7 +105,7 @@ Status FileWriter::remember(const Memory& memory) {
     const auto bad = [&] { return fail(alarm(AlarmId::file_write, {}, std::string_view(memory.path))); };
     const Place place = look_up(options_.root, memory.path);
     if (place.what != There::file) return bad();
-    abort();  // the same file, perhaps
+    abort();  // it may be the same file
     const Result<int> opened = open_regular(place, goes_on, memory.path, options_.untouched);
     KADR_TRY(opened);
     const auto size = static_cast<off_t>(memory.size);

@@ -1,4 +1,4 @@
-// Ways of calls, each kept once. For control/interpreter.
+// Chains of calls, each stored once. Used by control/interpreter.
 
 #include "control/flow/call_tree.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// CallTree: by which calls a block came to be carried out, in a number that an Origin holds. Each way of calls that a run takes stands here
-// once, however often it is taken: what is kept grows with the program's text and not with its run.
+// CallTree: numbers the chains of calls through which blocks are reached, so that an Origin can hold one as a number. Each chain is
+// stored once, however often the run uses it: memory grows with the text of the program, not with the length of the run.
 
 #include <cstdint>
 #include <map>
@@ -14,31 +14,31 @@ namespace kadr {
 
 class CallTree {
  public:
-  static constexpr std::size_t most = 65535;  // ways of calls: blocks of further ones have none
+  static constexpr std::size_t most = 65535;  // chains of calls; blocks reached through further chains have number 0
 
-  /// Of the calls that are open.
-  ///   returns  0: there are none
+  /// Returns the number of the chain of the open calls.
+  ///   returns  0 if no call is open
   std::uint16_t way_of(const ControlDef& def, const std::vector<CallFrame>& open);
 
-  /// A call of a way, and the file that it stands in.
+  /// One call of a chain, and the file that contains it.
   struct Call {
     AlarmReport::Call call;
     std::uint16_t file = 0;  // as Origin::file
   };
-  /// The outermost first.
+  /// Returns the calls of a chain, outermost first.
   std::vector<Call> calls(std::uint16_t way) const;
 
  private:
   struct Way {
-    std::uint16_t outer = 0;  // the way to the caller
+    std::uint16_t outer = 0;  // the chain of the caller
     Call call;
   };
-  /// The way to the caller; line and file of the call; what is called: kind, name, file.
+  /// The chain of the caller; line and file of the call; the called item: kind, name, file.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
   std::vector<Way> ways_;  // [0] is number 1
   std::map<Key, std::uint16_t> known_;
-  // The calls that were open last: a call is made by one block of the run.
+  // The chain of the previous query. It is found again by the block that made the call.
   std::size_t last_depth_ = 0;
   std::uint32_t last_block_ = 0;
   Key last_key_;

@@ -1,5 +1,5 @@
-// What an operator does with the place in the program: a line entered beside it (MDI), a block read that is not to be carried out yet. For
-// control/interpreter; tested by tests/control/stepping_test.cpp.
+// Operator actions on the position in the program: a line entered in between (MDI), a block that was read but is not to be executed
+// yet. Used by control/interpreter; tested by tests/control/stepping_test.cpp.
 
 #include <utility>
 
@@ -32,7 +32,7 @@ void Flow::enter(std::string line) {
   files_[entered.reader] = std::move(file);
   entered = {true, now_.ended, now_.started, entered.reader, now_.reader, position(), now_.frames.size(), std::move(line)};
   now_.ended = false;
-  now_.started = true;  // nothing of it begins a program
+  now_.started = true;  // the line needs no program start
   go_to(entered.reader, {});
 }
 

@@ -1,4 +1,4 @@
-// Whether a file was cut off before its end. For control/interpreter.
+// Detects a file that was cut off before its end. Used by control/interpreter.
 
 #include "control/flow/file_end.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t end_bytes = 4096;  // bytes at each end
+constexpr std::size_t end_bytes = 4096;  // bytes read at each end of the file
 
 std::string bytes_at(const ProgramFile& file, std::uint64_t from) {
   std::string bytes(end_bytes, '\0');

@@ -1,4 +1,4 @@
-// Where the program is: readers, call stack, repetitions, jumps. For control/interpreter, control/snapshot_content.
+// The course of the program: readers, call stack, repetitions, jumps. Used by control/interpreter, control/snapshot_content.
 
 #include "control/flow/flow.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_labels = 100'000;  // subprograms of one file
 
-/// Cycle bodies are written without numbers and marks.
+/// Grammar of the cycle bodies, which have neither block numbers nor marks.
 Grammar grammar_of_bodies(const Grammar& program) {
   Grammar g = program;
   g.block_number_required = false;
@@ -55,7 +55,7 @@ Result<BlockReader::Got> Flow::next(Block*& block) {
   return bodies_->next(body_block_);
 }
 
-/// `last`: the block before, still the current one.
+/// Counts a block that is executed again. `last`: the block before, which is still the current one.
 Status Flow::count_repeated(const Block& last) {
   if (++now_.repeated <= limits_.repeated_blocks) return {};
   now_.ended = true;
@@ -241,14 +241,14 @@ BlockReader& Flow::elsewhere() {
   return *elsewhere_;
 }
 
-/// Reads the file once for the beginnings of its subprograms. Faults are left to the blocks that are carried out.
+/// Reads the whole file and records where its subprograms start. Faults are not reported here, but when the blocks are executed.
 void Flow::make_index() {
   indexed_ = true;
   BlockReader& reader = elsewhere();
   reader.seek({});
   auto block = std::make_unique<Block>();
   bool in_section = false;
-  std::int64_t current = -1;  // subprogram of the blocks that are being read
+  std::int64_t current = -1;  // the subprogram that the reader is in
   for (;;) {
     const Position at = reader.position();
     const auto got = reader.next(*block);

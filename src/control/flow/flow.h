@@ -1,5 +1,5 @@
 #pragma once
-// Where the program is: readers, call stack, repetitions, jumps; and when it runs away.
+// Flow: the course of the program: readers, call stack, repetitions, jumps, and the limit for a program that never ends.
 
 #include <map>
 #include <memory>
@@ -16,28 +16,28 @@
 
 namespace kadr {
 
-/// A call or repetition that is open.
+/// An open call or repetition.
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
   Position start;            // first block of its body
-  Position back;             // where the caller goes on
-  std::uint16_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies, then other files
+  Position back;             // where the caller continues
+  std::uint16_t reader = 0;  // file of the body: 0 the program, 1 the cycle bodies, then other files
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
-  std::uint32_t left = 0;  // passes still to do, this one included
-  std::uint32_t done = 0;  // passes begun
-  bool repeating = false;  // beyond its first pass
+  std::uint32_t left = 0;  // remaining passes, including this one
+  std::uint32_t done = 0;  // passes started
+  bool repeating = false;  // after the first pass
   Origin caller;
-  std::uint16_t work_zero = 0;  // of the caller (2С42: comes back)
+  std::uint16_t work_zero = 0;  // work offset of the caller (2С42: restored on return)
   Axes zero_shift{};
   std::int16_t zero_row = -1;
-  std::array<std::int16_t, 3> then{-1, -1, -1};  // rows of the calling block carried out on return: M17, M20, M2
+  std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2
   // nct
-  std::uint8_t modal_calls = 0;   // modal macro calls that act in the caller (23.3.2)
-  bool opened_level = false;      // an interrupt macro with locals of its own
+  std::uint8_t modal_calls = 0;   // number of modal macro calls that act in the caller (23.3.2)
+  bool opened_level = false;      // an interrupt macro with its own local variables
   std::int32_t return_to = -1;    // M99 P: block of the caller
-  char called_by = 0;             // address of the word that called: its like does not call again inside (23.3.4–23.3.8)
+  char called_by = 0;             // address of the calling word: the same word does not call again inside (23.3.4–23.3.8)
   std::int32_t called_code = -1;  // … and its code
 };
 
@@ -45,11 +45,11 @@ class Flow {
  public:
   Flow(const ControlDef& def, Program program, RunLimits limits);
 
-  /// The next block to carry out, or the end of the program.
+  /// Reads the next block to execute, or finds the end of the program.
   Result<BlockReader::Got> next(Block*& block);
 
-  // ---- a block that is not to be carried out yet
-  /// Where reading stands.
+  // ---- a block that is read but not executed yet
+  /// The state of reading.
   struct Mark {
     Position position;
     BlockReader::Memory memory;
@@ -57,34 +57,34 @@ class Flow {
     bool ended = false;
   };
   Mark mark() const;
-  /// As if the block read since then had not been.
+  /// Restores the state before the block read since then.
   void unread(const Mark& before);
 
   // ---- a line entered by the operator (MDI)
-  /// Reading goes on with it, and after it where it stood.
+  /// Makes this line the next block; then reading continues where it was.
   void enter(std::string line);
-  /// It is being carried out.
+  /// True while the line is being executed.
   bool in_entered() const { return now_.entered.on; }
-  /// Calls that were open when it was entered.
+  /// Number of calls that were open when the line was entered.
   std::size_t entered_depth() const { return now_.entered.depth; }
-  /// At its end: back to the program. false: there is none.
+  /// Returns from the entered line to the program. Returns false if no line was entered.
   bool leave_entered();
 
   // ---- snapshot
   struct Entered {
     bool on = false;
-    bool ended = false, started = false;  // of the program
+    bool ended = false, started = false;  // of the program, before the line
     std::uint16_t reader = 0;             // 0: no line has been entered yet
     std::uint16_t back_reader = 0;
     Position back;
     std::size_t depth = 0;
     std::string line;
   };
-  /// What stays open between two blocks.
+  /// What remains from one block to the next.
   struct Counts {
     std::uint16_t reader = 0;
     std::vector<CallFrame> frames;
-    CallFrame left;  // the last one
+    CallFrame left;  // the frame that was left last
     std::set<std::uint32_t> passed;
     bool ended = false;
     bool jumped_back = false;
@@ -95,23 +95,23 @@ class Flow {
     Entered entered;
   };
   struct File {
-    std::string name;  // path; of a program that the control brings along its name
+    std::string name;  // path; for a built-in program its name
     bool built_in = false;
     ProgramFile::Memory memory;
   };
   struct Memory {
     Counts now;
     Position position;
-    std::vector<File> files;            // [0] the program, then by reader; [1] is none
-    std::vector<std::uint32_t> called;  // subprograms of the program
+    std::vector<File> files;            // [0] the program, then by reader number; [1] is unused
+    std::vector<std::uint32_t> called;  // numbers of the called subprograms of the program
   };
   Memory memory() const;
-  /// Goes on from there.
-  ///   alarms  file_missing: one of the files that had been called is not there any more; nothing has changed
+  /// Continues from a stored memory.
+  ///   alarms  file_missing: a file that had been called is missing now; nothing has changed
   Status remember(const Memory& memory);
 
   // ---- jumps
-  /// Calls open and where reading goes on: what a faulty block may have changed.
+  /// Open calls and the position in the program: what a faulty block may have changed.
   struct Place {
     std::vector<CallFrame> frames;
     Position position;
@@ -125,47 +125,47 @@ class Flow {
   Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
   Status call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where);
   Status repeat(std::uint32_t times, const Origin& caller, Span where);
-  /// Calls what begins at `start` of the file that `reader` (from open_program) holds. `frame`: kind, left, caller, …
+  /// Calls the body that starts at `start` in the file with number `reader` (from open_program). `frame`: kind, left, caller, …
   ///   alarms  call_too_deep
   Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
-  /// Where `Onnnn` stands in the main file, if it does, once.
+  /// Returns the place of `Onnnn` in the main file; nullopt if it is missing or not unique.
   std::optional<Position> label_of(std::uint32_t number);
-  /// The program has a subprogram of that number.
+  /// Returns true if the program has a subprogram with this number.
   bool has_subprogram(std::uint32_t number) {
     if (!indexed_) make_index();
     return labels_.contains(number);
   }
-  /// The file at that path of the program memory, opened once; nothing if it cannot be read.
+  /// Opens the file at this path of the program memory, once. Returns nullopt if it cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
-  /// A program that the control brings along (macros/), if there is one of that name.
+  /// Opens a built-in program of the control (macros/). Returns nullopt if there is none with this name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
   /// The file being read.
   ProgramFile& program_file() { return *files_[now_.reader]; }
   std::uint16_t reader() const { return now_.reader; }
-  /// Goes on at a block of the file being read. `back`: it may be a loop.
+  /// Continues at a block of the file being read. A jump back may be a loop: from then on the file keeps its blocks.
   void jump(Position position);
-  /// The innermost call that is no repetition, or nullptr.
+  /// The innermost open call or repetition; nullptr if there is none.
   CallFrame* innermost() { return now_.frames.empty() ? nullptr : &now_.frames.back(); }
-  /// The file that the innermost call came from has a block of that number (nct M99 P).
+  /// Returns true if the file of the innermost call's caller has a block with this number (nct M99 P).
   bool caller_has(std::uint32_t number) {
     const CallFrame& top = now_.frames.back();
     return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
   }
-  /// End of a subprogram: once more (nullptr), or back to the caller: the frame left, until the next end.
+  /// Ends a subprogram. Returns nullptr if it repeats, else the frame that was left; the pointer is valid until the next end.
   ///   alarms  return_without_call, repeat_end_missing
   Result<const CallFrame*> end_subprogram(Span where);
   Status end_repetition(Span where);
-  /// Another pass of the main program, from there; false: it was the last one (RunLimits::restarts).
+  /// Starts another pass of the main program at `from`. Returns false if the last pass is over (RunLimits::restarts).
   bool restart(Position from);
-  std::uint32_t passes() const { return now_.restarts + 1; }  // begun so far
+  std::uint32_t passes() const { return now_.restarts + 1; }  // passes started so far
   void end() { now_.ended = true; }
-  /// The main program runs over this label (its own name, or into a subprogram): it counts as called.
+  /// Records that the main program runs over this label (its own name, or the start of a subprogram): the label then counts as called.
   void pass_label(std::uint32_t label) {
     if (now_.passed.size() < 1000) now_.passed.insert(label);
   }
 
   bool ended() const { return now_.ended; }
-  /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
+  /// Leaves the innermost call or repetition whose end was not found; a repetition continues at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
     return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
@@ -174,19 +174,19 @@ class Flow {
   std::size_t depth() const { return now_.frames.size(); }
   const std::vector<CallFrame>& frames() const { return now_.frames; }
   std::vector<CallFrame>& frames() { return now_.frames; }
-  /// Path of the file being read; of a cycle body: the program's.
+  /// Path of the file being read; in a cycle body, that of the program.
   const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
-  /// By Origin::file: as reader().
+  /// File by number: Origin::file, reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
-  /// It is the number of a file: the cycle bodies are none.
+  /// Returns true if a file has this number; the cycle bodies are not a file.
   bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
-  /// Numbers of the files that the program has called, in the order in which they were opened: those of Origin::file.
+  /// Numbers of the files that the program has called, as in Origin::file, in the order of opening.
   std::vector<std::uint16_t> called_files() const;
-  /// Of all files opened, the program first.
+  /// Paths of all opened files, the program first.
   std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }
   const RunLimits& limits() const { return limits_; }
-  /// A block that begins with '%' has been seen.
+  /// True once a block that begins with '%' has been read.
   bool started() const { return now_.started; }
   void set_started(bool started) { now_.started = started; }
   /// See ProgramFile::note_told.
@@ -194,14 +194,14 @@ class Flow {
     if (now_.reader != 1) files_[now_.reader]->note_told(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
-  std::uint64_t repeated() const { return now_.repeated; }  // of them again, after a jump back, in a call or another pass
+  std::uint64_t repeated() const { return now_.repeated; }  // of them again: after a jump back, in a call, in another pass
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }
   /// Position after the block just read.
   Position position() const { return now_.reader == 1 ? bodies_->position() : files_[now_.reader]->position(); }
 
-  /// Blocks of the subprograms that were never called, in the file's order.
+  /// Reads the blocks of the subprograms that were never called, in the order of their numbers.
   void each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit);
 
   static std::string name_of(const ControlDef& def, const CallFrame& frame);
@@ -220,9 +220,9 @@ class Flow {
 
   const ControlDef& def_;
   RunLimits limits_;
-  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] stands for the cycle bodies
+  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] is reserved for the cycle bodies
   std::map<std::string, std::uint16_t> opened_, built_in_;
-  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the current block keeps its text
+  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places, so that the current block keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   Block body_block_;
@@ -230,7 +230,7 @@ class Flow {
   Counts now_;
   std::map<std::uint32_t, Label> labels_;
   bool indexed_ = false;
-  bool visiting_ = false;  // each_uncalled is at work
+  bool visiting_ = false;  // each_uncalled() is running
 };
 
 }  // namespace kadr

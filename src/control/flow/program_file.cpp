@@ -1,4 +1,4 @@
-// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11). For
+// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11). Used by
 // control/flow/file_end, control/flow/flow; tested by tests/control/program_file_test.cpp.
 
 #include "control/flow/program_file.h"
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// A line that cannot be read may still begin or end a loop: the other half is then no second fault.
+/// Finds DO, END or WHILE in a line that cannot be read, so that the other half of its loop is not reported as a second fault.
 std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   std::string capitals(text.substr(0, text.find('(')));
   for (char& c : capitals) c = to_upper(c);
@@ -70,7 +70,7 @@ KeptBlock* ProgramFile::kept_at(Position place) {
   return found->second.get();
 }
 
-/// Views of the text go along: the line's own buffer is used again.
+/// Copies the block with its text, because the buffer of the line is reused.
 Block* ProgramFile::keep(Position at) {
   auto entry = std::make_unique<KeptBlock>();
   entry->block = in_hand_;
@@ -100,7 +100,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
   return found;
 }
 
-/// By reading on; once that has cost enough, by the index.
+/// Searches by reading on; once this has cost enough, by the index.
 std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
   auto found = scan(number, from, in.end);
   if (!found) found = scan(number, in.begin, from);
@@ -124,7 +124,7 @@ std::optional<Position> ProgramFile::in_index(std::uint32_t number, Position fro
   return std::nullopt;
 }
 
-/// Of the program that the block before `place` belongs to; the whole file, where its programs are not told apart.
+/// Returns the range of the program that contains the block before `place`; the whole file if its programs are not distinguished.
 ProgramFile::Extent ProgramFile::extent_of(Position place) {
   Extent extent{{}, {~std::uint64_t{0}, 0, 0}};
   if (!grammar_.programs_by_label) return extent;
@@ -134,7 +134,7 @@ ProgramFile::Extent ProgramFile::extent_of(Position place) {
   };
   auto next = std::lower_bound(programs_->begin(), programs_->end(), place, before);
   const bool at_first = next == programs_->begin() && next != programs_->end() && next->begin == place;
-  if (at_first && first_block().offset == place.offset) ++next;  // nothing stands before it
+  if (at_first && first_block().offset == place.offset) ++next;  // no program is before it
   if (next != programs_->end()) extent.end = next->begin;
   if (next != programs_->begin()) extent.begin = std::prev(next)->begin;
   return extent;
@@ -205,7 +205,7 @@ const Loop* ProgramFile::loop_to(Position position) {
   return last_loop_ = found == loops_by_end_.end() ? nullptr : &loops_[found->second];
 }
 
-/// Pairs DOm and ENDm by their place in the text: a loop may be entered by a jump (nct 23.2.11).
+/// Pairs DOm and ENDm by their order in the text, because a jump may enter a loop (nct 23.2.11).
 void ProgramFile::find_loops() {
   loops_found_ = true;
   BlockReader& reader = scanner();
@@ -233,7 +233,7 @@ void ProgramFile::find_loops() {
       loops_.push_back(loop);
       continue;
     }
-    if (nearest == open.rend()) continue;  // END without DO: loop_to finds nothing
+    if (nearest == open.rend()) continue;  // END without DO: loop_to() finds nothing
     const bool overlaps = nearest != open.rbegin();
     for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
     Loop& loop = loops_[*nearest];

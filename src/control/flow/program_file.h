@@ -1,5 +1,6 @@
 #pragma once
-// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11).
+// ProgramFile: one file of the program memory, with its reader, the blocks kept for loops, and the places of numbers and loops
+// (spec/nct/14, 23 23.2.8, 23.2.11).
 
 #include <map>
 #include <memory>
@@ -15,25 +16,25 @@
 
 namespace kadr {
 
-/// A block kept as it was read, so that a loop compiles it once.
+/// A block stored as it was read, so that a loop compiles it only once.
 struct KeptBlock {
   Block block;
   std::string text;
   Position next;
   KeptBlock* following = nullptr;  // the kept block at `next`
-  KeptBlock* jumped = nullptr;     // the one that a jump went to last
-  std::uint64_t jumped_to = 0;     // its key
+  KeptBlock* jumped = nullptr;     // the kept block that the last jump from here went to
+  std::uint64_t jumped_to = 0;     // key of that block
 };
 
-/// DO … END of a file, paired as they stand in the text.
+/// DO … END of a file, paired by their order in the text.
 struct Loop {
   Position begin;   // the block with DO
-  Position body;    // after it
+  Position body;    // first block after DO
   Position end;     // the block with END
-  Position behind;  // after that
+  Position behind;  // first block after END
   AlarmId fault = no_alarm;
-  std::uint8_t number = 0;  // 0: WHILE whose DO is missing
-  bool damaged = false;     // one of the two blocks cannot be read: END does nothing
+  std::uint8_t number = 0;  // 0: a WHILE without DO
+  bool damaged = false;     // one of the two blocks cannot be read; END then has no effect
 };
 
 class ProgramFile {
@@ -41,22 +42,22 @@ class ProgramFile {
   ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
               StopToken stop = {});
 
-  /// The next block; `block` points at it until the next call. Where blocks are kept it may be one read before.
+  /// Reads the next block; `block` points to it until the next call. If blocks are kept, it may be one that was read before.
   Result<BlockReader::Got> next(Block*& block);
   void seek(Position position) {
     elsewhere_ = position;
     moved_ = true;
   }
   Position position() const { return moved_ ? elsewhere_ : reader_.position(); }
-  /// The warnings of a block that is kept are told once.
+  /// Records that the warnings of a kept block have been reported, so that they are reported once.
   void note_told(const Block& block) {
     if (block.kept) memory_.told.insert(place_of(block.position));
   }
-  /// What the run so far has left in the file's reading; with the position all that a run goes on from.
+  /// State of reading that the run has left in the file; with the position it is all that the run needs to continue.
   struct Memory {
     BlockReader::Memory reader;
     bool keeps = false;
-    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // places of kept blocks whose warnings have been told
+    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // places of kept blocks whose warnings have been reported
   };
   Memory memory() const {
     Memory now = memory_;
@@ -67,24 +68,24 @@ class ProgramFile {
     memory_ = memory;
     reader_.remember(memory.reader);
   }
-  /// From now on blocks are kept: they will be read again.
+  /// From now on keeps the blocks that are read, because they will be read again.
   void keep_blocks() { memory_.keeps = true; }
 
-  /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order). Reads on for the
-  /// first few thousand blocks; after that the file is read once for all its numbers.
+  /// Returns the first block with number `number` from `from` to the end, then from the start of the file (nct 14.1, INFERRED order).
+  /// The first few thousand blocks are searched by reading on; after that an index of all numbers of the file is built.
   std::optional<Position> find_number(std::uint32_t number, Position from);
-  /// Where O… of that number begins a program of the file (Grammar::programs_by_label).
+  /// Places where a program O… with this number starts in the file (Grammar::programs_by_label).
   std::vector<Position> programs_numbered(std::uint32_t number);
   /// The first block with anything but a comment or the sign %.
   Position first_block();
-  /// The loop whose DO, or END, stands at `position`.
+  /// The loop whose DO (loop_from) or END (loop_to) is at `position`; nullptr if there is none.
   const Loop* loop_from(Position position);
   const Loop* loop_to(Position position);
 
-  /// Lines as UTF-8 by their numbers; those that are not there are missing. One pass through the file.
+  /// Returns lines as UTF-8 by number, without those that do not exist. Reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
 
-  /// One line as UTF-8; empty if it is not there. The first call goes through the file, the others read some lines.
+  /// Returns one line as UTF-8; empty if it does not exist. The first call reads through the file, the others read a few lines.
   std::string text_of(std::uint32_t line) const;
 
   const std::string& path() const { return path_; }
@@ -97,9 +98,9 @@ class ProgramFile {
  private:
   static constexpr std::size_t most_kept = 4096;
   static constexpr std::size_t most_loops = 100'000;
-  static constexpr std::size_t most_searched = 4096;  // blocks: a short file, or a jump to a near block, needs no index
+  static constexpr std::size_t most_searched = 4096;  // blocks; a short file or a near target needs no index
   BlockReader& scanner();
-  /// From a program's beginning to that of the next one.
+  /// The range from the start of a program to the start of the next.
   struct Extent {
     Position begin, end;
   };
@@ -118,30 +119,30 @@ class ProgramFile {
   std::shared_ptr<ByteSource> source_;
   const Grammar& grammar_;
   BlockReader reader_;
-  std::unique_ptr<BlockReader> scanner_;  // reads in other places: the current block keeps its text
+  std::unique_ptr<BlockReader> scanner_;  // reads the file in other places, so that the current block keeps its text
   Block in_hand_;
   Position elsewhere_;                                                   // where the next block begins …
-  bool moved_ = false;                                                   // … if that is not where the reader is
-  Memory memory_;                                                        // but for the reader's
-  KeptBlock* last_ = nullptr;                                            // handed out last
+  bool moved_ = false;                                                   // … if not at the reader's position
+  Memory memory_;                                                        // without the reader's part
+  KeptBlock* last_ = nullptr;                                            // returned last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by key
-  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from: offset, block of the line; number} → place
+  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {key of the search's start; number} → place of the block
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
-  const Loop* last_loop_ = nullptr;  // whose END was met last
-  std::size_t searched_ = 0;         // blocks read for numbers
+  const Loop* last_loop_ = nullptr;  // whose END was executed last
+  std::size_t searched_ = 0;         // blocks read in searches for numbers
   std::optional<Position> first_block_;
   std::optional<BlockNumbers> index_;
   struct NumberedProgram {
     Position begin;
     std::uint32_t number = 0;
   };
-  std::optional<std::vector<NumberedProgram>> programs_;  // where those of the file begin (Grammar::programs_by_label)
+  std::optional<std::vector<NumberedProgram>> programs_;  // starts of the programs in the file (Grammar::programs_by_label)
   bool index_possible_ = true;
   StopToken stop_;
-  static constexpr std::uint32_t marked_line = 256;  // every so many lines one of them
-  mutable std::vector<std::uint64_t> line_marks_;    // where they begin: lines 1, 257, …
+  static constexpr std::uint32_t marked_line = 256;  // distance of the marks, in lines
+  mutable std::vector<std::uint64_t> line_marks_;    // offsets of lines 1, 257, …
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Going on: another pass of a main program; after a faulty block, for people who check.
+// How a run continues: with another pass of a main program, and after a faulty block in a check.
 
 #include <algorithm>
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// A variable, R or a parameter of the control stands in an expression of the block, or is written.
+/// Returns true if an expression of the block reads a variable, R or a parameter of the control, or the block writes one.
 bool Interpreter::reads_variables() const {
   return !block->assignments.empty() || std::any_of(block->code.begin(), block->code.end(), [](const Instruction& i) {
     return i.op == Op::variable || i.op == Op::variable_at || i.op == Op::parameter || i.op == Op::element || i.op == Op::control_value;
@@ -28,7 +28,8 @@ Status Interpreter::begin_again(Span where, Position from) {
   return {};
 }
 
-/// Would the block, had it been right, have written a variable, called or jumped? Of one that could not be read its text tells.
+/// Returns true if the faulty block could have written a variable, called
+/// or jumped. For a block that could not be read, its text is searched.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
@@ -36,7 +37,8 @@ bool Interpreter::may_have_steered() const {
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
 
-/// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
+/// Continues after an alarm. After an end that came too early, the open call or
+/// repetition is left, so that the same fault is not reported again and again.
 void Interpreter::go_on() {
   phase_ = RunPhase::next_block;
   motion_run_.end();
@@ -49,7 +51,7 @@ void Interpreter::go_on() {
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
-/// An alarm that says no more than that the tool stands elsewhere than it would, had the motion before it not been refused.
+/// Returns true for an alarm that only shows that the tool is not where it would be if an earlier motion had not been refused.
 bool Interpreter::follows_refused_motion(AlarmId id) const {
   if (unplaced == 0) return false;
   switch (id) {
@@ -66,7 +68,7 @@ bool Interpreter::follows_refused_motion(AlarmId id) const {
   }
 }
 
-/// The modes that its codes name: those that say what coordinates mean, and the motion.
+/// Sets the modes that the codes of a faulty block name: those that define the meaning of coordinates, and the motion.
 void Interpreter::keep_modes_of_faulty_block() {
   if (damaged || block->statement.kind != StatementKind::none) return;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -89,8 +91,8 @@ void Interpreter::keep_modes_of_faulty_block() {
   }
 }
 
-/// A motion that was refused: the blocks behind it were written for where it leads to. Where its words do not say that (it could not be
-/// read, they belong to another code), the axes are unplaced until a block gives them a coordinate.
+/// Moves to the end point of a refused motion, because the following blocks were written for it. If the end point is unknown (the block
+/// could not be read, or its words belong to another code), its axes are unplaced until a block gives them a coordinate.
 void Interpreter::stand_where_meant() {
   if (block->statement.kind != StatementKind::none || flow.in_body()) return;
   const bool unread = damaged || block->broken;
@@ -119,7 +121,7 @@ void Interpreter::stand_where_meant() {
   if (modal.absolute) unplaced &= ~by_words;
 }
 
-/// A block has been carried out: the axes that it gives a coordinate stand there.
+/// After an executed block: the axes to which it gives a coordinate are placed again.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -128,8 +130,8 @@ void Interpreter::note_placed() {
   }
 }
 
-/// What the faulty block would have left to those after it, so that one fault is one alarm: a feed, its modes, where its motion leads to,
-/// the end of a subprogram or repetition.
+/// Keeps what the following blocks expect from a faulty block, so that one fault gives one alarm: a feed, its modes, the end point of
+/// its motion, the end of a subprogram or repetition.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
   const AlarmId id = report.alarm.id;

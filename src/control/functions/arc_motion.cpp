@@ -1,4 +1,4 @@
-// Arc → motion. For control/linuxcnc, control/grbl.
+// Turns a computed arc into a motion. Used by control/linuxcnc, control/grbl.
 
 #include "control/functions/arc_motion.h"
 

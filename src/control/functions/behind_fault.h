@@ -1,5 +1,5 @@
 #pragma once
-// What a check does not wait for after a fault.
+// Shortens repetitions after a fault, so that a check does not wait for them.
 
 #include <algorithm>
 
@@ -7,8 +7,9 @@
 
 namespace kadr {
 
-/// The end of a call or repetition that is to be made very often, after a fault that `kadr check` has told: one pass shows the faults in
-/// it, the others cost minutes and end with a false endless_program. INFERRED: 1000 passes are still made, so that increments add up.
+/// Called at the end of a call or repetition with very many passes, after a fault that `kadr check`
+/// has reported: one pass shows the faults in it; the others would take minutes and end with a false
+/// endless_program. INFERRED: up to 1000 passes are still executed, so that increments add up.
 inline void shorten_behind_fault(const AlarmReport& last, Flow& flow) {
   constexpr std::uint32_t most_passes = 1000;
   if (last.alarm.id == no_alarm || flow.depth() == 0) return;

@@ -1,4 +1,4 @@
-// G2 / G3: words → arc → Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; others as their file's [behaviour] says.
+// G2 / G3: from words to an arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of their file defines.
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
-/// A circle of another plane does not stay in it under G68, which turns in XY.
+/// Checks that the rotation keeps the circle in its plane: G68 rotates in XY and tilts circles of the other planes.
 Status turned_in_plane(const BlockContext& m, PlaneAxes axes, Span where, std::string_view code) {
   if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
 }
 
-/// Places an alarm of the geometry at the arc's own words.
+/// Sets the place of a geometry alarm to the block, without trailing blanks.
 tl::unexpected<Alarm> placed(const BlockContext& m, Alarm alarm) {
   alarm.where = m.block->where;
   while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
@@ -55,7 +55,7 @@ class Circular {
   }
 
  private:
-  /// L moves the end point (spec/correctors 1); INFERRED: the centre is where I, J, K say, from the point at which the tool stands.
+  /// L moves the end point (spec/correctors 1); INFERRED: I, J, K give the centre from the tool's actual position.
   Status correct(AxisMask& named) {
     const auto added = m_.dialect->add_to_motion(m_);
     if (!added) return fail(added.error());
@@ -87,14 +87,14 @@ class Circular {
 
   bool has_center(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
 
-  /// Centre coordinate; a word left out: the start point's own. INFERRED for absolute centres.
+  /// Returns a coordinate of the centre; without a word, that of the start point. INFERRED for absolute centres.
   double center(std::size_t axis, double start) const {
     if (!has_center(axis)) return start;
     const double v = m_.length_value(m_.letters.center_letter[axis]);
     return rule_.absolute ? v : start + v;
   }
 
-  /// 2С42 6.6.6: with a motion on the normal axis K is the lead; Z/K a whole number, the turns.
+  /// 2С42 6.6.6: with a motion on the normal axis K is the lead; Z/K is a whole number, the number of revolutions.
   Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
     if (!rule_.lead_on_normal) return {};
     const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
@@ -109,11 +109,11 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;  // INFERRED: the arc itself, then whole turns
+    arc.turns += whole - 1;  // INFERRED: the arc itself, then whole revolutions
     return {};
   }
 
-  /// All of it must lie within reach before the first piece moves.
+  /// Starts an ellipse, after checking that all of it is within reach before the first piece moves.
   Status start_ellipse(const PlaneArc& arc, const Axes& end, AxisMask named) {
     EllipseRun::Job job;
     job.first = axes_.first;
@@ -182,7 +182,7 @@ Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).
 Status functions::arc_cw(Emitter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
 Status functions::arc_ccw(Emitter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
 
-/// G12 / G13 (Mach3): from the centre out along +X by I, the circle, back; arg: 2 clockwise, 3 counter-clockwise.
+/// G12 / G13 (Mach3): from the centre out along +X by I, the full circle, and back; arg: 2 clockwise, 3 counter-clockwise.
 Status functions::circular_pocket(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));

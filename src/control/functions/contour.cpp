@@ -1,5 +1,5 @@
 // Cutter radius compensation on the control's side, for the controls other than NCT: the order of the blocks around G41, G42, G40, and
-// what each motion tells `path`. 2С42 6.4.7, 6.6.7, 6.8. For the rest of control.
+// what each motion passes to `path`. 2С42 6.4.7, 6.6.7, 6.8. Used by the rest of control.
 
 #include "control/functions/contour.h"
 
@@ -14,15 +14,15 @@ Vec2 in_plane(const BlockContext& m, const Axes& axes) { return {axes[m.modal.ax
 AxisMask mask_of(PlaneAxes plane) { return AxisMask{1} << plane.first | AxisMask{1} << plane.second; }
 AxisMask plane_mask(const BlockContext& m) { return mask_of(m.modal.axes); }
 
-/// G41 or G42 have come, the second block of the contour has not.
+/// Returns true after G41 or G42, until the second block of the contour.
 bool only_begun(const BlockContext& m) { return m.modal.contour == ContourPhase::on || m.modal.contour == ContourPhase::approached; }
 
 bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == MotionKind::feed || is_arc(kind); }
 
 double beside(const Modal& modal) { return modal.contour_side == 0 ? 0 : length(modal.contour_vector); }
 
-/// The tool goes on beside the contour, in an axis of its own: a hole or a step there is rarely what was meant. Once a contour; G40 of
-/// the 2С42 has Z for a word of its own (6.4.7).
+/// Warns if the tool continues in another axis while it is still offset from the contour: a hole or a step there is rarely intended.
+/// Once per contour; G40 of the 2С42 has Z as a word of its own (6.4.7).
 void tell_beside(Emitter& m, const Motion& motion, const Axes& from) {
   if (m.modal.beside_told || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
@@ -33,8 +33,8 @@ void tell_beside(Emitter& m, const Motion& motion, const Axes& from) {
   m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
 }
 
-/// The motion that G40 has been waiting for, or one that leaves the tool where it stands in the plane. That is the contour's, whatever
-/// plane has been chosen after G40.
+/// Handles the motion that leaves the contour after G40, or one that does not move the tool in the plane. The plane is that of the
+/// contour, whatever plane was selected after G40.
 void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.contour_side;
@@ -49,7 +49,8 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   modal.contour_side = 0;
 }
 
-/// At the end of a straight motion: across it, or across the way that touches the tool's circle (RS274/NGC, first move).
+/// Returns the offset at the end of a straight motion: normal to it, or
+/// normal to the path tangent to the tool's circle (RS274/NGC, first move).
 Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   const double distance = length(way), radius = motion.tool_radius;
   const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
@@ -59,7 +60,8 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
-/// Any motion of a queued contour begins it or follows, whatever axes it moves; after G40 any leads to its point (spec/linuxcnc 7.5).
+/// Any motion of a queued contour begins or continues it, whatever axes it
+/// moves; after G40 any motion leads to its own end point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   if (modal.contour == ContourPhase::leaving) return void(modal.contour = ContourPhase::off);
@@ -73,7 +75,7 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   modal.contour = ContourPhase::following;
   modal.contour_axes = modal.axes;
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.contour_vector = vector_at_end(motion, way);  // of an arc: note_arc_end()
+  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.contour_vector = vector_at_end(motion, way);  // arcs: see note_arc_end()
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ Status begin_contour(BlockContext& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
   const bool queued = m.def.behaviour.queues_contours();
   if (modal.contour == ContourPhase::leaving && !queued &&
-      mask_of(modal.contour_axes) != plane_mask(m))  // beside a contour in another plane
+      mask_of(modal.contour_axes) != plane_mask(m))  // offset from a contour in another plane
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   modal.radius_side = side;
   modal.beside_told = false;
@@ -111,7 +113,7 @@ void take_up_contour(Emitter& m) {
 void note_arc_end(BlockContext& m, const Motion& arc) {
   if (m.modal.contour != ContourPhase::following || arc.side == 0) return;
   const Vec2 arm = in_plane(m, arc.to) - arc.center;
-  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // left of a counter-clockwise arc lies its centre
+  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // the centre of a counter-clockwise arc is on its left
   if (length(arm) > 0) m.modal.contour_vector = toward * arc.tool_radius / length(arm) * arm;
 }
 
@@ -154,7 +156,7 @@ Status contour_allows_motion(const BlockContext& m) {
   if ((named & plane_mask(m)) == 0) return contour_allows_infeed(m, m.block->where);
   const bool cancels = m.modal.contour == ContourPhase::leaving && m.has_code({Function::compensation_off});
   if (!cancels || length(in_plane(m, to) - m.modal.contour_start) > tol::same_point) return {};
-  if (length(in_plane(m, to) - in_plane(m, m.position.programmed)) <= tol::same_point) return {};  // it has been closed before
+  if (length(in_plane(m, to) - in_plane(m, m.position.programmed)) <= tol::same_point) return {};  // the contour was closed before
   return fail(alarm(AlarmId::compensation_closing, m.block->where));
 }
 
@@ -175,7 +177,7 @@ void note_contour(Emitter& m, Motion& motion, const Axes& from) {
   if (modal.contour == ContourPhase::on && !moves) return;
   const double radius = m.radius_in_force();
   if (modal.radius_by_word < 0 && modal.offset_number != 0) m.use.note(UseKind::radius, modal.offset_number, m.origin, radius == 0);
-  if (radius != 0 || modal.contour_side != 0) {  // with a radius of 0 the path is the contour, nothing is held back
+  if (radius != 0 || modal.contour_side != 0) {  // with radius 0 the path equals the contour and nothing is held back
     const double side = -modal.radius_side * (radius < 0 ? -1 : 1) * (m.transform.reverses(modal.axes) ? -1 : 1);
     motion.side = modal.contour_side = static_cast<std::int8_t>(side);
     motion.tool_radius = std::fabs(radius);
@@ -191,7 +193,7 @@ void note_contour(Emitter& m, Motion& motion, const Axes& from) {
     modal.contour = ContourPhase::following;
   }
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind)) modal.contour_vector = vector_at_end(motion, way);  // of an arc: note_arc_end()
+  if (!is_arc(motion.kind)) modal.contour_vector = vector_at_end(motion, way);  // arcs: see note_arc_end()
 }
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// From a function's name to its code; the functions that only set a mode.
+// The table from a function's name to its code, and the functions that only set a mode.
 
 #include "control/functions/functions.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// A function as an entry of the table.
+/// Wraps a function as an entry of the table.
 template <Status (*function)(Emitter&, const Call&)>
 Status entry(Interpreter& m, const Call& call) {
   return function(m, call);
@@ -37,17 +37,17 @@ Status set_plane(Emitter& m, Plane plane) {
 
 Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
-  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
+  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // one feed per unit (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
   } else if (modal.feed_mode != mode) {
-    modal.feed_known = false;  // a feed of the other unit means nothing
+    modal.feed_known = false;  // a feed in the other unit has no meaning
   }
   modal.feed_mode = mode;
   return {};
 }
 
-/// Not under radius compensation (RS274/NGC).
+/// The unit cannot change during cutter compensation (RS274/NGC).
 Status set_unit(BlockContext& m, const Call& call, bool inch) {
   const bool may_change = m.dialect->units_may_change();
   if (!may_change && compensates(m.modal) && m.modal.inch != inch)
@@ -62,7 +62,7 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 
 namespace functions {
 
-// Addresses that other functions read: nothing to do by themselves.
+// Addresses that other functions read; they do nothing by themselves.
 Status block_number(Emitter&, const Call&) { return {}; }
 Status axis(Emitter&, const Call&) { return {}; }
 Status center(Emitter&, const Call&) { return {}; }
@@ -101,7 +101,7 @@ Status surface_speed(Emitter& m, const Call&) {
   m.emit(m.surface_speed());
   return {};
 }
-/// The spindle keeps the speed that it has.
+/// The spindle keeps its present speed.
 Status spindle_rpm(Emitter& m, const Call&) {
   if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
   m.modal.surface_speed = false;
@@ -117,7 +117,7 @@ Status exact_stop_mode(Emitter& m, const Call&) {
   m.modal.blend_tolerance = 0;
   return {};
 }
-/// G64, with P the path tolerance (RS274/NGC; Mach3 itself has none).
+/// G64; P is the path tolerance (RS274/NGC; Mach3 itself has none).
 Status constant_velocity(Emitter& m, const Call&) {
   const double tolerance = m.length_value('P');
   if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));

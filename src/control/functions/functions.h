@@ -1,5 +1,5 @@
 #pragma once
-// The engine's functions, one for each row of config/function.h that acts. A row of a control's file calls one by name.
+// The functions of the interpreter, one for each row of config/function.h that acts. A row of a control's file calls one by its name.
 
 #include <type_traits>
 
@@ -7,7 +7,7 @@
 
 namespace kadr::functions {
 
-/// It calls, returns, jumps or ends, or executes other codes: it takes the Interpreter, all others an Emitter.
+/// Returns true for functions that call, return, jump or end, or execute other codes: they receive the Interpreter, all others an Emitter.
 constexpr bool steers(Function function) {
   switch (function) {
     case Function::repeat_word:

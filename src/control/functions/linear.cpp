@@ -1,4 +1,4 @@
-// G0, G1 and what moves in straight lines: polar mode, machine coordinates, reference points, probe.
+// G0, G1 and other straight motions: polar mode, machine coordinates, reference points, probe.
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   named |= 3u;
 }
 
-/// G53 beside G0 or G1: the words are machine coordinates (Mach3 10.7.17).
+/// G53 together with G0 or G1: the words are machine coordinates (Mach3 10.7.17).
 Status machine_motion(Emitter& m, MotionKind kind) {
   Axes to = m.position.machine;
   AxisMask named = 0;
@@ -77,13 +77,13 @@ bool axes_taken_by_code(const BlockContext& m) {
   return false;
 }
 
-/// Machine points, reference points and probes: not with radius compensation (Mach3 10.7.12; 2С42 INFERRED).
+/// Machine points, reference points and probes are not allowed during cutter compensation (Mach3 10.7.12; 2С42 INFERRED).
 Status no_compensation(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side == 0) return {};
   return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
 }
 
-/// Axes of the block's words, whatever their values; all linear ones if there is none.
+/// Returns the axes that have a word, whatever its value; all axes if there is none.
 AxisMask named_axes(const BlockContext& m) {
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -98,7 +98,7 @@ namespace functions {
 Status rapid(Emitter& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
 Status linear(Emitter& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
 
-/// G80 (Mach3 10.7.23): axis words of its block need another code that takes them.
+/// G80 (Mach3 10.7.23): axis words in its block need another code that uses them.
 Status no_motion(Emitter& m, const Call& call) {
   if (m.def.behaviour.reads_arc_radius() && m.has_axis_words() && !axes_taken_by_code(m)) {
     const Word* first = nullptr;
@@ -123,8 +123,8 @@ Status machine_coordinates(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second.
-/// INFERRED: axes named go home; none named: all of them, at once.
+/// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second home.
+/// INFERRED: only the named axes go home; without axis words all of them, at once.
 Status home_through(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
@@ -139,7 +139,7 @@ Status home_through(Emitter& m, const Call& call) {
   return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
 }
 
-/// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
+/// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end point is the reference point.
 Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
@@ -178,7 +178,7 @@ Status probe(Emitter& m, const Call& call) {
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
-  if (call.row->modal) {  // G38.2 leaves no motion code in force: axis words alone would be a rapid into the part
+  if (call.row->modal) {  // G38.2 leaves no motion code in force: axis words alone would move at rapid into the part
     m.modal.motion = MotionMode::none;
     m.modal.motion_row = -1;
   }
@@ -189,7 +189,7 @@ Status probe(Emitter& m, const Call& call) {
 
 }  // namespace functions
 
-/// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
+/// Receives the machine's answer to a probe motion: the contact point, stored in #2000…#2005 (Mach3 10.7.12).
 void Interpreter::answer(const ProbeAnswer& answer) {
   pass_varies = true;
   const Status taken = dialect->take_answer(*this, answer);

@@ -1,4 +1,4 @@
-// Straight motions and frames: programmed point → work → machine, and the Motion that goes there.
+// Straight motions and frames: converts a programmed point to work and machine coordinates and creates the Motion to it.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ Status BlockContext::axis_words(Axes& to, AxisMask& named) const {
   return {};
 }
 
-/// The next action of the batch, a motion to where the tool is to stand; its modes are those of another.
+/// Returns the next action of the batch as a motion to the computed position. Its modes are leftovers of an earlier action.
 Motion& Emitter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
@@ -50,7 +50,7 @@ Motion& Emitter::next_motion() {
 }
 
 std::uint16_t BlockContext::length_row() const {
-  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 takes the number away, and there is no sign
+  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears the number, and there is no sign
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
@@ -84,7 +84,7 @@ void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) 
     const AxisMask moved = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
       if ((moved >> a & 1u) != 0) position.machine[a] = machine[a];
-    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes stand, their coordinates change
+    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes do not move, their coordinates change
       position.work = frames.work_of(position.machine);
       position.programmed = transform.to_programmed(position.work);
       return;
@@ -117,8 +117,8 @@ Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named
   return {};
 }
 
-/// Along a line on which an axis has a feed of its own (GOST 20999-83). INFERRED: the line stays; the axis, or the others together, that
-/// need the longest time say how fast it is gone.
+/// Computes the feed along a line on which an axis has its own feed (GOST 20999-83). INFERRED: the path remains a line; the axis, or
+/// the rest of the axes together, that needs the longest time determines the feed.
 double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -152,7 +152,7 @@ Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named,
   motion.end_given = end;
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
-  if (frames.space && frames.space->leads_tip()) {  // the axes go evenly: no tip is led to a machine position
+  if (frames.space && frames.space->leads_tip()) {  // the axes move evenly: a machine position needs no control of the tool tip
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     detail->evenly = true;
     motion.detail = std::move(detail);
@@ -181,7 +181,7 @@ std::optional<std::size_t> BlockContext::axis_of_feed(std::uint32_t index) const
   return std::nullopt;
 }
 
-/// Each axis that the block names has a feed of its own.
+/// Returns true if each axis that the block names has its own feed.
 bool BlockContext::axes_have_feeds() const {
   const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
   AxisMask named = 0;
@@ -282,7 +282,7 @@ void Emitter::change_frames() {
     return;
   }
   for (std::size_t a = 0; a < axis_count; ++a) {
-    // With `next_motion` a new length is taken out by the next motion of its axis: the tool's coordinate stays as programmed.
+    // With `next_motion` a new length takes effect in the next motion of its axis: the tool's coordinate remains as programmed.
     const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;

@@ -1,4 +1,4 @@
-// Compensations, work zeros, shifts, scale and rotation.
+// Compensations, work offsets, shifts, scale and rotation.
 
 #include <cmath>
 
@@ -9,13 +9,13 @@
 namespace kadr {
 namespace {
 
-/// Offset number in a word, or the fallback if the word is missing.
+/// Returns the offset number in a word, or `otherwise` if the word is missing.
 Result<std::uint32_t> offset_number(const BlockContext& m, char letter, std::uint32_t otherwise) {
   if (!m.has(letter)) return otherwise;
   return m.whole(letter, 0, m.def.behaviour.offsets);
 }
 
-/// Mach3 10.7.13: XY plane only, not when on already; D or the tool in the spindle; P overrides the radius.
+/// Mach3 10.7.13: XY plane only, and not if already on; the number is D or the tool in the spindle; P overrides the radius.
 Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
   if (m.def.behaviour.reads_arc_radius()) {
     if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -35,14 +35,14 @@ Status length(Emitter& m, const Call& call, std::int8_t sign) {
     const auto number = offset_number(m, 'H', 0);
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    // No H: Mach3 takes 0; where T0404 names a corrector, the one in force counts (spec/gost 4).
+    // Without H, Mach3 takes 0; where T0404 names a corrector, the one in force applies (spec/gost 4).
     if (*number == 0 && !(m.def.behaviour.tool_and_corrector && !m.has('H'))) m.modal.length_sign = 0;
   }
   m.change_frames();
   return {};
 }
 
-/// 2С42, note to 6.4.1: a work zero changes on a straight section, with G90 and G40.
+/// 2С42, note to 6.4.1: a work offset changes only on a straight motion, with G90 and G40.
 Status check_zero_change(const BlockContext& m, Span where) {
   if (!m.def.gives(AlarmId::zero_change)) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
@@ -52,13 +52,13 @@ Status check_zero_change(const BlockContext& m, Span where) {
   return fail(alarm(AlarmId::zero_change, where));
 }
 
-/// The programmed coordinate system is given a new transformation; the tool stands.
+/// Updates the tool's programmed coordinates after a new transformation; the tool does not move.
 void transform_changed(BlockContext& m) {
   m.transform.refresh();
   m.position.programmed = m.transform.to_programmed(m.position.work);
 }
 
-/// Values of the axis words in mm or degrees, as they stand (not incremental).
+/// Calls `use` with each axis word's value in mm or degrees, as written (not as an increment).
 template <class Use>
 void each_axis_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -88,7 +88,7 @@ void set_axes(Axes& axes, AxisMask which, const Axes& values) {
     if ((which >> a & 1u) != 0) axes[a] = values[a];
 }
 
-/// G10: words that its kind of data has no place for. L1 takes X too (spec/mach3 5), but a milling tool has no offset along it.
+/// G10: checks for words that this type of data does not use. L1 accepts X too (spec/mach3 5), but a milling tool has no offset along it.
 Status data_words_used(Emitter& m, bool of_tool) {
   for (const char letter : {'X', 'Y', 'Z', 'A', 'B', 'C', 'R'}) {
     const bool used = of_tool ? letter == 'X' || letter == 'Z' || letter == 'R' : letter != 'R';
@@ -106,7 +106,8 @@ Status radius_comp_left(Emitter& m, const Call& call) { return radius_comp(m, ca
 Status radius_comp_right(Emitter& m, const Call& call) { return radius_comp(m, call, +1); }
 Status radius_comp_off(Emitter& m, const Call& call) { return end_contour(m, call); }
 
-/// G40 of the 2С42: the radius; with a Z motion in its block the length too (6.4.7, INFERRED for blocks without Z).
+/// G40 of the 2С42 ends the radius compensation; with a Z motion in its
+/// block the length compensation too (6.4.7, INFERRED for blocks without Z).
 Status compensation_off(Emitter& m, const Call& call) {
   KADR_TRY(end_contour(m, call));
   if (m.has('Z') && m.modal.length_sign != 0) {
@@ -131,7 +132,7 @@ Status length_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// D of the 2С42 and GOST: radius and length of that number are in force.
+/// D of the 2С42 and GOST: puts the radius and length with this number in force.
 Status offset_word(Emitter& m, const Call&) {
   const auto number = m.whole('D', 0, m.def.behaviour.offsets);
   if (!number) return fail(number.error());
@@ -150,7 +151,7 @@ Status work_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54–G59, G59 P (Mach3 10.7.18); arg: the fixture, P wins.
+/// G54–G59, G59 P (Mach3 10.7.18); arg: the fixture number; P has priority.
 Status fixture(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   auto number = static_cast<std::uint32_t>(call.row->arg);
@@ -167,7 +168,7 @@ Status fixture(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 of the 2С42's turning machines: /A/ a permanent zero, X Z a temporary one on top of it.
+/// G92 of the 2С42's turning machines: /A/ selects a permanent work offset, X Z a temporary one on top of it.
 Status zero_shift(Emitter& m, const Call& call) {
   if (!m.has('A') && !m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.has('A')) {
@@ -182,7 +183,7 @@ Status zero_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 of GOST (turning example, N5): the zero moves from the machine's M to the part's W by the given amounts.
+/// G92 of GOST (turning example, N5): the origin moves from the machine's M to the part's W by the given amounts.
 Status part_zero(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
@@ -190,8 +191,8 @@ Status part_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (Mach3 10.7.16): the start of the system moves by the given amounts; one mechanism with G92. The amounts are words as others are,
-/// scaled and turned: with X at 4 `G52 X7` makes X read -3.
+/// G52 (Mach3 10.7.16): the origin of the work system moves by the given amounts; it shares one mechanism with G92. The amounts are
+/// scaled and rotated like other words: with X at 4 `G52 X7` makes X read -3.
 Status temporary_shift(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
@@ -207,8 +208,8 @@ Status temporary_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the program's words count them: under G68 and G51 the zero is
-/// laid so that the tool, turned and scaled, reads them. After G40 the current point is where the tool stands.
+/// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the words of the program: under G68 and G51 the origin is
+/// placed so that the tool, rotated and scaled, reads them. After G40 the current point is the tool's actual position.
 Status set_position(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
@@ -272,7 +273,7 @@ Status set_data(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G51 (Mach3 10.7.15): factors for the words that follow; words left out keep theirs. I and J take those of X and Y.
+/// G51 (Mach3 10.7.15): sets the factors of the axes that have a word; other axes keep theirs. I and J must equal the factors of X and Y.
 Status scale_on(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -296,7 +297,7 @@ Status scale_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G68 A B R I (Mach3 10.7.20): turned by R about (A, B); with I by R more.
+/// G68 A B R I (Mach3 10.7.20): rotation by R about (A, B); with I, R is added to the present angle.
 Status rotation_on(Emitter& m, const Call& call) {
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));

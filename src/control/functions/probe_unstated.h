@@ -1,12 +1,12 @@
 #pragma once
-// A probe motion of which the set-up says nothing.
+// Handles a probe motion if the set-up does not define probes.
 
 #include "control/emitter.h"
 
 namespace kadr {
 
-/// Did the motion end in contact? Where the set-up says nothing of probes nobody knows: it is told, and the program goes on as if the
-/// probe had touched at the end of the motion, which is what a program that is read at a desk is meant to do.
+/// Returns true if the motion ended in contact. If the set-up does not define probes this is unknown: a note is given, and the program
+/// continues as if the probe had touched at the end of the motion, as someone reading the program at a desk would assume.
 inline bool made_contact(Emitter& m, const ProbeAnswer& answer) {
   if (answer.touched || m.probe_stated) return answer.touched;
   m.warn(note(AlarmId::probe_unstated, m.probe_where));

@@ -1,5 +1,5 @@
-// Lnnmm: a subprogram of the program's sections, or a cycle of the control's file (2С42 6.3, 6.7). For control/block/structure,
-// control/functions/flow_functions.
+// Lnnmm: calls a subprogram of the program's sections, or a canned cycle of the control's file (2С42 6.3, 6.7). Used by
+// control/block/structure, control/functions/flow_functions.
 
 #include "control/functions/section_calls.h"
 
@@ -15,8 +15,8 @@ constexpr double mm_per_increment = 0.001;  // 6.5.1
 constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
 constexpr double most_passes = 100'000;
 
-/// L83: R1 depth, R2 retract, R3 one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from where the
-/// tool stands, R2 from the bottom. The direction is R1's; R3 counts by its size.
+/// L83: R1 depth, R2 retract, R3 depth of one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from the tool's
+/// position, R2 from the bottom. R1 gives the direction; the sign of R3 is ignored.
 Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {

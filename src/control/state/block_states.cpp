@@ -1,4 +1,4 @@
-// States of blocks gone by: for Control::state_of(); tests/control/block_states_test.cpp.
+// States after past blocks. Used by Control::state_of(); tested by tests/control/block_states_test.cpp.
 
 #include "control/state/block_states.h"
 
@@ -7,12 +7,12 @@
 namespace kadr {
 namespace {
 
-/// Numbers of blocks run over after four thousand million: what is before what is seen by their difference.
+/// Block numbers wrap around after four thousand million blocks, so that their order follows from their difference.
 bool is_after(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-constexpr std::uint32_t renewed = 1u << 30;  // a state that lasts longer is noted again, so that differences stay small
+constexpr std::uint32_t renewed = 1u << 30;  // a state that remains valid longer is stored again, so that differences stay small
 
-/// But for where the tool is, which the motions themselves tell.
+/// Compares everything but the tool position, which the motions themselves contain.
 bool same_modes(const ControlState& a, const ControlState& b) {
   return a.modal == b.modal && a.transform == b.transform && a.frames == b.frames && a.set_position == b.set_position &&
          a.set_position_by_g52 == b.set_position_by_g52 && a.zero_shift == b.zero_shift;

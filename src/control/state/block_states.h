@@ -1,8 +1,9 @@
 #pragma once
-// What was in force when a block had been carried out, for blocks gone by: the machine is behind the control, and whoever looks at a motion
-// wants the modes of its block, not those of the one being read.
+// BlockStates: what was in force after each of the last blocks. The machine runs behind the control, and whoever looks at a motion
+// needs the modes of its block, not those of the block being read.
 //
-// An action's Origin holds the number of its block in the run; a state is kept only where one differs from that of the block before.
+// An action's Origin holds the number of its block in the run. A state is
+// stored only for a block whose state differs from that of the block before.
 
 #include <cstdint>
 #include <deque>
@@ -15,15 +16,15 @@ namespace kadr {
 
 class BlockStates {
  public:
-  static constexpr std::size_t most = 4096;  // changes of state; of motions, more than all rooms after the control hold back together
+  static constexpr std::size_t most = 4096;  // changes of state; in motions, more than all rooms after the control buffer together
 
-  /// A block has been carried out.
+  /// Records the state after a block was executed.
   void note(std::uint32_t block, const ControlState& now);
-  /// nullptr: it is too long ago.
+  /// Returns nullptr if the block is too long ago.
   std::shared_ptr<const ControlState> of(std::uint32_t block) const;
 
  private:
-  std::deque<std::pair<std::uint32_t, std::shared_ptr<const ControlState>>> states_;  // first block with it
+  std::deque<std::pair<std::uint32_t, std::shared_ptr<const ControlState>>> states_;  // with the first block that it applies to
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// An axis that hangs on one of another channel (spec/nct/20 20.2, 20.3): it follows it, or is exchanged with it. The session brings the
-// positions of the channels together (session/axis_links).
+// FarAxis: an axis that is coupled to, or exchanged with, an axis of another channel (spec/nct/20 20.2, 20.3). The session exchanges
+// the positions between the channels (session/axis_links).
 
 #include <cstddef>
 
@@ -9,10 +9,10 @@
 namespace kadr {
 
 struct FarAxis {
-  std::size_t axis = 0;               // of this channel
-  int other = 0;                      // number of the other one: these run on through the channels
+  std::size_t axis = 0;               // index in this channel
+  int other = 0;                      // number of the other axis; the numbers are unique across the channels
   AxisLink link = AxisLink::follows;  // or exchanged
-  double sign = 1;                    // of the motion that it follows with
+  double sign = 1;                    // direction in which the axis follows
   friend bool operator==(const FarAxis&, const FarAxis&) = default;
 };
 

@@ -1,4 +1,4 @@
-// What a block has written is taken back: for Interpreter::take_back; tests/control/journal_test.cpp.
+// Undoes what a block has written. Used by Interpreter::take_back; tested by tests/control/journal_test.cpp.
 
 #include "control/state/journal.h"
 

@@ -1,6 +1,7 @@
 #pragma once
-// What a block has written into tables and variables, as it was before: an alarm in the same block brings it back (design.md 4). The state
-// itself (ControlState) is a value and is brought back as one; whoever writes anything else keeps it here first.
+// Journal: old values of the table cells and variables that a block has written, so that an
+// alarm in the same block can restore them (design.md 4). The state itself (ControlState) is
+// a value and is restored by copying; code that writes anything else records it here first.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,33 +15,34 @@ namespace kadr {
 
 class Journal {
  public:
-  /// A block begins: what was kept counts no more.
+  /// Starts a block: discards what was recorded before.
   void begin() {
     ++block_;
     used_ = 0;
     if (!undos_.empty()) [[unlikely]]
       undos_.clear();
   }
-  /// `cell` is about to be written. It must not move before the block is over.
+  /// Records `cell`, which is about to be written. It must not move in memory before the block is over.
   template <class T>
   void keep(T& cell) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(Change));
     std::memcpy(room_for(sizeof cell), &cell, sizeof cell);
     note({&cell, sizeof cell});
   }
-  /// For what no cell can hold: rows that come and go. What `undo` touches must not move before the block is over.
+  /// Records a function that undoes a change that is not one cell, such as added or removed rows. What `undo` accesses must not move in
+  /// memory before the block is over.
   void on_undo(std::function<void()> undo) {
     (void)room_for(0);
     note({nullptr, undos_.size()});
     undos_.push_back(std::move(undo));
   }
-  /// All as begin() found it, the last change first.
+  /// Restores everything to its state at begin(), the last change first.
   void undo();
-  /// Goes up with each block.
+  /// Number of the block; it rises with each block.
   std::uint64_t block() const { return block_; }
 
  private:
-  /// Stands after the bytes that the cell held, so that the last change is found first.
+  /// Comes after the bytes of the old value, so that the last change is found first.
   struct Change {
     void* cell;        // nullptr: undos_[size]
     std::size_t size;  // bytes
@@ -66,7 +68,7 @@ class Journal {
   std::uint64_t block_ = 0;
 };
 
-/// A table's way to its journal. It belongs to the place, not to the value: a table that another is copied into keeps its own.
+/// A table's link to its journal. It belongs to the object, not to its value: a table that another one is copied into keeps its own link.
 class JournalLink {
  public:
   JournalLink() = default;
@@ -80,15 +82,15 @@ class JournalLink {
   void on_undo(Undo&& undo) const {
     if (journal_ != nullptr) journal_->on_undo(std::forward<Undo>(undo));
   }
-  /// The first time in this block? Without a journal nothing is ever taken back.
+  /// Returns true at its first call in this block; false without a journal, where nothing is ever undone.
   bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
-  /// As if nothing had been kept in this block.
+  /// Makes is_first() return true again, as if nothing had been recorded in this block.
   void start_anew() { seen_ = 0; }
   explicit operator bool() const { return journal_ != nullptr; }
 
  private:
   Journal* journal_ = nullptr;
-  std::uint64_t seen_ = 0;  // block
+  std::uint64_t seen_ = 0;  // block of the last is_first()
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// LineMarks: which lines a run has come to, roughly: some dozen lines share a mark. Whoever looks for a line skips what has no mark for it.
+// LineMarks: roughly, which lines a run has reached; 32 lines share a mark. A search for a line can skip a run without a mark for it.
 
 #include <array>
 #include <cstdint>
@@ -8,21 +8,21 @@ namespace kadr {
 
 class LineMarks {
  public:
-  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have marks of their own; then they share them
+  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have their own marks; beyond, marks are shared
 
   void note(std::uint16_t file, std::uint32_t line) {
     const std::uint32_t mark = mark_of(file, line);
     bits_[mark / 64] |= std::uint64_t{1} << mark % 64;
     ++blocks_;
   }
-  /// False: it surely has not.
+  /// Returns false if the run has certainly not reached the line.
   bool may_hold(std::uint16_t file, std::uint32_t line) const {
     const std::uint32_t mark = mark_of(file, line);
     return (bits_[mark / 64] >> mark % 64 & 1U) != 0;
   }
-  /// Blocks noted.
+  /// Number of blocks recorded.
   std::uint64_t blocks() const { return blocks_; }
-  /// Both runs, one after the other.
+  /// Adds the marks of another run.
   void add(const LineMarks& other) {
     for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] |= other.bits_[i];
     blocks_ += other.blocks_;

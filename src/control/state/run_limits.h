@@ -1,5 +1,5 @@
 #pragma once
-// What a run is made of besides control and set-up: its program, and what it may not exceed.
+// The input of a run besides control and set-up: its program, and the limits that it may not exceed.
 
 #include <cstdint>
 #include <memory>
@@ -15,17 +15,17 @@ namespace kadr {
 
 /// Limits that stop a runaway program.
 struct RunLimits {
-  std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
+  std::uint64_t repeated_blocks = 20'000'000;  // blocks executed again after a jump back
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
-  bool writes_files = false;                   // FOPEN, POPEN; false: as far as can be known without writing
+  bool writes_files = false;                   // FOPEN, POPEN; false: the program is followed as far as possible without writing
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
-  FileSet untouched{};                         // files of the run itself, which no program writes
-  StopToken stop{};                            // asked for at least each block
-  const FileDoor* door = nullptr;              // opens what the program calls and the set-up names; it outlives the run
+  FileSet untouched{};                         // files of the run itself, which no program may write
+  StopToken stop{};                            // checked at least once per block
+  const FileDoor* door = nullptr;              // opens the files that the program calls and the set-up names; must outlive the run
 };
 
 struct Program {
-  std::string file;  // its name, for people
+  std::string file;  // its name, for messages
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What the interpreter remembers from block to block beside its state: a snapshot holds it, an alarm does not bring it back.
+// RunMemory: what the interpreter remembers from block to block besides its state. A snapshot includes it; an alarm does not restore it.
 
 #include <array>
 #include <cstdint>
@@ -15,40 +15,40 @@
 
 namespace kadr {
 
-/// What the interpreter does when the cycle of its block is over, and what waits for the cycle's end.
+/// What the interpreter does next, once the canned cycle of the block is finished and with it what waits for its end.
 enum class RunPhase : std::uint8_t {
   next_block,    // reads the next block
-  same_block,    // executes the block that was read: a question was asked first, or the time had to be that of the moment
-  end_of_block,  // a watched block has been executed: an interrupt macro and the machine's logic look at its end (nct 23.4)
-  stopped,       // an alarm
+  same_block,    // executes the block that was read: it was postponed for a question, or to be executed at the right time
+  end_of_block,  // a watched block has been executed: the interrupt macro and the machine's logic are next (nct 23.4)
+  stopped,       // by an alarm
 };
 
 struct RunMemory {
-  Origin origin;          // of the block being carried out
-  Axes moved_from{};      // work coordinates before the last motion, in inches mode and with radius compensation
-  std::string call_text;  // block that called the cycle body being carried out, and its L word
+  Origin origin;          // of the block being executed
+  Axes moved_from{};      // work coordinates before the last motion; set in inch mode, during cutter compensation, and with feeds of axes
+  std::string call_text;  // text of the block that called the cycle body being executed, and place of its L word
   Span call_where;
   WaitingCodes waiting;
   AlarmReport report;               // the last alarm
-  ProgramUse use;                   // of what a set-up states
-  std::optional<Position> resumed;  // the block that was to begin when an interrupt macro came
-  std::uint64_t start_block = 0;    // number of the block with '%'; 0: none
-  std::uint64_t unserved = 0;       // groups that a code which does not work was in at the start
-  bool needs_frames = true;         // the first batch begins with them
-  bool reads_clock = false;         // a block that may read a clock has come
-  bool pass_varies = false;         // this pass of the main program met what may be otherwise in the next: a variable, a skip, a probe …
+  ProgramUse use;                   // use of the data that a set-up contains
+  std::optional<Position> resumed;  // the block that was about to start when an interrupt macro came
+  std::uint64_t start_block = 0;    // number of the block with '%'; 0 if there is none
+  std::uint64_t unserved = 0;       // bit per modal group: a code that does not work was in force at the start
+  bool needs_frames = true;         // the first batch starts with a FrameChange
+  bool reads_clock = false;         // a block that may read a clock has been read
+  bool pass_varies = false;         // this pass used something that may differ in the next pass: a variable, a skip, a probe …
   bool start_missing_reported = false;
   bool feed_missing_told = false;
   bool skipping_section = false;
   bool in_interrupt = false;  // the block belongs to an interrupt macro
   bool damaged = false;       // the block could not be read
-  AxisMask unplaced = 0;      // axes of which a refused motion has left unknown where they are
-  // switches of the panel
+  AxisMask unplaced = 0;      // axes whose position is unknown because a motion was refused
+  // ---- switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
-  std::vector<bool> skip_answers;                // of the operator, who is asked before a block is skipped (spec/gost 2); empty: nobody is
-  std::size_t skips_asked = 0;                   // so many of them are used up; the last one counts on
-  std::optional<bool> skips_it;                  // to the question about the current block
+  std::vector<bool> skip_answers;                // the operator's answers before a block is skipped (spec/gost 2); empty: nobody is asked
+  std::size_t skips_asked = 0;                   // number of answers used; the last answer is repeated
+  std::optional<bool> skips_it;                  // answer to the question about the current block
   std::array<bool, max_axes> mirror_switches{};  // of the 2С42 (6.8)
 };
 

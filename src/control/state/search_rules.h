@@ -1,5 +1,5 @@
 #pragma once
-// SearchRules: of a control's own block search. NCT 13.1, 12.1.
+// SearchRules: the rules of a control's own block search. NCT 13.1, 12.1.
 
 #include <utility>
 #include <vector>
@@ -7,8 +7,8 @@
 namespace kadr {
 
 struct SearchRules {
-  std::vector<std::pair<int, int>> groups;  // of M codes that exclude each other: least, greatest; of each only the last is carried out
-  bool tool_on_m6 = false;                  // the tool is changed on M6; else on T
+  std::vector<std::pair<int, int>> groups;  // M codes (least, greatest) that exclude each other: only the last is executed
+  bool tool_on_m6 = false;                  // the tool is changed by M6; else by T
 };
 
 }  // namespace kadr

@@ -1,11 +1,12 @@
 #pragma once
-// A control between two blocks, as a value: taken from one, given to another of the same control, set-up and program.
+// Snapshot: a control between two blocks, as a value. It is taken from one control and can be restored in another with the same
+// definition, set-up and program.
 
 #include <memory>
 
 namespace kadr {
 
-/// Copies share what they hold, and tables that did not change between two snapshots of one control are shared by them.
+/// Copies share their content; tables that did not change between two snapshots of one control are shared by both.
 class Snapshot {
  public:
   struct Content;  // control/snapshot.cpp

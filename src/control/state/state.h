@@ -1,5 +1,5 @@
 #pragma once
-// What a control remembers, split by owner: modal state, position, frames, tables.
+// What a control remembers, grouped by purpose: modal state, position, frames, tables.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace kadr {
 
 enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 
-/// Axes of the selected plane, by index; counter-clockwise turns the first towards the second.
+/// Axes of the selected plane, by index; a counter-clockwise rotation turns the first towards the second.
 struct PlaneAxes {
   std::size_t first = 0, second = 1, normal = 2;
   friend bool operator==(const PlaneAxes&, const PlaneAxes&) = default;
@@ -28,13 +28,13 @@ inline PlaneAxes axes_of(Plane plane) {
   }
 }
 
-/// Where a program stands between G41, G42 and the motion that leaves the contour (2С42 6.4.7, Mach3 10.7.13).
+/// Progress of cutter compensation, from G41, G42 to the motion that leaves the contour (2С42 6.4.7, Mach3 10.7.13).
 enum class ContourPhase : std::uint8_t {
   off,
   on,          // no motion in the plane yet
-  approached,  // the first one
-  following,   // further ones
-  leaving,     // G40: the tool still stands beside the contour, until the next motion in the plane
+  approached,  // after the first motion
+  following,   // after further motions
+  leaving,     // after G40: the tool is still offset from the contour, until the next motion in the plane
 };
 
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
@@ -42,7 +42,7 @@ enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
 inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission
 
-/// What a block that only moves and feeds may change of the modes.
+/// The modes that a block of only motions and feeds may change.
 struct MotionModal {
   std::array<std::int16_t, most_groups> rows;  // row of ControlDef::codes in force, -1: none
   std::int16_t motion_row = -1;
@@ -52,7 +52,7 @@ struct MotionModal {
   friend bool operator==(const MotionModal&, const MotionModal&) = default;
 };
 
-/// What stays in force from block to block. `rows` names the code of each group; the fields say what it means.
+/// What stays in force from block to block. `rows` has the code of each group; the fields hold its meaning.
 struct Modal : MotionModal {
   Plane plane = Plane::xy;
   PlaneAxes axes;  // of the plane
@@ -60,7 +60,7 @@ struct Modal : MotionModal {
   SpindleDir spindle = SpindleDir::stop;
   std::int8_t radius_side = 0;     // -1 left (G41), +1 right (G42)
   std::int8_t length_sign = 0;     // +1 G43, -1 G44
-  std::int8_t corrector_sign = 0;  // +1 and -1: the corrector's absolute value with that sign; 0: its own
+  std::int8_t corrector_sign = 0;  // sign forced on the corrector's absolute value, +1 or -1; 0: it keeps its own
   bool absolute = true;
   bool centers_absolute = false;
   bool inch = false;
@@ -71,47 +71,47 @@ struct Modal : MotionModal {
   bool mist = false;
   bool flood = false;
   bool override_enabled = true;
-  std::uint8_t override_permission = 3;  // feed_permission, 2 spindle
+  std::uint8_t override_permission = 3;  // bits: feed_permission, 2 for the spindle
   std::uint16_t work_zero = 0;           // 0: none
   std::uint32_t fixture = 1;
   std::uint32_t offset_number = 0;  // D
-  std::uint32_t length_number = 0;  // H, where it is a word of its own
+  std::uint32_t length_number = 0;  // H, if it is a separate word
   std::uint32_t tool_selected = 0;
-  std::uint32_t corrector = 0;  // of T0404
+  std::uint32_t corrector = 0;  // corrector number of T0404
   std::uint32_t tool = 0;       // in the spindle
-  double radius_by_word = -1;   // G41 P…; -1: from the table
-  std::uint8_t nose = 0;        // with it: orientation of a turning tool (spec/linuxcnc 9)
+  double radius_by_word = -1;   // radius of G41 P…; -1: from the table
+  std::uint8_t nose = 0;        // with radius_by_word: orientation of a turning tool (spec/linuxcnc 9)
   double blend_tolerance = 0;   // G64 P…, mm
   double rpm = 0;
-  double rpm_waiting = -1;     // S without M3, M4: for the next of them (2С42 6.4.3); -1: none
-  Axes axis_feed{};            // F that belongs to one axis (GOST 20999-83) …
-  AxisMask feeds_of_axes = 0;  // … of these
+  double rpm_waiting = -1;     // S without M3, M4: applies from the next M3 or M4 (2С42 6.4.3); -1: none
+  Axes axis_feed{};            // F of a single axis (GOST 20999-83) …
+  AxisMask feeds_of_axes = 0;  // … and the axes that have one
   Vec2 pole;                   // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
-  std::array<double, 3> pole_of{};  // G10 of GOST: its coordinates by axis, X Y Z
-  Plane pole_plane = Plane::xy;     // the pole and its angle lie in this one
-  Plane pole_under = Plane::xy;     // the plane in force when it was given
+  std::array<double, 3> pole_of{};  // G10 of GOST: coordinates of the pole by axis, X Y Z
+  Plane pole_plane = Plane::xy;     // plane of the pole and of its angle
+  Plane pole_under = Plane::xy;     // plane in force when the pole was given
   ContourPhase contour = ContourPhase::off;
-  std::int8_t contour_side = 0;              // as in Motion::side, of the last compensated motion; 0: there was none
+  std::int8_t contour_side = 0;              // as in Motion::side, of the last compensated motion; 0 if there was none
   CornerJoin corner_join = CornerJoin::arc;  // G36, G37
-  Vec2 contour_start;                        // end of the first motion, programmed
-  PlaneAxes contour_axes;                    // its plane
-  Vec2 contour_vector;                       // from its last point to the tool beside it, were it to end there; work coordinates
-  bool beside_told = false;                  // beside_contour has been, since G40
+  Vec2 contour_start;                        // end of the first motion, programmed coordinates
+  PlaneAxes contour_axes;                    // plane of the contour
+  Vec2 contour_vector;                       // from the contour's last point to the tool, as if it ended there; work coordinates
+  bool beside_told = false;                  // warning beside_contour was given since G40
   // nct
-  std::uint8_t main_spindle = 1;  // whose turns feeds and threads count (11.4)
+  std::uint8_t main_spindle = 1;  // the spindle that feeds per revolution and threads refer to (11.4)
   bool turning_lengths = false;   // G43.7
-  double other_feed = 0;          // of G94 while G95 is in force, and the other way round
+  double other_feed = 0;          // feed of G94 while G95 is in force, and vice versa
   bool other_feed_known = false;
-  bool polar_data = false;          // G16
-  bool polar_radius_given = false;  // since G16, and as an absolute one
-  bool polar_radius_absolute = true;
+  bool polar_data = false;            // G16
+  bool polar_radius_given = false;    // since G16; in GOST since the first G10
+  bool polar_radius_absolute = true;  // it was given as an absolute value
   bool polar_angle_given = false;
   std::uint8_t smoothing = 0;                // Q of G5.1: 2, 3
   PathSurface surface = PathSurface::plane;  // G12.1, G7.1
   double surface_radius = 0;                 // of the cylinder, mm
-  double surface_side = 1;                   // sign of the linear axis at G12.1
+  double surface_side = 1;                   // sign of the linear axis when G12.1 was given
   AxisMask diameter = 0;                     // axes in diameter programming
   Axes new_system{};                         // shift of G92
   Axes local{};                              // shift of G52
@@ -119,42 +119,43 @@ struct Modal : MotionModal {
   friend bool operator==(const Modal&, const Modal&) = default;
 };
 
-/// Programmed → work coordinates. From the inside out: scaled, then turned (or turned, then scaled), mirrored, shifted by what axis
-/// correctors have added. Each axis by itself but the two that a rotation mixes (nct 16.0: the first switched on is the outermost).
+/// Conversion from programmed to work coordinates. A point is scaled, then rotated (or rotated, then scaled), mirrored, and shifted by
+/// what axis correctors have added. Each axis is independent, except the two that a rotation mixes (nct 16.0: the transformation
+/// switched on first is the outermost).
 ///   law  to_programmed(to_work(p)) == p up to rounding
 struct Transform {
   bool identity = true;
   Axes scale;                                // negative where mirrored
   Axes scale_shift;                          // mm: centre · (1 - scale)
   Axes added;                                // by correctors, or twice the coordinate of a mirror line (nct 16.3), mm
-  double rotation = 0;                       // degrees, the first axis turned towards the second
+  double rotation = 0;                       // degrees; positive turns the first axis towards the second
   Vec2 rotation_center;                      // mm
   std::uint8_t first = 0, second = 1;        // axes that the rotation mixes
-  bool turned_last = true;                   // scaled, then turned; false: turned, then scaled
-  bool scaling = false, turning = false;     // nct: G51, G68 are on, whatever their numbers
+  bool turned_last = true;                   // scaled, then rotated; false: rotated, then scaled
+  bool scaling = false, turning = false;     // nct: G51, G68 are on, even if they have no effect
   std::array<std::int8_t, max_axes> mirror;  // +1, -1
 
   Transform();
   void refresh();  // sets `identity` and the rotation's sine and cosine
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
-  /// The axes that a rotation mixes move together.
+  /// Adds the partner of an axis that a rotation mixes: both move together.
   AxisMask moved_with(AxisMask named) const;
 
-  // ---- what it does in a plane
-  /// A rotation in another plane leads its figures out of this one.
+  // ---- effect in a plane
+  /// True if a rotation in another plane moves the figures of this plane out of it.
   bool leaves(PlaneAxes plane) const;
-  /// A contour runs the other way round: the determinant of the plane part is negative.
+  /// True if a contour is traversed in the opposite sense: the determinant of the plane part is negative.
   bool reverses(PlaneAxes plane) const { return sign(plane.first) * sign(plane.second) < 0; }
-  /// Its two axes have different factors: a circle is none any more.
+  /// True if the two axes of the plane have different factors, so that a circle does not remain one.
   bool distorts(PlaneAxes plane) const;
-  /// A point of the plane; mm. Nothing else of it counts where the transformation does not leave the plane.
+  /// Converts a point of the plane; mm. Needs nothing else, as long as the transformation does not leave the plane.
   Vec2 to_work(Vec2 programmed, PlaneAxes plane) const;
-  /// A direction: mirrored and turned; scaling has no influence on it (nct 15.5.6).
+  /// Converts a direction: mirrored and rotated; scaling has no influence on it (nct 15.5.6).
   Vec2 direction(Vec2 way, PlaneAxes plane) const;
-  /// Factor of a corner's rounding or chamfer: the mean of the plane's two, without sign (nct 16.2).
+  /// Factor for a corner's rounding or chamfer: the mean of the plane's two factors, without sign (nct 16.2).
   double corner_scale(PlaneAxes plane) const;
-  /// Factor of an arc's radius: that of the first axis of the plane, without sign (nct 16.2).
+  /// Factor for an arc's radius: the one of the first axis of the plane, without sign (nct 16.2).
   double radius_scale(PlaneAxes plane) const;
   friend bool operator==(const Transform&, const Transform&) = default;
 
@@ -166,31 +167,32 @@ struct Transform {
 
 struct ProgramPosition {
   Axes programmed{};  // as the program's words mean it
-  Axes work{};        // tool point in the work system in force
+  Axes work{};        // tool point in the active work system
   Axes machine{};
 };
 
-/// Tables of the control that a program reads (and, with G10, writes).
+/// Tables of the control that a program reads and, with G10, writes.
 struct Tables {
-  std::vector<ToolOffset> offsets;                  // by number; [0] is none
-  std::vector<Axes> zeros = std::vector<Axes>(10);  // work zeros 1… ; [0] is none
-  std::vector<Vec3> rotations;                      // basic rotations of the zeros: angles in G17, G18, G19 (nct 10.2.3)
+  std::vector<ToolOffset> offsets;                  // by number; [0] is unused
+  std::vector<Axes> zeros = std::vector<Axes>(10);  // work offsets 1…; [0] is unused
+  std::vector<Vec3> rotations;                      // basic rotations of the work offsets: angles in G17, G18, G19 (nct 10.2.3)
   Axes common{};                                    // common work offset
   std::vector<double> correctors;
-  std::array<Axes, 5> reference{};  // reference points 1…4, machine
+  std::array<Axes, 5> reference{};  // reference points 1…4, machine coordinates
   friend bool operator==(const Tables&, const Tables&) = default;
 };
 
-/// Words of a drilling cycle that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
+/// Words of a drilling cycle that remain valid while blocks of the same cycle follow (spec/mach3 4: "sticky").
 struct CycleMemory {
   std::int16_t row = -1;         // code row of the cycle, -1: none
-  std::uint64_t known = 0;       // letters
+  std::uint64_t known = 0;       // bits of the letters that have a value
   double bottom = 0, level = 0;  // Z and R as programmed, mm
   double peck = 0, dwell = 0;
   double i = 0, j = 0, k = 0;
 };
 
-/// What a block changes and an alarm in it brings back, one value: Interpreter is one. What else a block writes stands in its Journal.
+/// The state that a block changes and that an alarm in the block restores, as one value; a base class of Interpreter. Other data that a
+/// block writes is recorded in its Journal.
 struct ControlState {
   Modal modal;
   Transform transform;
@@ -198,8 +200,8 @@ struct ControlState {
   Placement frames;
   CycleMemory cycle_memory;
   Axes set_position{};               // G92 / G52 shift (Mach3), mm
-  bool set_position_by_g52 = false;  //
-  Axes zero_shift{};                 // temporary shift on top (G92 of the 2С42 and GOST)
+  bool set_position_by_g52 = false;  // by G52
+  Axes zero_shift{};                 // additional temporary shift (G92 of the 2С42 and GOST)
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// What a program uses that a set-up states: offsets, work zeros, correctors, tools, variables, switches; and where first. The control
-// tells it (Control::use()), for the note `not_stated` and for `kadr setup`.
+// ProgramUse: which data of a set-up a program uses (offsets, work offsets, correctors, tools, variables, switches), and where first.
+// The control provides it (Control::use()), for the note `not_stated` and for `kadr setup`.
 
 #include <array>
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace kadr {
 class BlockContext;
 
 enum class UseKind : std::uint8_t {
-  length,         // an offset's length in force: H, or D of the 2С42
-  radius,         // its radius
-  work_zero,      // by the row of its table: work_systems() of config/setup_names tells the names
+  length,         // an offset's length comes into force: by H, or by D of the 2С42
+  radius,         // an offset's radius comes into force
+  work_zero,      // by the row of its table; work_systems() of config/setup_names gives the names
   corrector,      // of an axis, or of a tool's radius
   tool,           // T
-  variable,       // #n read before anything was written to it; of a control without vacant variables only where it is watched
-  parameter,      // R0 … R9, the same
+  variable,       // #n is read before anything was written to it; on a control without vacant variables only after watch()
+  parameter,      // R0 … R9, under the same condition
   skip_switch,    // of /, /n
   optional_stop,  // M1
   count
@@ -28,23 +28,23 @@ enum class UseKind : std::uint8_t {
 struct Use {
   UseKind kind = UseKind::count;
   std::uint32_t number = 0;
-  Origin origin;           // of the first time
-  bool zero = false;       // what it names was 0 then
-  std::uint32_t tool = 0;  // in the spindle then
+  Origin origin;           // of the first use
+  bool zero = false;       // the value was 0 at that time
+  std::uint32_t tool = 0;  // in the spindle at that time
 };
 
 class ProgramUse {
  public:
-  /// Keeps the first use of each number. From a set-up's own words (no line) nothing is used.
+  /// Records the first use of each number. Words of the set-up itself (without a line) are not recorded.
   void note(UseKind kind, std::uint32_t number, const Origin& origin, bool zero = false);
   const std::vector<Use>& all() const { return all_; }
-  /// A tool has come into the spindle; where none ever does, the last T counts.
+  /// Records that a tool has come into the spindle. If this is never called, the last T counts.
   void change_to(std::uint32_t tool) { in_spindle_ = tool; }
 
-  /// Variables and lines are looked at too; costs time.
+  /// Records variables and lines too, which takes time.
   void watch() { watches_ = true; }
   bool watches() const { return watches_; }
-  /// A line of the program itself has been carried out.
+  /// Records that a line of the program itself has been executed.
   void pass(const Origin& origin);
   bool passed(std::uint32_t line) const { return line < lines_.size() && lines_[line]; }
 
@@ -56,9 +56,9 @@ class ProgramUse {
   bool watches_ = false;
 };
 
-/// A code has put the work zero in force.
+/// Records that a code has put a work offset in force.
 void note_work_zero(BlockContext& m, std::uint32_t row);
-/// #number, R`index` is about to be read.
+/// Record that variable #`number`, or parameter R`index`, is about to be read.
 void note_read(BlockContext& m, double number);
 void note_read_parameter(BlockContext& m, int index);
 

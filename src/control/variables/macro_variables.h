@@ -1,5 +1,5 @@
 #pragma once
-// #1 … #33 by level and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). Vacant until written.
+// MacroVariables: #1 … #33 per level, and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). A variable is vacant until it is written.
 
 #include <array>
 #include <cmath>
@@ -28,10 +28,10 @@ struct Commons {
 
 class MacroVariables {
  public:
-  /// `shared`: of all channels; the first `shared_100` from #100 and `shared_500` from #500 are theirs.
+  /// `shared`: the common variables of all channels. They include the first `shared_100` from #100 and the first `shared_500` from #500.
   MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500);
 
-  /// #0, locals and commons; false for any other number.
+  /// Reads #0, local and common variables; returns false for any other number.
   bool known(double number, double& value) const {
     if (!(number >= 0 && number <= last_common)) return false;
     const int n = static_cast<int>(number);
@@ -51,7 +51,7 @@ class MacroVariables {
       changed_.push_back(static_cast<std::uint16_t>(n));
     }
   }
-  /// Common variables beyond #999, by number (spec/fanuc 5.1: #900000; spec/haas 2.4: #10000).
+  /// Common variables above #999, by number (spec/fanuc 5.1: #900000; spec/haas 2.4: #10000).
   double further(std::uint32_t n) const {
     const auto found = further_.find(n);
     return found == further_.end() ? vacant : found->second;
@@ -60,11 +60,11 @@ class MacroVariables {
     further_[n] = value;
     further_changed_.insert(n);
   }
-  /// Those written since the last call.
+  /// Returns the numbers written since the last call.
   std::set<std::uint32_t> take_changed_further() { return std::exchange(further_changed_, {}); }
   const std::map<std::uint32_t, double>& all_further() const { return further_; }
 
-  /// #n is about to be written by a block that an alarm may take back.
+  /// Saves #n before a block writes it, so that an alarm can restore it.
   void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
   Locals& locals() { return levels_.back(); }
   const Locals& locals() const { return levels_.back(); }
@@ -73,12 +73,12 @@ class MacroVariables {
   void close_level() {
     if (levels_.size() > 1) levels_.pop_back();
   }
-  /// The end of the program: only the main program's level is left, and it is empty (23.1.3).
+  /// The end of the program: leaves only the main program's level, empty (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
   const std::vector<Locals>& levels() const { return levels_; }
 
-  /// What a snapshot holds; of the shared commons their values too.
+  /// The state in a snapshot, including the values of the shared common variables.
   struct Memory {
     std::vector<double> commons;  // from first_common on
     std::vector<Locals> levels;
@@ -87,9 +87,9 @@ class MacroVariables {
   Memory memory() const;
   void remember(const Memory& memory);
 
-  /// The commons that outlive power-off and were written since the last call.
+  /// Returns the numbers of common variables that survive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();
-  /// #100 … #499 are lost at power-off, and the locals.
+  /// Clears what power-off loses: #100 … #499 and the local variables.
   void power_off();
 
  private:

@@ -1,4 +1,4 @@
-// #1 … #n of Mach3 (system variables among them), R0 … R9 of the 2С42. For control/interpreter, control/snapshot_content.
+// #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. Used by control/interpreter, control/snapshot_content.
 
 #include "control/variables/variables.h"
 
@@ -11,15 +11,15 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
+constexpr std::uint32_t first_system_variable = 1000;  // lower numbers are free for the program
 
-/// R0 to R9, or a thousand of each letter.
+/// Number of parameters: R0 to R9, or a thousand per letter.
 std::size_t parameters_of(const Grammar& grammar) {
   constexpr std::size_t of_one_digit = 10;
   return std::max(of_one_digit, grammar.long_parameters.size() * parameters_a_letter);
 }
 
-/// The number of a variable, or 0 if `number` is none.
+/// Returns the number of a variable; 0 if there is no variable with this number.
 std::uint32_t number_of(double number, std::uint32_t highest) {
   const double nearest = std::round(number);
   if (!(nearest >= 1) || nearest > highest || std::fabs(number - nearest) > tol::whole_number) return 0;
@@ -29,7 +29,7 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 }  // namespace
 
 Variables::Variables(const ControlDef& def, Journal& journal) : def_(def), journal_(journal) {
-  all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);  // custom macros: MacroVariables
+  all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);  // custom macros: see MacroVariables
   all_.set.resize(all_.values.size());
   all_.parameters.resize(parameters_of(def.grammar));
   all_.parameters_set.resize(all_.parameters.size());
@@ -56,7 +56,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= all_.values.size()) return;  // a row of the control's file beyond its variables
+  if (number >= all_.values.size()) return;  // a row of the control's file may exceed its variables
   journal_.keep(all_.values[number]);
   journal_.keep(all_.set[number]);
   all_.values[number] = value;

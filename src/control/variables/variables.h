@@ -1,5 +1,5 @@
 #pragma once
-// #1 … #n of Mach3 (system variables among them), R0 … R9 of the 2С42. What a block writes can be taken back.
+// Variables: #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. What a block writes can be undone.
 
 #include <cstdint>
 #include <string>
@@ -13,43 +13,43 @@ namespace kadr {
 
 class Variables {
  public:
-  /// `journal`: where a block's writes are kept.
+  /// `journal`: records old values before a block overwrites them.
   Variables(const ControlDef& def, Journal& journal);
 
-  /// Value of #number; a number never set is 0 (Mach3).
-  ///   alarms  variable_unknown, for a number that is no variable
+  /// Returns the value of #number; 0 if it was never set (Mach3).
+  ///   alarms  variable_unknown, if there is no variable with this number
   Result<double> variable(double number, Span where) const;
-  /// Value of R`index`.
+  /// Returns the value of R`index`.
   ///   alarms  variable_not_set
   Result<double> parameter(int index, Span where) const;
 
   Status set(double number, double value, Span where);
   void set_parameter(int index, double value);
-  /// R5; of several letters R05, P123 (spec/correctors 3).
+  /// Name of a parameter: R5; with several letters R05, P123 (spec/correctors 3).
   std::string name_of_parameter(int index) const;
-  /// Its index, or -1.
+  /// Returns the index of a parameter, or -1 if there is none with this name.
   int parameter_named(const std::string& name) const;
   int parameter_count() const { return static_cast<int>(all_.parameters.size()); }
 
   double raw(std::uint32_t number) const { return number < all_.values.size() ? all_.values[number] : 0; }
   void set_raw(std::uint32_t number, double value);
-  /// A number that means something to the control.
+  /// Returns true if the number has a meaning to the control.
   bool is_system(std::uint32_t number) const { return kind_of(number) != VariableKind::free; }
   bool is_set(std::uint32_t number) const { return number < all_.set.size() && all_.set[number]; }
   std::uint32_t highest() const { return static_cast<std::uint32_t>(all_.values.size()) - 1; }
   bool parameter_set(int index) const { return all_.parameters_set[static_cast<std::size_t>(index)]; }
   double raw_parameter(int index) const { return all_.parameters[static_cast<std::size_t>(index)]; }
 
-  /// First number of the rows of that kind, its `nth` repetition; 0 if the control has none.
+  /// Returns the first number of the rows of this kind in their `nth` repetition; 0 if the control has none.
   std::uint32_t first(VariableKind kind, std::uint32_t nth = 0) const;
 
-  /// A system variable was written since the last call: frames must be worked out anew.
+  /// Returns true if a system variable was written since the last call; the frames must then be recomputed.
   bool take_frames_changed();
 
-  /// Of numbers and of parameters: by number, by index.
+  /// Values of variables by number, and of parameters by index.
   struct Values {
     std::vector<double> values, parameters;
-    std::vector<std::uint8_t> set, parameters_set;  // the program or the set-up has
+    std::vector<std::uint8_t> set, parameters_set;  // written by the program or the set-up
     friend bool operator==(const Values&, const Values&) = default;
   };
   const Values& all() const { return all_; }

@@ -1,5 +1,5 @@
 #pragma once
-// One block of a part program, parsed: words with their values, and where each stands.
+// Block: one parsed block of a part program, with the values and places of its words.
 
 #include <array>
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace kadr {
 
-/// Step of a compiled expression: a stack machine's instruction (lang/expression/expression).
+/// A step of a compiled expression: an instruction of a stack machine (lang/expression/expression).
 
 struct Instruction {
   Op op;
-  double number = 0;  // of `number`, `scale`; index of `parameter`
+  double number = 0;  // for `number`, `scale`; for `parameter` its index
   Span where;         // for the alarm, if the step fails
 };
 
-/// A piece of the block's instructions; empty: no expression.
+/// A range of the block's instructions; empty if there is no expression.
 struct Expression {
   std::uint16_t begin = 0;
   std::uint16_t end = 0;
@@ -35,24 +35,24 @@ struct Word {
   double value = 0;
   double second = std::numeric_limits<double>::quiet_NaN();  // of `L2 15`
   Span where;
-  Expression expression;   // the value is known only when the block is carried out
-  Expression axis;         // of AX[n]=…: number of the axis
-  std::int32_t code = -1;  // of G and M: ten times the number (G54.1 = 541); -1: not a code
+  Expression expression;   // the value is known only when the block is executed
+  Expression axis;         // number of the axis in AX[n]=…
+  std::int32_t code = -1;  // for G and M: ten times the number (G54.1 = 541); -1: not a code
   char address = 0;
   std::uint8_t digits = 0;   // digits written
-  std::uint8_t counted = 0;  // decimals that a number without a point was made smaller by
+  std::uint8_t counted = 0;  // number of decimals by which a number without a point was scaled down
   bool has_point = false;
   bool incremental = false;  // operator I
   bool bare = false;         // without a number
-  char written = 0;          // the address; `address` is 0 while its expression is vacant
+  char written = 0;          // the address as written; `address` is 0 while its expression is vacant
 };
 
-/// A statement of the macro language that stands alone in its block (nct 23.2, 23.5).
+/// The statements of the macro language, each alone in its block (nct 23.2, 23.5).
 enum class StatementKind : std::uint8_t {
   none,
-  words,  // IF[…] THEN with words of an NC block: they are carried out if the conditions hold
+  words,  // IF[…] THEN with words of an NC block, which are executed if the conditions are true
   assign,
-  message,  // #3000=n(text) and its like: the text is the block's first comment
+  message,  // #3000=n(text) and similar: the text is the first comment of the block
   go_to,
   loop,  // WHILE[…] DOm or DOm
   loop_end,
@@ -62,12 +62,12 @@ enum class StatementKind : std::uint8_t {
   close_file,
   print_binary,
   print_decimal,
-  names,   // SETVN n[NAME,…]: nothing is carried out (spec/fanuc 5.1)
-  o_word,  // a line of flow or calls (spec/linuxcnc 6)
-  system,  // `$H`, `$110=500`, `$J=X10 F100`: the words of a jog are the block's (spec/grbl 9, 11)
+  names,   // SETVN n[NAME,…]: has no effect at run time (spec/fanuc 5.1)
+  o_word,  // a line of flow control or a call (spec/linuxcnc 6)
+  system,  // `$H`, `$110=500`, `$J=X10 F100`: the words of a jog are words of the block (spec/grbl 9, 11)
 };
 
-/// What an O line says (spec/linuxcnc 6.1).
+/// The commands of an O line (spec/linuxcnc 6.1).
 enum class OWord : std::uint8_t {
   label,  // O100 alone
   sub,
@@ -93,18 +93,18 @@ struct Statement {
   std::uint8_t loop = 0;             // m of DOm, ENDm
   std::uint8_t condition_count = 0;  // of IF or WHILE: all must be true
   bool with_if = false;
-  bool words_follow = false;  // of an assignment behind IF: words of the block (spec/haas 2.3)
+  bool words_follow = false;  // words of the block follow an assignment after IF (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // assign: number of the variable
   Expression value;    // assign, go_to: N…; ports and files: n
   Expression program;  // FOPENn P…
   Span where;
-  Span text;  // between the brackets of DPRNT, BPRNT; the label of an O line where it is a name (else `value`); a system line
+  Span text;  // between the brackets of DPRNT, BPRNT; an O line's label if it is a name (else `value`); a system line
   OWord o_word = OWord::label;
   Span label_where;  // of an O line
 };
 
-/// #n = expression, or R2+50.
+/// An assignment: #n = expression, or R2+50.
 struct Assignment {
   Expression target;  // number of the variable
   Expression value;
@@ -114,22 +114,22 @@ struct Assignment {
 enum class Marker : std::uint8_t {
   none,
   program_start,  // '%'
-  label,          // Onnnn alone begins a subprogram or names the program
+  label,          // Onnnn alone: starts a subprogram or names the program
   section,        // `L` alone: subprograms follow (2С42 6.3.5)
 };
 
-/// The addresses of a plain block in their order, and its codes: blocks of the same shape ask for the same (lang/block/plain_block).
+/// The addresses of a plain block in order, and its codes: blocks with the same shape call the same functions (lang/block/plain_block).
 struct BlockShape {
   std::uint64_t first = 0, second = 0;  // the last word in the lowest bits
   friend bool operator==(const BlockShape&, const BlockShape&) = default;
-  /// False: it is no plain block, has no words, or more than there is room for.
+  /// Returns false if the block is not plain, has no words, or has too many.
   explicit operator bool() const { return first != 0; }
 
-  /// `code`: of G and M, else -1.
+  /// `code`: for G and M; else -1.
   void add(char letter, std::int32_t code) {
     constexpr unsigned letter_bits = 7, code_bits = 17;
     const unsigned bits = code >= 0 ? letter_bits + code_bits : letter_bits;
-    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // stays so
+    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // too many words: remains so
     const std::uint64_t item = (code >= 0 ? static_cast<std::uint64_t>(code) << letter_bits : 0) | static_cast<std::uint64_t>(letter);
     second = second << bits | first >> (64 - bits);
     first = first << bits | item;
@@ -145,7 +145,7 @@ struct Block {
   bool has_number = false;
   bool main_block = false;  // ':'
   std::uint8_t number_digits = 0;
-  std::uint8_t skip = 0;     // 0: not to be skipped; else the switch, 1..9
+  std::uint8_t skip = 0;     // 0: not marked for skipping; else the switch, 1..9
   std::uint32_t number = 0;  // of N, ':'
   std::uint32_t label = 0;   // of O, of '%'
   std::uint32_t word_count = 0;
@@ -156,21 +156,21 @@ struct Block {
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<Expression> arguments;  // of O100 call
-  std::vector<Span> comments;         // the text between the brackets
+  std::vector<Span> comments;         // the text in the brackets
   std::vector<Alarm> warnings;        // look-alike letters
   Statement statement;
   Span file_name;               // between < and >
-  std::optional<Alarm> broken;  // what is wrong behind the words; they count first (spec/grbl 1.3)
-  bool evaluates = false;       // some word's value is an expression
-  bool codes_vary = false;      // a code's number is an expression
-  bool kept = false;            // stays in memory at its place: a loop carries it out again
-  bool no_clock = false;        // it was looked at and reads none
-  std::uint64_t checked = 0;    // addresses it had when its words were looked at and found right
-  bool calls_macro = false;     // of a block that was looked at
-  bool altered = false;         // words were taken away when it was carried out: their address is 0
+  std::optional<Alarm> broken;  // a fault after the words, which have priority (spec/grbl 1.3)
+  bool evaluates = false;       // the value of a word is an expression
+  bool codes_vary = false;      // the number of a code is an expression
+  bool kept = false;            // stays in memory at its address, because a loop executes it again
+  bool no_clock = false;        // was checked and reads no clock
+  std::uint64_t checked = 0;    // addresses at the time when its words were checked and found correct
+  bool calls_macro = false;     // that check has found a call of a macro
+  bool altered = false;         // words were removed during execution: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
-  /// The first word of that address, or nullptr.
+  /// Returns the first word with this address, or nullptr.
   const Word* find(char letter) const { return has(letter) ? &words[at[static_cast<std::size_t>(letter - 'A')]] : nullptr; }
   bool empty() const {
     return word_count == 0 && assignments.empty() && marker == Marker::none && statement.kind == StatementKind::none &&
@@ -178,7 +178,7 @@ struct Block {
   }
   std::string_view text_of(Span s) const { return text.substr(s.begin, s.end - s.begin); }
 
-  /// Ready for the next block; keeps the memory of the lists.
+  /// Prepares for the next block; keeps the memory of the lists.
   void clear() {
     marker = Marker::none;
     has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;

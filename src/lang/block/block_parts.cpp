@@ -1,4 +1,4 @@
-// Parts of a block that are no words. For lang/block/lexer.
+// Parts of a block that are not words. Used by lang/block/lexer.
 
 #include "lang/block/block_parts.h"
 
@@ -32,7 +32,7 @@ Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std
   return {};
 }
 
-/// ПС as a word of its own inside a comment ends the block on the tape (2С42 6.2).
+/// ПС as a separate word in a comment ends the block on the tape (2С42 6.2).
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end) {
   constexpr std::string_view mark = "ПС";
   const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(text[i]); };

@@ -1,4 +1,5 @@
-// Lines → blocks: the door of `lang`. For control, lang; tested by tests/lang/block_reader_test.cpp.
+// Reads the blocks of a program from its lines. The entrance to `lang`. Used by control, lang; tested by
+// tests/lang/block_reader_test.cpp.
 
 #include "lang/block/block_reader.h"
 
@@ -44,8 +45,8 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // a row whose parity is wrong, too
-    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';            // blank tape: places stay
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // also for a row with wrong parity
+    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';            // blank tape: later places do not shift
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
   place = there;
@@ -62,7 +63,7 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   if (lie_ != TapeLie::right) [[unlikely]]
     return reversed_tape(block);
   for (;;) {
-    Position here = position_;  // goes on in registers: what is stored in parts is not read back as one
+    Position here = position_;  // kept in registers: separate stores would delay a load of the whole
     if (!in_line_) {
       if (!lines_.next(line_)) {
         position_ = {lines_.offset(), line_.number + 1, 0};
@@ -90,13 +91,13 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   }
 }
 
-/// A % behind the one that begins the program (spec/fanuc 1.1).
+/// Returns true for a % after the one that starts the program (spec/fanuc 1.1).
 bool BlockReader::is_sign_of_end() const {
   return grammar_.percent_frames && line_.offset != frame_.sign && has_sign(line_.bytes) &&
          !(memory_.encoding && is_tape(*memory_.encoding));
 }
 
-/// A tape put in wrongly holds no blocks: one alarm, then its end.
+/// Handles a tape that was read in the wrong orientation, which has no blocks: one alarm, then the end.
 Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
@@ -105,14 +106,14 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
 }
 
-/// Takes a new line; passes over the blocks before `nth` when a jump goes into its middle.
+/// Starts a new line; skips the blocks before number `nth` after a jump into the middle of the line.
 Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // elsewhere the damage may lie in a comment: lex_line finds out
+    if (!decoded && is_tape(encoding())) {  // else the damage may be in a comment: lex_line decides
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;
@@ -143,7 +144,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // the blocks before this one were read undecoded: the same place in the text
+    if (rest_ != 0) {  // the blocks before this one were read undecoded: find the same place in the text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -151,7 +152,7 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
-  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // several of them in one block
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // one block may contain several
     if (joined == limits::long_comments) {
       rest_ = text_.size();
       return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
@@ -181,7 +182,7 @@ Status BlockReader::lex_line(Block& block) {
   return {};
 }
 
-/// Appends the lines of a comment that goes on, up to the one with its end; of a long one only the beginning is kept.
+/// Appends the next lines of an open comment, up to the one with its end; of a long comment only the start is kept.
 Status BlockReader::join_comment(Block& block, std::size_t open) {
   const bool was_text = is_text_;
   joined_ = line_.bytes;
@@ -202,7 +203,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places after the comment count them
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places after the comment count lines by it
       if (closed) joined_ += next.bytes.substr(end);
     }
   }
@@ -215,7 +216,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
   return was_text ? decode_line() : Status();
 }
 
-/// The line as UTF-8, from its first byte.
+/// Decodes the whole line to UTF-8.
 Status BlockReader::decode_line() {
   if (!memory_.encoding) {
     memory_.encoding = detect_encoding(line_.bytes).value_or(Encoding::utf8);
@@ -225,7 +226,7 @@ Status BlockReader::decode_line() {
   Status status = append_utf8(line_.bytes, *memory_.encoding, decoded_);
   if (!status && status.error().id == AlarmId::parity_error) {
     Alarm named = status.error();
-    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // row of the tape
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // counted from the start of the tape
     return fail(named);
   }
   if (!status) return status;

@@ -1,5 +1,5 @@
 #pragma once
-// Lines → blocks: the door of `lang`.
+// BlockReader: reads the blocks of a program from its lines. The entrance to `lang`.
 
 #include <memory>
 #include <optional>
@@ -17,27 +17,27 @@ class BlockReader {
   static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
 
  public:
-  /// `encoding`: named by the user; otherwise guessed from the first bytes that need it.
+  /// `encoding`: named by the user; otherwise it is guessed from the first bytes that need it.
   BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
 
   enum class Got : std::uint8_t { block, end };
 
-  /// The next block that holds anything. On an alarm `block` has its text, place and, where read, its number; the
-  /// next call goes on after it.
+  /// Reads the next block that is not empty. On an alarm `block` has its
+  /// text, place and, if read, its number; the next call continues after it.
   Result<Got> next(Block& block);
-  /// Goes on with the block at `position`.
+  /// Continues with the block at `position`.
   void seek(Position position);
-  /// Where the next block begins.
+  /// Position of the next block.
   Position position() const { return position_; }
-  /// The text of the block last read as UTF-8, however it was read; `place` becomes the place there.
+  /// Returns the text of the last block as UTF-8, whatever its encoding; `place` is converted with it.
   std::string shown(std::string_view text, Span& place) const;
-  /// What the lines before have taught about those to come; with the position all that a reader remembers.
+  /// What earlier lines have shown about later ones; with the position it is all that a reader remembers.
   struct Memory {
     std::optional<Encoding> encoding;
     bool guessed = false;
-    std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ended with ПС or LF
+    std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ends with ПС or LF
     bool lie_told = false;
-    bool expects_high_bytes = false;  // a line before needed decoding: so will this one
+    bool expects_high_bytes = false;  // an earlier line needed decoding, so the next ones probably do
     friend bool operator==(const Memory&, const Memory&) = default;
   };
   const Memory& memory() const { return memory_; }
@@ -60,14 +60,14 @@ class BlockReader {
   PlainBlocks plain_;
   Memory memory_;
   Line line_;
-  std::string decoded_;    // the line in UTF-8, where it is not already
-  std::string joined_;     // the line and those that its comment goes over (nct 14.3)
+  std::string decoded_;    // the line in UTF-8, if it is in another encoding
+  std::string joined_;     // the line and the next ones that its comment spans (nct 14.3)
   std::string_view text_;  // the line's text
-  std::size_t rest_ = 0;   // where the next block of the line begins
+  std::size_t rest_ = 0;   // where the next block of the line starts
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
   TapeLie lie_ = TapeLie::right;
-  ProgramFrame frame_;  // of its signs %, where the control looks for them
+  ProgramFrame frame_;  // by its signs %, on controls that look for them
   Position position_;
 };
 

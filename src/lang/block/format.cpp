@@ -1,5 +1,5 @@
-// Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2). For config/control_loader_codes,
-// config/control_loader_words; tested by tests/lang/format_test.cpp.
+// Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2). Used by
+// config/control_loader_codes, config/control_loader_words; tested by tests/lang/format_test.cpp.
 
 #include "lang/block/format.h"
 
@@ -13,8 +13,8 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
-constexpr std::string_view code_letters = "GM";    // written G0, G01, M2 whatever the format says of zeros
-constexpr std::string_view without_point = "NGM";  // a number or a code has no fraction, with DS too
+constexpr std::string_view code_letters = "GM";    // written G0, G01, M2 whatever the format requires about zeros
+constexpr std::string_view without_point = "NGM";  // a number or a code has no fraction, even with DS
 
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -30,7 +30,7 @@ bool take(std::string_view& text, std::string_view piece) {
 
 bool take_sign(std::string_view& text) { return take(text, "+") || take(text, "±"); }
 
-/// Bytes of a word's format at the beginning: sign, star and digits; it reaches as far as they do.
+/// Returns the number of bytes of a word's format at the start of the text: sign, star and digits.
 std::size_t format_size(std::string_view text) {
   std::string_view rest = text;
   if (!take_sign(rest)) take(rest, "-");
@@ -69,7 +69,7 @@ class Descriptor {
     return !rest_.empty();
   }
 
-  /// `3G2`: how many, letter, format.
+  /// Reads `3G2`: count, letter, format.
   tl::expected<void, std::string> apply_word() {
     const std::string_view piece = rest_.substr(0, rest_.find_first_of(" \t"));
     const bool counted = is_digit(rest_[0]);
@@ -89,7 +89,7 @@ class Descriptor {
     return {};
   }
 
-  /// What a descriptor cannot say (a second number, parameters, a count that is not written) stays as it was.
+  /// Keeps what a descriptor cannot express (a second number, parameters, a count that is not written).
   void set(char letter, WordFormat format, std::uint8_t count) {
     WordFormat& word = grammar_.word(letter);
     format.at_most = count > 0 ? count : word.at_most;
@@ -131,7 +131,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;  // all or nothing
+  Grammar changed = grammar;  // changes are complete or none
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

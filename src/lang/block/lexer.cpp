@@ -1,4 +1,4 @@
-// The text of one block → words. For control/start, lang/block/block_reader; tested by tests/lang/lexer_test.cpp.
+// Splits the text of one block into words. Used by control/start, lang/block/block_reader; tested by tests/lang/lexer_test.cpp.
 
 #include "lang/block/lexer.h"
 
@@ -19,7 +19,7 @@
 namespace kadr {
 namespace {
 
-/// Reads one block; a method a kind of thing that may stand in it.
+/// Reads one block, with one method per type of item.
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
@@ -61,7 +61,7 @@ class Lexer {
     return LineWordReader(cursor_, grammar_, block_).read();
   }
 
-  // ---- what stands before the words
+  // ---- before the words
 
   Status beginning() {
     const char c = cursor_.peek();
@@ -81,7 +81,7 @@ class Lexer {
     }
     const bool tape_begins = cursor_.at - begin > 1;
     cursor_.skip_blanks();
-    if (tape_begins && !is_digit(cursor_.peek())) return {};  // %% alone: the tape begins, no program yet (spec/gost 1)
+    if (tape_begins && !is_digit(cursor_.peek())) return {};  // %% alone: the tape starts, but no program yet (spec/gost 1)
     block_.marker = Marker::program_start;
     if (!is_digit(cursor_.peek())) return {};
     Number number;
@@ -92,7 +92,7 @@ class Lexer {
     return {};
   }
 
-  /// `%` alone in its line; else it is no word (spec/linuxcnc 2.1).
+  /// Reads `%` alone in its line; elsewhere it is not a word (spec/linuxcnc 2.1).
   Status sign_of_file(std::size_t begin) {
     cursor_.skip_blanks();
     if (cursor_.at < cursor_.text.size()) {
@@ -162,10 +162,10 @@ class Lexer {
 
   Status o_line() { return begins() && block_.assignments.empty() ? OWordReader(cursor_, grammar_, block_).read() : unexpected(); }
 
-  /// Neither words nor IF[…] THEN stand before this.
+  /// Returns true if neither words nor IF[…] THEN have been read.
   bool begins() const { return block_.word_count == 0 && block_.statement.kind == StatementKind::none; }
 
-  /// A word whose address is `letter`, written in `bytes` bytes.
+  /// Reads a word whose address is `letter`, written with `bytes` bytes.
   Status word_of(char letter, std::size_t bytes, std::size_t begin) {
     cursor_.at += bytes;
     cursor_.skip_blanks();
@@ -188,7 +188,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
+    w.value = 0;  // default of an unreadable word, which find() returns to code that continues after the fault
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
@@ -287,7 +287,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
+    w.value = 0;  // default of an unreadable word, which find() returns to code that continues after the fault
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -321,7 +321,7 @@ class Lexer {
     return word(latin, c.bytes);
   }
 
-  /// ПС with a Latin C: meant all the same.
+  /// Accepts ПС with a Latin C, with a warning.
   Status mark_with_latin_letter() {
     constexpr std::size_t bytes = 3;
     block_.warnings.push_back(warning(AlarmId::mark_letter, span(cursor_.at, cursor_.at + bytes)));
@@ -342,11 +342,11 @@ class Lexer {
     return {};
   }
 
-  /// Ctrl-Z ends a file of old systems.
+  /// Ctrl-Z is the end of a file on old systems.
   Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
   Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
-  /// One `]` too many (nct 23.2.6); `=` after a name that the channel does not have (2.2): Z2=5.
+  /// A surplus `]` (nct 23.2.6), or `=` after a name that the channel does not have (2.2): Z2=5.
   Status out_of_place(char c) {
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
@@ -355,7 +355,7 @@ class Lexer {
     return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
   }
 
-  /// What can be said only of the block as a whole.
+  /// Checks that need the whole block.
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
@@ -372,7 +372,7 @@ class Lexer {
     return {};
   }
 
-  /// Bytes above 127 in the block up to there.
+  /// Returns true if the block has bytes above 127 before `end`.
   bool has_high(std::size_t end) const { return has_high_bytes(cursor_.text.substr(begin_, end - begin_)); }
 
   char at(std::size_t ahead) const { return cursor_.at + ahead < cursor_.text.size() ? cursor_.text[cursor_.at + ahead] : '\0'; }

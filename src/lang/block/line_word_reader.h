@@ -1,6 +1,6 @@
 #pragma once
-// A line that is read by itself: filtered character by character, then words to its end (spec/grbl 1; protocol.c, gcode.c). Used by the
-// lexer only.
+// LineWordReader: reads a separate line: filters it character by character, then reads words to its end (spec/grbl 1; protocol.c,
+// gcode.c). Used by the lexer only.
 
 #include <cstdint>
 #include <string>
@@ -13,24 +13,26 @@
 
 namespace kadr {
 
-/// What passes the filter of protocol.c, in capitals: no blanks, control characters, `/`, comments, real-time characters.
-///   place  of each of those characters in the line
+/// Returns the characters that pass the filter of protocol.c, in capitals:
+/// no blanks, control characters, `/`, comments, real-time characters.
+///   place  place of each of these characters in the line
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
-/// How many characters at the beginning are a number of Grbl: a sign, digits, one point. 0: it has no digit.
+/// Returns the length of a number of Grbl at the start of the text: a sign, digits, one point. 0 if there is no digit.
 std::size_t size_of_number(std::string_view text);
 
-/// read_float of nuts_bolts.c: of the digits, leading zeros too, the first eight count; further ones before the point are zeros (1.3).
+/// read_float of nuts_bolts.c: only the first eight digits are used, leading
+/// zeros included; further digits before the point are read as zeros (1.3).
 double value_of_digits(std::string_view number);
-/// The same as the control has it: each step of read_float rounded to 32 bits.
+/// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
 float single_of_digits(std::string_view number);
 
 class LineWordReader {
  public:
   LineWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// The whole line. What is wrong behind some words becomes Block::broken, for they count first:
-  /// unexpected_character, number_missing, address_unknown, too_many_words.
+  /// Reads the whole line. A fault after some words is stored in Block::broken, because the words have priority: unexpected_character,
+  /// number_missing, address_unknown, too_many_words.
   ///   alarms  block_too_long
   Status read();
 
@@ -45,8 +47,8 @@ class LineWordReader {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
-  std::string kept_;                  // what passes the filter, in capitals
-  std::vector<std::uint32_t> place_;  // of each character of it in the line
+  std::string kept_;                  // the characters that pass the filter, in capitals
+  std::vector<std::uint32_t> place_;  // place of each of them in the line
 };
 
 }  // namespace kadr

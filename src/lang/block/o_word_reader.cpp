@@ -1,4 +1,4 @@
-// O lines of RS274/NGC. For lang/block/lexer; tested by tests/lang/o_word_test.cpp.
+// Reads O lines of RS274/NGC. Used by lang/block/lexer; tested by tests/lang/o_word_test.cpp.
 
 #include "lang/block/o_word_reader.h"
 
@@ -12,7 +12,7 @@ struct OWordRow {
   std::string_view text;
   OWord word;
 };
-/// Where one begins another, the longer one stands first.
+/// If one word is the start of another, the longer one comes first.
 constexpr OWordRow o_words[] = {
     {"sub", OWord::sub},
     {"endsub", OWord::endsub},
@@ -51,7 +51,7 @@ Status OWordReader::read() {
   return ended();
 }
 
-/// A number, an expression, or a name between < and >.
+/// Reads the label: a number, an expression, or a name between < and >.
 Status OWordReader::label() {
   Statement& s = block_.statement;
   cursor_.skip_blanks();
@@ -73,7 +73,7 @@ Status OWordReader::label() {
   return {};
 }
 
-/// Blanks mean nothing within it: `O 1 2 sub` is O12.
+/// Reads a number; blanks in it are ignored: `O 1 2 sub` is O12.
 Status OWordReader::number() {
   std::string digits;
   for (; cursor_.at < cursor_.text.size(); ++cursor_.at) {
@@ -99,7 +99,7 @@ Status OWordReader::command() {
   }
   s.o_word = OWord::label;
   if (word.empty()) return {};
-  // blanks mean nothing: a word of the line may have been taken along
+  // Blanks are ignored, so that another word of the line may have been read with the command.
   for (const OWordRow& row : o_words)
     if (word == row.text) s.o_word = row.word;
   if (s.o_word == OWord::label) {
@@ -132,9 +132,9 @@ Status OWordReader::bracket(std::string_view after) {
 Status OWordReader::arguments() {
   for (cursor_.skip_blanks(); cursor_.peek() == '[' || cursor_.peek() == '('; cursor_.skip_blanks()) {
     const std::size_t begin = cursor_.at;
-    if (cursor_.peek() == '(') {  // a remark between two of them
+    if (cursor_.peek() == '(') {  // a comment between two arguments
       const std::size_t close = cursor_.text.find(')', begin);
-      if (close == std::string_view::npos) return {};  // is said of the whole line
+      if (close == std::string_view::npos) return {};  // reported for the whole line
       cursor_.at = close + 1;
       continue;
     }

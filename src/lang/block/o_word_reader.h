@@ -1,5 +1,5 @@
 #pragma once
-// O lines of RS274/NGC: `O100 while [#1 LT 3]`, `o<slot> call [5]` (spec/linuxcnc 6). Used by the lexer only.
+// OWordReader: reads O lines of RS274/NGC: `O100 while [#1 LT 3]`, `o<slot> call [5]` (spec/linuxcnc 6). Used by the lexer only.
 
 #include "base/result.h"
 #include "lang/block/block.h"
@@ -11,7 +11,7 @@ class OWordReader {
  public:
   OWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// At the O: the whole line up to a comment. What stands there becomes Block::statement, of the kind o_word.
+  /// Reads the whole line from the O up to a comment, into Block::statement with kind o_word.
   ///   alarms  those of compile_value; o_word_label, o_word_unknown, o_word_bracket, o_word_rest, o_word_arguments
   Status read();
 

@@ -1,5 +1,5 @@
 #pragma once
-// Characters that are no words: which alarm they are, how many of them a text has. For the lexer.
+// Characters that are not part of a word: the alarm for each, and counts of them. Used by the lexer.
 
 #include <algorithm>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The alarm of the character at `at`, which begins nothing.
+/// Returns the alarm for the character at `at`, which cannot start anything.
 inline Alarm unexpected_at(std::string_view text, std::size_t at) {
   const auto c = static_cast<unsigned char>(text[at]);
   const Span where{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(at + 1, text.size()))};
@@ -18,7 +18,7 @@ inline Alarm unexpected_at(std::string_view text, std::size_t at) {
   return alarm(AlarmId::unexpected_character, where, text[at]);
 }
 
-/// Ctrl-Z at the end of the text: the cursor goes behind it; false: something follows.
+/// Accepts Ctrl-Z at the end of the text and moves the cursor after it. Returns false if something follows.
 inline bool passes_dos_end(Cursor& cursor) {
   Cursor behind = cursor;
   ++behind.at;
@@ -28,13 +28,13 @@ inline bool passes_dos_end(Cursor& cursor) {
   return true;
 }
 
-/// Characters of a UTF-8 text.
+/// Returns the number of characters in a UTF-8 text.
 inline std::uint32_t characters_of(std::string_view text) {
   return static_cast<std::uint32_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Bytes above 127.
+/// Returns true if the text has bytes above 127.
 inline bool has_high_bytes(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0; });
 }

@@ -1,4 +1,4 @@
-// Blocks of nothing but plain words: an address and a decimal number, one after the other. For lang/block/block_reader; tested by
+// Reads blocks of plain words only: an address and a decimal number, repeated. Used by lang/block/block_reader; tested by
 // tests/lang/plain_block_test.cpp.
 
 #include "lang/block/plain_block.h"
@@ -14,14 +14,14 @@ namespace {
 
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// A name that goes on after a digit and needs no '=' cannot be told from two words here (nct 2.2).
+/// A name that continues after a digit and needs no '=' cannot be distinguished from two words here (nct 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }
 
 }  // namespace
 
-/// An unsigned number as it is written.
+/// An unsigned number as written.
 struct PlainBlocks::Digits {
   std::uint64_t mantissa = 0;
   std::size_t whole = 0, fraction = 0;
@@ -44,7 +44,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
-    // check_digits of lang/block/word_reader has nothing to do where digits are free and all of them count
+    // check_digits of lang/block/word_reader has nothing to check if the number of digits is free and all of them are used
     easy_[static_cast<std::size_t>(letter - 'A')] =
         !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
@@ -79,7 +79,7 @@ bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& blo
   return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
 }
 
-/// Digits with at most one point among them; after them.
+/// Reads digits with at most one point among them; returns the place after them.
 inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
   constexpr unsigned ten = 10;
   const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
@@ -112,7 +112,7 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
   return behind;
 }
 
-/// After the word that begins here; nullptr: it is not plain, or at fault.
+/// Reads the word that starts here and returns the place after it; nullptr if it is not plain, or faulty.
 const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
   const char* const begin = at;
   const char letter = letter_of(*at++);
@@ -141,7 +141,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both exact: correctly rounded
+  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both are exact: correctly rounded
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};
   w.expression = {};
@@ -154,7 +154,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   return at;
 }
 
-/// The digits are such as the format asks for.
+/// Returns true if the digits follow the format.
 bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
   constexpr std::uint64_t most_code = 99'999;
   if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;
@@ -165,7 +165,7 @@ bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
   return format.drop_zeros || digits.has_point || digits.whole >= most;
 }
 
-/// The format allows one more word of an address that the block has.
+/// Returns true if the format allows one more word with an address that the block already has.
 bool PlainBlocks::has_room(const Block& block, char letter, const WordFormat& format) {
   const auto same = [letter](const Word& w) { return w.address == letter; };
   return format.at_most == 0 || std::count_if(block.words.begin(), block.words.begin() + block.word_count, same) < format.at_most;

@@ -1,5 +1,5 @@
 #pragma once
-// Blocks of nothing but plain words: an address and a decimal number, one after the other. Most blocks of a long program are such.
+// PlainBlocks: reads blocks of plain words only: an address and a decimal number, repeated. Most blocks of a long program are plain.
 
 #include <array>
 #include <string_view>
@@ -9,15 +9,15 @@
 
 namespace kadr {
 
-/// Reads what is plain and says so; all else, and every fault, is for lex_block (lang/block/lexer).
-///   law  a block read here is, word for word, what lex_block makes of it
+/// Reads plain blocks; all other blocks, and every fault, are left to lex_block (lang/block/lexer).
+///   law  a block read here equals, word for word, the result of lex_block
 class PlainBlocks {
  public:
   explicit PlainBlocks(const Grammar& grammar);
 
-  /// Reads the block that begins at `from` and ends with the text.
+  /// Reads the block that starts at `from` and ends with the text.
   ///   block    cleared by the caller; its text, where, words and shape are set here
-  ///   returns  false: it is not plain; the block is as it was, but for what its words hold
+  ///   returns  false if it is not plain; the block is then unchanged, except for the contents of its words
   bool read(std::string_view text, std::size_t from, Block& block) const;
 
  private:
@@ -33,9 +33,9 @@ class PlainBlocks {
 
   const Grammar& grammar_;
   std::array<Kind, 256> kinds_{};            // by character
-  std::array<bool, most_addresses> easy_{};  // any digits will do
-  std::size_t most_digits_ = 0;              // of a value
-  std::size_t most_number_digits_ = 0;       // of a block number
+  std::array<bool, most_addresses> easy_{};  // any number of digits is allowed
+  std::size_t most_digits_ = 0;              // maximum digits of a value
+  std::size_t most_number_digits_ = 0;       // maximum digits of a block number
 };
 
 }  // namespace kadr

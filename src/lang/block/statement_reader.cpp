@@ -1,4 +1,4 @@
-// Statements of custom macros: IF, WHILE, DO, END, GOTO, #n=…, output (spec/nct/23 23.2, 23.5). For lang/block/lexer.
+// Reads statements of custom macros: IF, WHILE, DO, END, GOTO, #n=…, output (spec/nct/23 23.2, 23.5). Used by lang/block/lexer.
 
 #include "lang/block/statement_reader.h"
 
@@ -25,7 +25,7 @@ constexpr KeywordRow keywords[] = {
     {"PRM", Keyword::prm},          {"SETVN", Keyword::names},
 };
 
-/// Is #number one whose value is a message (23.1.8)?
+/// Returns true if a value written to #number is a message (23.1.8).
 bool is_message(double number) { return number == 3000 || number == 3006 || number == 3106 || number == 3107; }
 
 }  // namespace
@@ -63,7 +63,7 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::goto_: return jump(begin);
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
-    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: right-hand side only
+    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: only on the right-hand side
     case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
@@ -87,13 +87,13 @@ Status StatementReader::branch() {
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
   const bool ends = c == '\0' || c == '(';
-  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: nothing to do
+  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition without effect
     block_.statement.kind = StatementKind::words;
     return {};
   }
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
   if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
-  block_.statement.kind = StatementKind::words;  // 23.2.10 leaves open what may stand there: words of a block too, as with Fanuc
+  block_.statement.kind = StatementKind::words;  // 23.2.10 does not say what is allowed there: words of a block too, as on a Fanuc
   return {};
 }
 
@@ -108,7 +108,7 @@ Status StatementReader::condition() {
 }
 
 Status StatementReader::loop_while(std::size_t begin) {
-  if (block_.statement.condition_count != 0) return syntax(begin);  // IF[…] WHILE: a loop is no statement of IF
+  if (block_.statement.condition_count != 0) return syntax(begin);  // IF[…] WHILE: a loop is not a statement of IF
   KADR_TRY(condition());
   cursor_.skip_blanks();
   if (keyword_here() != Keyword::do_) return fail(alarm(AlarmId::while_without_do, span(begin, cursor_.at)));
@@ -131,7 +131,7 @@ Status StatementReader::loop_end(std::size_t begin) {
   return ended(begin);
 }
 
-/// m = 1, 2, 3 (23.2.11).
+/// Reads the number of a loop, 1, 2 or 3 (23.2.11).
 Status StatementReader::loop_number(std::size_t begin) {
   cursor_.skip_blanks();
   Number read;
@@ -192,7 +192,7 @@ bool StatementReader::words_here() {
   return is_letter(cursor_.peek());
 }
 
-/// SETVN n[NAME,NAME]: names of #n, #n+1 … (spec/fanuc 5.1).
+/// Reads SETVN n[NAME,NAME]: names for #n, #n+1 … (spec/fanuc 5.1).
 Status StatementReader::variable_names(std::size_t begin) {
   cursor_.skip_blanks();
   Number first;
@@ -209,7 +209,7 @@ Status StatementReader::variable_names(std::size_t begin) {
   return ended(begin);
 }
 
-/// POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (23.2.13).
+/// Reads POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (23.2.13).
 Status StatementReader::device(Keyword keyword, std::size_t begin) {
   Statement& s = block_.statement;
   s.kind = keyword == Keyword::open_port    ? StatementKind::open_port
@@ -248,7 +248,7 @@ Status StatementReader::file_of_program() {
   return {};
 }
 
-/// DPRNT[…]: the text is kept; control/macro_b reads it.
+/// Reads DPRNT[…]: its text is stored; control/macro_b interprets it.
 Status StatementReader::print(Keyword keyword, std::size_t begin) {
   cursor_.skip_blanks();
   if (cursor_.peek() != '[') return syntax(cursor_.at);
@@ -265,7 +265,7 @@ Status StatementReader::print(Keyword keyword, std::size_t begin) {
   return ended(begin);
 }
 
-/// Nothing but a comment may follow (INFERRED: one statement a block, 23.2.1).
+/// Checks that only a comment follows (INFERRED: one statement per block, 23.2.1).
 Status StatementReader::ended(std::size_t begin) {
   block_.statement.where = span(block_.statement.where.begin, cursor_.at);
   (void)begin;

@@ -1,5 +1,6 @@
 #pragma once
-// Statements of custom macros: IF, WHILE, DO, END, GOTO, #n=…, output (spec/nct/23 23.2, 23.5). Used by the lexer only.
+// StatementReader: reads statements of custom macros: IF, WHILE, DO, END,
+// GOTO, #n=…, output (spec/nct/23 23.2, 23.5). Used by the lexer only.
 
 #include "base/result.h"
 #include "lang/block/block.h"
@@ -8,7 +9,7 @@
 
 namespace kadr {
 
-/// Words that begin a statement or stand in place of an address.
+/// Words that start a statement, or that are used in place of an address.
 enum class Keyword : std::uint8_t {
   none,
   if_,
@@ -31,17 +32,17 @@ class StatementReader {
  public:
   StatementReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// The keyword that stands at the cursor; the cursor stays.
+  /// Returns the keyword at the cursor, which does not move.
   Keyword keyword_here() const;
   Keyword keyword_here(std::size_t& length) const;
-  /// A keyword that this control does not have is a word.
+  /// Returns true if this control has the keyword; else it is read as a word.
   bool knows(Keyword keyword) const { return keyword != Keyword::none && (keyword != Keyword::names || grammar_.semicolon_ends); }
-  /// Reads a statement at the cursor, up to the end of the block or a comment.
+  /// Reads a statement at the cursor, up to the end of the block or to a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
-  /// `[#NAME]=5`; else a condition without its word, where the control has that.
+  /// Reads `[#NAME]=5`; or a condition without IF, if the control has that.
   Status bracket();
-  /// `#n=…` at the cursor, which stands after '#'. `begin`: of the '#'.
+  /// Reads `#n=…`; the cursor is after the '#'. `begin`: place of the '#'.
   Status assignment(std::size_t begin);
 
  private:

@@ -1,4 +1,4 @@
-// One word: address known, digits → value by the address's format. For the rest of lang.
+// Reads one word with a known address: converts its digits to a value by the format of the address. Used by the rest of lang.
 
 #include "lang/block/word_reader.h"
 
@@ -45,7 +45,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   const char c = cursor_.peek();
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
-  if (is_digit(c) || c == '.') [[likely]] {  // of a macro's argument any sign is good (nct 23.3); otherwise the range tells
+  if (is_digit(c) || c == '.') [[likely]] {  // a macro's argument may have any sign (nct 23.3); else the range is checked later
     if (sign != 0 && !format.sign && (!grammar_.custom_macros || (sign == '-' && format.code)))
       return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
@@ -80,7 +80,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   return {};
 }
 
-/// XI-40: the operator I, then the number (nct 5.1).
+/// Reads XI-40: the operator I, then the number (nct 5.1).
 Status WordReader::increment(Word& w, const WordFormat& format, std::size_t begin) {
   ++cursor_.at;
   cursor_.skip_blanks();
@@ -110,13 +110,13 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const char c = cursor_.peek();
     const double constant = format.implied ? read.mantissa : read.value;  // raw digits, as a parameter has them
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
-    cursor_.at = end;  // blanks after the word are no part of it
+    cursor_.at = end;  // blanks after the word are not part of it
   }
   if (format.second_number) return second_number(w);
   return {};
 }
 
-/// RS274/NGC: blanks mean nothing, even between digits (`X1 0` is X10).
+/// RS274/NGC: blanks are ignored, even between digits (`X1 0` is X10).
 Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -134,7 +134,7 @@ Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) 
   return {};
 }
 
-/// The notation whose words have blanks in them, `L2 15`, has them before the point too: `Y+ 50 .` (spec/correctors 2, N008).
+/// In the notation whose words contain blanks, `L2 15`, blanks are also allowed before the point: `Y+ 50 .` (spec/correctors 2, N008).
 Status WordReader::point_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -177,7 +177,7 @@ Status WordReader::second_number(Word& w) {
   const std::size_t end = cursor_.at;
   cursor_.skip_blanks();
   if (!is_digit(cursor_.peek())) {
-    cursor_.at = end;  // blanks after the word are no part of it
+    cursor_.at = end;  // blanks after the word are not part of it
     return {};
   }
   Number read;
@@ -194,7 +194,7 @@ bool WordReader::parameter_here() const {
   return c == grammar_.parameter_address || grammar_.long_parameters.find(c) != std::string::npos;
 }
 
-/// Of the parameter whose letter stands at the cursor: after it a digit, or two or three.
+/// Reads the index of the parameter whose letter is at the cursor: one digit after it, or two or three.
 Result<double> WordReader::parameter_index() {
   const std::size_t begin = cursor_.at;
   const char letter = cursor_.text[cursor_.at++];
@@ -251,7 +251,7 @@ Status WordReader::assign_parameter(double index, double value, std::size_t begi
   return {};
 }
 
-/// `X+R1`, `Z-1200+R2`: the raw digits are added, then take the unit of the address.
+/// Reads `X+R1`, `Z-1200+R2`: the raw digits are added, then converted to the unit of the address.
 Status WordReader::parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin) {
   const std::size_t sign_at = cursor_.at;
   if (cursor_.peek() == '+' || cursor_.peek() == '-') {
@@ -274,7 +274,7 @@ Status WordReader::parameter_sum(Word& w, const WordFormat& format, double const
   return {};
 }
 
-/// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is +.
+/// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is +.
 Status WordReader::formal_parameter(std::size_t begin) {
   if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
   const double index = cursor_.text[cursor_.at++] - '0';

@@ -1,5 +1,5 @@
 #pragma once
-// One word: address known, digits → value by the address's format. Used by the lexer only.
+// WordReader: reads one word with a known address: converts its digits to a value by the format of the address. Used by the lexer only.
 
 #include "base/ascii.h"
 #include "base/result.h"
@@ -15,38 +15,38 @@ class WordReader {
  public:
   WordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// A place for one more word of that address; the format says how many may stand in a block.
+  /// Checks that the block may have one more word with this address; the format limits their number.
   ///   alarms  too_many_words, address_twice, too_many_codes
   Status room_for(char letter, const WordFormat& format, std::size_t begin);
 
-  /// Sign, digits, point or expression after the address at the cursor. `begin`: of the word, for alarms.
+  /// Reads sign, digits, point or expression after the address at the cursor. `begin`: start of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
-  /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
+  /// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
   Status formal_parameter(std::size_t begin);
-  /// `#12+50.`: its letter is a special sign (spec/correctors 3); anything else is unexpected.
+  /// Reads `#12+50.`, whose letter is a special sign (spec/correctors 3); anything else is unexpected.
   Status parameter_by_sign();
 
-  /// `R01+50.`, `P123=5`: after the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
+  /// Returns true for `R01+50.`, `P123=5`: two or three digits after the letter at the cursor, then a sign or '=' (spec/correctors 3).
   bool assigns_parameter(char letter) const;
   Status long_parameter(char letter, std::size_t begin);
 
-  /// The number after N or ':'.
+  /// Reads the number after N or ':'.
   Status block_number(std::size_t begin, const WordFormat& format);
 
-  /// The number after O.
+  /// Reads the number after O.
   Status label(std::size_t begin, const WordFormat& format);
 
-  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
+  /// Reads AX[n]=v, the axis by its number (nct 23.2.12); the address is known only when the block is executed.
   Status axis_by_number(std::size_t begin);
 
-  /// The longest name that stands here; one that ends with a digit needs '=' after it (nct 2.2). nullptr: none.
+  /// Returns the longest name at the cursor; one that ends with a digit needs '=' after it (nct 2.2). nullptr if there is none.
   const AddressName* name_here() const;
 
-  /// Nothing that could be a value stands at the cursor.
+  /// Returns true if nothing at the cursor can be a value.
   bool no_value_follows() const;
 
-  /// The literal `mark` stands at `at` as an end of block.
+  /// Returns true if the literal `mark` at `at` ends the block.
   bool marks_end(std::string_view mark, std::size_t at) const;
 
  private:

@@ -1,4 +1,4 @@
-// Numbers of expressions, and what the operations of RS274/NGC give; those of custom macros: macro_arithmetic.
+// Numbers of expressions, and the operations of RS274/NGC; for those of custom macros see macro_arithmetic.
 
 #include "lang/expression/expression.h"
 
@@ -15,8 +15,8 @@ namespace kadr {
 namespace {
 
 constexpr double nearly = 1e-6;             // TOLERANCE_EQUAL of LinuxCNC 2.9.3
-constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
-constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused
+constexpr std::size_t exact_digits = 15;    // a whole number with this number of digits is exact in a double
+constexpr std::size_t number_digits = 300;  // more than any double needs; a longer number is rejected
 
 Result<double> finite(double value, Span where) {
   if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, where));
@@ -85,7 +85,7 @@ bool read_number(Cursor& cursor, Number& number) {
   number.fraction_digits = static_cast<std::uint8_t>(std::min<std::size_t>(fraction, 255));
   if (whole + fraction <= exact_digits) [[likely]] {
     number.mantissa = static_cast<double>(mantissa);
-    number.value = number.mantissa / powers_of_ten[fraction];  // both exact: correctly rounded
+    number.value = number.mantissa / powers_of_ten[fraction];  // both are exact: correctly rounded
     return true;
   }
   return read_long_number({first, p}, number);

@@ -1,5 +1,5 @@
 #pragma once
-// Expressions of a block: text → instructions (once), instructions → value (each time).
+// Expressions of a block: the text is compiled to instructions once; the instructions are evaluated each time.
 // Operators and functions: Mach3 / RS274-NGC, spec/mach3 1; custom macros, spec/nct/23 23.2. Angles in degrees.
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// Where an expression's text is read from; shared with the lexer.
+/// A position in the text of an expression; shared with the lexer.
 struct Cursor {
   std::string_view text;
   std::size_t at = 0;
@@ -21,51 +21,51 @@ struct Cursor {
   void skip_blanks();
 };
 
-/// The value of a variable never set or emptied: #0 (nct 23.1.6). No other value is a NaN.
+/// The value of a variable that was never set, or was emptied: #0 (nct 23.1.6). No other value is a NaN.
 inline constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return value != value; }
 
-/// Compiles a value as it follows an address: number, #n, ##n, #[…], […], function; appends to block.code.
+/// Compiles a value as it is written after an address: number, #n, ##n, #[…], […], function. Appends to block.code.
 ///   alarms  expression_syntax, bracket_not_closed, nesting_too_deep, operator_unknown, function_unknown, number_damaged
 Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// What stands between `#` and `=` of an assignment: the number of a variable, or the name of one, as compile_value.
+/// Compiles the part between `#` and `=` of an assignment, a variable's number or name, like compile_value.
 Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// How much of the text at the cursor is the value.
+/// How much of the text at the cursor belongs to the value.
 enum class MacroValue : std::uint8_t {
   operand,   // after an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows
   sum,       // a whole expression
-  assigned,  // the same after `#n=`, where alone PRM may stand (nct 24.2)
+  assigned,  // a whole expression after `#n=`, the only place where PRM is allowed (nct 24.2)
 };
-/// The same in the language of custom macros (nct 23). ATAN[a]/[b], which other controls read otherwise, gets a warning.
+/// Like compile_value, for the language of custom macros (nct 23). Warns of ATAN[a]/[b], which other controls read differently.
 ///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
-/// What stands between the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong
+/// Compiles the text in the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block);
-/// The number of a variable as it is written after '#': digits, […], _NAME[…].
+/// Compiles the number of a variable as it is written after '#': digits, […], _NAME[…].
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// `[#NAME]` stands at the cursor (spec/fanuc 5.1).
+/// Returns true if `[#NAME]` is at the cursor (spec/fanuc 5.1).
 bool given_name_follows(const Cursor& cursor);
 
-/// Reads an unsigned number with an optional point; the cursor must stand on a digit or a point.
+/// An unsigned number with an optional point; read_number() needs the cursor on a digit or a point.
 struct Number {
   double value = 0;
-  double mantissa = 0;  // the digits without their point, as a whole number
+  double mantissa = 0;  // the digits without the point, as a whole number
   std::uint8_t whole_digits = 0;
   std::uint8_t fraction_digits = 0;
   bool has_point = false;
 };
 bool read_number(Cursor& cursor, Number& number);
-/// The same for digits that a double does not hold exactly.
+/// Reads a number with more digits than a double holds exactly.
 bool read_long_number(std::string_view digits, Number& number);
 
-/// Value of one step on the operands `a`, `b`.
+/// Executes one step on the operands `a`, `b`.
 ///   alarms  division_by_zero, not_a_number
 Result<double> apply(Op op, double a, double b, Span where);
 
-/// What a comparison gives; vacant values as nct 23.1.6 orders them.
+/// Returns the result of a comparison; vacant values are ordered as in nct 23.1.6.
 inline bool compare(Op op, double a, double b) {
   if (op >= Op::greater_by_value) {
     if (is_vacant(a)) a = 0;
@@ -98,9 +98,9 @@ inline bool compare(Op op, double a, double b) {
   }
 }
 
-/// Runs the instructions. `variable(double number, Span)` and `parameter(int)` give Result<double>;
-/// `known(double number, double& value)`: the same for what is at hand, false if it is not;
-/// `increments()`: of a length, in one unit of the program;
+/// Evaluates the instructions. `variable(double number, Span)` and `parameter(int)` return Result<double>;
+/// `known(double number, double& value)` is a fast access for variables at hand, false for others;
+/// `increments()` is the number of increments in one unit of the program;
 /// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
 template <class Variables>
 // NOLINTNEXTLINE(readability-function-size): one switch over the steps
@@ -181,7 +181,7 @@ Result<double> evaluate(const Block& block, Expression expression, Variables&& v
         const bool pair = takes_two(step.op);
         double b = pair ? stack[top - 1] : 0;
         double a = pair ? stack[top - 2] : stack[top - 1];
-        if (is_vacant(a)) a = 0;  // in an operation a vacant operand counts as 0
+        if (is_vacant(a)) a = 0;  // a vacant operand counts as 0
         if (is_vacant(b)) b = 0;
         auto value = apply(step.op, a, b, step.where);
         if (!value) return value;

@@ -1,6 +1,7 @@
-// Expressions: text → instructions. Operators, functions and relations are rows of the control's file (ExpressionRules); what a row cannot
-// say differs between two families, Grammar::custom_macros: RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end).
-// For lexer, word_reader and statement_reader; tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
+// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file
+// (ExpressionRules); what a row cannot describe differs between two families, by Grammar::custom_macros:
+// RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). Used by lexer, word_reader
+// and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ class Compiler : public StepWriter {
   Compiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
       : StepWriter(cursor, grammar, block), reads_parameters_(reads_parameters) {}
 
-  /// Precedence climbing: a value, then operators that bind at least so tightly, each with its right side.
+  /// Precedence climbing: a value, then the operators of at least this priority, each with its right side.
   Status sum(int least_binding) {
     KADR_TRY(factor());
     for (;;) {
@@ -39,7 +40,7 @@ class Compiler : public StepWriter {
     }
   }
 
-  /// A sign, then a value.
+  /// Compiles an optional sign, then a value.
   Status factor() {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at;
@@ -58,7 +59,7 @@ class Compiler : public StepWriter {
     return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });
   }
 
-  /// The number that the steps from `first` on give is the program's own: names have numbers too, and it is none of them.
+  /// Adds a check that the number computed by the steps from `first` on is not the number of a name.
   Status own_number(std::size_t begin, std::size_t first) {
     if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
     const bool is_small =
@@ -66,7 +67,7 @@ class Compiler : public StepWriter {
     return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
   }
 
-  /// After '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
+  /// Compiles the part after '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at, first = block_.code.size();
@@ -100,7 +101,7 @@ class Compiler : public StepWriter {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
-  /// `WHILE #1=5`: an assignment where a condition should stand (23.2.11).
+  /// `WHILE #1=5`: an assignment in the place of a condition (23.2.11).
   Status no_assignment() {
     const std::size_t begin = cursor_.at++;
     KADR_TRY(variable(begin));
@@ -128,7 +129,7 @@ class Compiler : public StepWriter {
     return step(found->op, 0, begin, -1);
   }
 
-  /// #<name> (spec/linuxcnc 4.2). `use`: variable_at its value, number its number.
+  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: variable_at for its value, number for its number.
   Status named(std::size_t begin, Op use) {
     const std::size_t open = cursor_.at;
     const std::size_t close = cursor_.text.find('>', open);
@@ -196,7 +197,7 @@ class Compiler : public StepWriter {
     return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
   }
 
-  /// EXISTS[#<name>], EXISTS[#5] (spec/linuxcnc 5).
+  /// Compiles EXISTS[#<name>], EXISTS[#5] (spec/linuxcnc 5).
   Status exists(std::size_t begin) {
     cursor_.at = begin + 6;
     cursor_.skip_blanks();
@@ -216,10 +217,10 @@ class Compiler : public StepWriter {
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control says whether there is one
+    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control checks whether it exists
   }
 
-  /// Only the operand that follows (nct 23.2.4), with its signs.
+  /// Compiles a function of the next operand only (nct 23.2.4), with its signs.
   Status function_of_value(const ExpressionRow& row, std::size_t begin) {
     const std::size_t operand = cursor_.at;
     KADR_TRY(enter(begin));
@@ -248,7 +249,7 @@ class Compiler : public StepWriter {
     return step(row.op, 0, begin, -1);
   }
 
-  /// ATAN[a]/[b]: with Fanuc a function of both, here a division (23.2.6).
+  /// Warns of ATAN[a]/[b]: on a Fanuc it is a function of both, here a division (23.2.6).
   void warn_of_quotient(std::size_t begin, std::size_t operand) {
     if (cursor_.text[operand] != '[') return;
     Cursor ahead = cursor_;
@@ -259,10 +260,10 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// PRM[n], PRM[n,bit], …/[index] (24.2); what is left out is vacant.
+  /// Compiles PRM[n], PRM[n,bit], …/[index] (24.2); parts left out are vacant.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
-    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: in an assignment only
+    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: only in an assignment
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     const std::size_t open = cursor_.at++;
@@ -291,7 +292,7 @@ class Compiler : public StepWriter {
     return step(Op::control_value, 0, begin, -2);
   }
 
-  /// _ABSIO[3], _ALM: by name (23.1.1).
+  /// Compiles a named system variable: _ABSIO[3], _ALM (23.1.1).
   Status symbol(bool& constant_number, double& number) {
     const std::size_t begin = cursor_.at++;
     std::string name;
@@ -311,15 +312,15 @@ class Compiler : public StepWriter {
     return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
-  /// RS274/NGC: after an operand only ] and the end are no operators.
+  /// RS274/NGC: only ] and the end of the text may follow an operand without an operator.
   Status end_of_expression(std::size_t at) const {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // an operator is missing in front of it
+    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // the operator before it is missing
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), character_at(at)));
   }
 
-  /// RS274/NGC: any value may stand after '#', #-1 and ##1 too.
+  /// RS274/NGC: any value is allowed after '#', also #-1 and ##1.
   Status variable_of_value(std::size_t begin) {
     const std::size_t first = block_.code.size();
     KADR_TRY(enter(begin));

@@ -1,4 +1,5 @@
-// For lang/expression/expression_compiler, filled by the loader of control files; tests/lang/expression_rules_test.cpp.
+// The operators and functions of a control. Used by lang/expression/expression_compiler, filled by the loader of control files; tested
+// by tests/lang/expression_rules_test.cpp.
 
 #include "lang/expression/expression_rules.h"
 
@@ -14,7 +15,7 @@ bool begins_with(std::string_view text, std::string_view word) {
          std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char written) { return wanted == to_upper(written); });
 }
 
-/// How many letters of the word the text begins with.
+/// Returns how many letters of the word are at the start of the text.
 std::size_t alike(std::string_view text, std::string_view word) {
   std::size_t i = 0;
   while (i < text.size() && i < word.size() && to_upper(text[i]) == word[i]) ++i;

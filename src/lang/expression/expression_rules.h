@@ -1,5 +1,5 @@
 #pragma once
-// How a control writes operations: rows of its file ([expressions]).
+// The operators and functions of a control, as rows of its file ([expressions]).
 
 #include <array>
 #include <cstdint>
@@ -11,50 +11,50 @@
 
 namespace kadr {
 
-/// How a function's operand is written.
+/// How the operand of a function is written.
 enum class Operand : std::uint8_t {
   bracket,  // SIN[…]
-  value,    // SIN #1, SIN[…]: the value after it, with its signs
+  value,    // SIN #1, SIN[…]: the next value, with its signs
   pair,     // ATAN[…]/[…]
 };
 
 struct ExpressionRow {
   std::string text;  // upper case
   Op op = Op::number;
-  std::uint8_t binding = 0;            // of an operator: how tightly; 0: known, but not on this control: an alarm names it
+  std::uint8_t binding = 0;            // of an operator: its priority; 0: known, but not on this control, so that an alarm names it
   Operand operand = Operand::bracket;  // of a function
-  Op of_two = Op::number;              // of ATAN[a]/[b], where ATAN[a] is a function too; number: none
+  Op of_two = Op::number;              // for ATAN[a]/[b], if ATAN[a] is a function too; number: none
 };
 
-/// Rows by their texts. Where one text begins another, the longer one is meant.
+/// Rows by text. If one text is the start of another, the longer one is matched.
 class ExpressionRows {
  public:
   static constexpr std::size_t most = 64;
   void add(ExpressionRow row);
   bool has(std::string_view text) const;
-  /// Every row of the one operation does the other.
+  /// Replaces one operation by another in all rows.
   void replace(Op operation, Op by) {
     for (ExpressionRow& row : rows_) {
       if (row.op == operation) row.op = by;
       if (row.of_two == operation) row.of_two = by;
     }
   }
-  /// Is one of these operators a comparison?
+  /// Returns true if one of these operators is a comparison.
   bool compare() const;
   const std::vector<ExpressionRow>& all() const { return rows_; }
-  /// The row that the text begins with, small letters like capitals; nullptr: none.
+  /// Returns the row whose text is at the start of `text`, whatever the letter case; nullptr if there is none.
   const ExpressionRow* find(std::string_view text) const;
-  /// The same; of a row of letters two may stand for all (`SI[30]`, spec/fanuc 5.4). `length`: of what is written.
+  /// Like find(), but the first two letters of a word are enough (`SI[30]`, spec/fanuc 5.4). `length`: of the text that matched.
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;        // by first character, the longest first
-  std::array<std::uint8_t, 128> first_{};  // by first character: place of its first row, plus 1; 0: none
+  std::vector<ExpressionRow> rows_;        // by first character, the longest texts first
+  std::array<std::uint8_t, 128> first_{};  // by first character: index of its first row, plus 1; 0: none
 };
 
 struct ExpressionRules {
   ExpressionRows operators, functions;
-  ExpressionRows relations;  // between the brackets of a condition of custom macros
+  ExpressionRows relations;  // in the brackets of a condition of custom macros
 };
 
 }  // namespace kadr

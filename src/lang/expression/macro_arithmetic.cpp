@@ -1,4 +1,4 @@
-// Operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5). For lang/expression/expression.
+// Operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5). Used by lang/expression/expression.
 
 #include "lang/expression/macro_arithmetic.h"
 
@@ -12,14 +12,14 @@ namespace {
 constexpr double least_bits = -4294967297.0;  // 23.2.3, as printed
 constexpr double beyond_bits = 4294967296.0;
 
-/// A logical operand: the nearest whole number modulo 2^32. INFERRED: rounding; 2^31 … 2^32−1 mean the same bits as the
-/// negative numbers.
+/// Converts a logical operand: the nearest whole number modulo 2^32. INFERRED:
+/// rounding; 2^31 … 2^32−1 have the same bits as the negative numbers.
 Result<std::uint32_t> bits_of(double v, Span where) {
   if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
   return static_cast<std::uint32_t>(std::llround(v));
 }
 
-/// Back to a number: signed (23.2.3 item 4).
+/// Converts bits back to a number, which is signed (23.2.3 item 4).
 double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
 
 Result<double> logic(Op op, double a, double b, Span where) {
@@ -46,7 +46,7 @@ Result<double> arc(Op op, double a, Span where) {
   return (op == Op::arc_sine ? std::asin(a) : std::acos(a)) / rad_per_deg;
 }
 
-/// Digits of one base as digits of another: 25 in tens is 0x25 = 37 (spec/fanuc 5.3).
+/// Reads the digits of a number in base `from` as digits in base `to`: 25 in tens is 0x25 = 37 (spec/fanuc 5.3).
 Result<double> digits_from_to(double a, std::uint64_t from, std::uint64_t to, Span where) {
   constexpr double most = 99'999'999;
   if (!(a >= 0 && a <= (from == 10 ? most : 4294967295.0))) return fail(alarm(AlarmId::value_limit, where, a));

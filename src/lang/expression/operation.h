@@ -1,5 +1,5 @@
 #pragma once
-// Op: one step of an expression. Expressions are compiled to a row of them for a stack.
+// Op: one step of an expression. Expressions are compiled to a sequence of steps for a stack machine.
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number,
   variable,
-  parameter,  // push; `variable` replaces the top by #top
+  parameter,  // pushes a value; `variable` replaces the top by #top
   add,
   subtract,
   multiply,
@@ -27,7 +27,7 @@ enum class Op : std::uint8_t {
   greater_equal,
   less,
   less_equal,
-  greater_by_value,  // the same, but a vacant value counts as 0 (spec/fanuc 5.2)
+  greater_by_value,  // like greater, but a vacant value counts as 0 (spec/fanuc 5.2)
   greater_equal_by_value,
   less_by_value,
   less_equal_by_value,
@@ -41,12 +41,12 @@ enum class Op : std::uint8_t {
   fup,
   ln,
   round,
-  round_increment,  // to the least increment of the unit in force (spec/haas 2.2)
+  round_increment,  // to the least increment of the active unit (spec/haas 2.2)
   sin,
   sqrt,
   tan,
-  scale,  // divides by `number`: raw digits to the unit of the address
-  // custom macros (nct 23.2)
+  scale,  // divides by `number`: from raw digits to the unit of the address
+  // ---- custom macros (nct 23.2)
   remainder,
   bit_and,
   bit_or,
@@ -70,21 +70,21 @@ enum class Op : std::uint8_t {
   atan_turn,      // ATAN[a]/[b], 0 … 360 (spec/fanuc 5.3)
   to_bcd,         // 25 → 37, the digits as groups of four bits, and back
   from_bcd,
-  keep_negate,   // of a word: a vacant value stays vacant
-  variable_at,   // push the variable `number`
-  element,       // replaces the index on top by the number of that element of symbol `number`
-  control_value  // PRM: replaces number, bit, index on top by the value
+  keep_negate,   // negates a word's value: a vacant value stays vacant
+  variable_at,   // pushes the value of variable `number`
+  element,       // replaces the index on top by the number of this element of symbol `number`
+  control_value  // PRM: replaces number, bit and index on top by the value
 };
 
-/// The operation of an operator, a function, a relation by its name in control files ("add", "sine").
-///   returns  nothing: there is none of that name with so many operands
+/// Returns the operation of an operator, function or relation by its name in control files ("add", "sine").
+///   returns  nullopt if no operation has this name and number of operands
 std::optional<Op> operation_named(std::string_view name, int operands);
-/// Names of all with so many operands, for messages.
+/// Names of all operations with this number of operands, for messages.
 std::string_view operation_name(std::size_t place, int operands);
 
 constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal_by_value; }
 
-/// Steps with two operands.
+/// Returns true for steps with two operands.
 constexpr bool takes_two(Op op) {
   return (op >= Op::add && op <= Op::less_equal_by_value && op != Op::negate) || op == Op::atan || op == Op::atan_turn ||
          (op >= Op::remainder && op <= Op::nearly_less_equal);

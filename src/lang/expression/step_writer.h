@@ -1,5 +1,5 @@
 #pragma once
-// Where an expression is read and its steps are written. For expression_compiler only.
+// StepWriter: the part of the compiler that reads the text and writes the steps. Used by expression_compiler only.
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ class StepWriter {
  public:
   StepWriter(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// `pushed`: by how many values the stack grows.
+  /// `pushed`: change of the stack's height.
   Status step(Op op, double number, std::size_t begin, int pushed) {
     pushed_ += pushed;
     if (block_.code.size() >= limits::expression_steps || pushed_ > static_cast<int>(limits::expression_depth))
@@ -23,7 +23,7 @@ class StepWriter {
     return {};
   }
 
-  /// Has the bracket at `begin` no partner in the rest of the block (23.2.6)?
+  /// Returns true if the bracket at `begin` has no partner in the rest of the block (23.2.6).
   bool is_open(std::size_t begin) const {
     int depth = 0;
     for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
@@ -49,8 +49,8 @@ class StepWriter {
   }
 
  protected:
-  /// Where a condition is no value (spec/fanuc 5.3, 5.4) a comparison of two numbers is one, between the brackets of a condition only; AND,
-  /// OR, XOR join two conditions or two numbers; all else is of numbers.
+  /// Checks the operands of an operator where conditions are not values (spec/fanuc 5.3, 5.4): a comparison takes two numbers and is
+  /// allowed only in the brackets of a condition; AND, OR, XOR take two conditions or two numbers; all other operators take numbers.
   Status joined(Op op, std::size_t at, bool left_is_condition) {
     if (grammar_.conditions_are_values) return {};
     const bool compares = is_comparison(op), joins = op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
@@ -60,7 +60,7 @@ class StepWriter {
     return {};
   }
 
-  /// No condition stands in it, nor is it one.
+  /// Compiles a part that neither is a condition nor contains one.
   template <class Compile>
   Status of_numbers(Compile compile) {
     const bool in_condition = std::exchange(in_condition_, false);
@@ -70,7 +70,7 @@ class StepWriter {
     return {};
   }
 
-  /// [#NAME]: the variable that SETVN has given that name (spec/fanuc 5.1).
+  /// Reads [#NAME], the variable that SETVN has given this name (spec/fanuc 5.1).
   Status given_name(double& number) {
     const std::size_t open = cursor_.at;
     const std::size_t name = cursor_.text.find('#', open) + 1, close = std::min(cursor_.text.find(']', open), cursor_.text.size());
@@ -90,7 +90,7 @@ class StepWriter {
     return {};
   }
 
-  /// AXNUM[X]: the control-wide number of an axis (23.2.12).
+  /// Reads AXNUM[X], the control-wide number of an axis (23.2.12).
   Status axis_number(std::size_t begin) {
     cursor_.at = begin + 5;
     cursor_.skip_blanks();
@@ -123,7 +123,7 @@ class StepWriter {
     return found;
   }
 
-  /// Behind […] stands /[ : the cursor goes to the second bracket.
+  /// Returns true if `/[` is after the bracket […]; the cursor then moves to the second bracket.
   bool divides_bracket(std::size_t operand) {
     if (cursor_.text[operand] != '[') return false;
     Cursor ahead = cursor_;
@@ -145,7 +145,7 @@ class StepWriter {
     return true;
   }
 
-  /// The character there, whole.
+  /// Returns the whole character at this place.
   std::string_view character_at(std::size_t at) const {
     if (at >= cursor_.text.size()) return "…";
     return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
@@ -166,8 +166,8 @@ class StepWriter {
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
-  bool in_condition_ = false;  // where conditions are no values: one may stand here …
-  bool is_condition_ = false;  // … and what was read last is one
+  bool in_condition_ = false;  // where conditions are not values: a condition is allowed here …
+  bool is_condition_ = false;  // … and the part read last is a condition
 };
 
 }  // namespace kadr

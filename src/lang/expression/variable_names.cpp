@@ -1,4 +1,4 @@
-// Numbers of variables with names. For expression_compiler, o_word_reader; control/linuxcnc.
+// Numbers of named variables. Used by expression_compiler, o_word_reader; control/linuxcnc.
 
 #include "lang/expression/variable_names.h"
 

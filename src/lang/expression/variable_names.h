@@ -1,5 +1,6 @@
 #pragma once
-// Numbers of variables with names that the program makes up, `#<depth of cut>` (spec/linuxcnc 4.2): so that an expression holds a number.
+// VariableNames: numbers for the variables that a program names itself, `#<depth
+// of cut>` (spec/linuxcnc 4.2), so that an expression can hold a number.
 
 #include <cstdint>
 #include <map>
@@ -11,17 +12,18 @@
 
 namespace kadr {
 
-/// The number of the first of them, far beyond any that a program can write.
+/// The number of the first named variable, far above every number that a program can write.
 inline constexpr double first_named_variable = 1e9;
 
-/// Names of all programs that one control reads; they stay, so that a number means the same name for ever. Any thread may ask.
+/// Names from all programs that one control reads. They are never removed,
+/// so a number always means the same name. Safe for use by any thread.
 class VariableNames {
  public:
-  static constexpr std::size_t most = 1'000'000;  // names; of as many characters as a line has
+  static constexpr std::size_t most = 1'000'000;  // maximum number of names; a name is at most as long as a line
 
-  /// As the control compares them: small letters, no blanks.
+  /// The form in which the control compares names: small letters, no blanks.
   static std::string plain(std::string_view written);
-  /// Number of the name, `written` in any way; nothing: there are too many.
+  /// Returns the number of a name, `written` in any form; nullopt if there are too many names.
   std::optional<double> number_of(std::string_view written);
   std::string name_of(double number) const;
   static bool is_named(double number) { return number >= first_named_variable; }

@@ -1,5 +1,5 @@
-// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 hold the character, track 5 makes the number of holes odd, track 8 alone ends a
-// block. For cli, control, lang.
+// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 hold the character, track 5 makes the number of holes odd, track 8 alone ends
+// a block. Used by cli, control, lang.
 
 #include "lang/text/eia.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr char nothing = '\0';
 
-/// EIA RS-244-A. What its letters and figures are needs no other table: this one is laid beside the standard's, in its order.
+/// EIA RS-244-A, in the order of the standard's table, for comparison with it.
 constexpr std::array<std::pair<std::uint8_t, char>, 52> codes = {{
     {0x20, '0'},     {0x01, '1'},     {0x02, '2'},     {0x13, '3'},     {0x04, '4'},  {0x15, '5'}, {0x16, '6'}, {0x07, '7'},
     {0x08, '8'},     {0x19, '9'},     {0x61, 'A'},     {0x62, 'B'},     {0x73, 'C'},  {0x64, 'D'}, {0x75, 'E'}, {0x76, 'F'},

@@ -1,5 +1,5 @@
-// Bytes → lines: reads a program of any length through a window, from any place in it. For lang/block/block_reader, lang/text/utf16;
-// tested by tests/lang/line_reader_test.cpp.
+// Splits the bytes of a program into lines; reads a program of any length through a window, from any place. Used by
+// lang/block/block_reader, lang/text/utf16; tested by tests/lang/line_reader_test.cpp.
 
 #include "lang/text/line_reader.h"
 
@@ -21,9 +21,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t window_bytes = 256 * 1024;
-/// A line is looked for in so much; blanks and CRs before its end may stand beyond the length that is allowed.
+/// The end of a line is searched this far: blanks and CRs before it may exceed the permitted length.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-constexpr std::size_t first_read = 16 * 1024;  // after a jump: a subprogram is short; doubled at each further read
+constexpr std::size_t first_read = 16 * 1024;  // after a jump, because a subprogram is short; doubled with each further read
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 
@@ -80,7 +80,7 @@ class TextSource final : public ByteSource {
 
 using Kept = std::shared_ptr<ByteSource>;
 
-/// All of a pipe, a terminal, a device: it cannot be read twice.
+/// Reads all of a pipe, terminal or device, which cannot be read twice.
 Kept read_whole(const OpenFile& file, std::uint64_t most) {
   TextSpool text;
   std::string piece(window_bytes, '\0');
@@ -97,7 +97,7 @@ Kept read_whole(const OpenFile& file, std::uint64_t most) {
   }
 }
 
-/// A pipe gives its text once, but the guess of its control reads it before the program is read: whoever asks again gets what came.
+/// A pipe delivers its text once, but the control is guessed from it before the program is read: a second reader gets the stored text.
 class Pipes {
  public:
   static Kept known(const std::string& path) {
@@ -122,13 +122,13 @@ class Pipes {
   }
 };
 
-/// The line's own bytes: several CRs may stand before its LF.
+/// Removes CRs from the end of a line: there may be several before its LF.
 std::string_view without_crs(std::string_view bytes) {
   while (bytes.ends_with('\r')) bytes.remove_suffix(1);
   return bytes;
 }
 
-/// CR alone ends the lines where there is CR and no LF; a CR as the very last byte may be half of a CR LF.
+/// Returns true if CR alone ends the lines: there is a CR and no LF. A CR as the very last byte may be half of a CR LF.
 bool has_bare_cr(std::string_view sample) {
   if (sample.find('\n') != std::string_view::npos) return false;
   if (sample.size() == window_bytes) sample.remove_suffix(1);
@@ -153,7 +153,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* d
     Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: a refusal changes nothing
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: the result does not matter
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
@@ -193,8 +193,8 @@ void LineReader::seek(std::uint64_t offset, std::uint32_t number) {
   next_read_ = first_read;
 }
 
-/// Reads on after what the window holds; only where it is full the lines already read make room, so that a loop
-/// of fewer than 256 KiB stays within. False: the source is at its end.
+/// Reads more bytes into the window. Lines already read are removed only if the window is full, so that a loop of less than 256 KiB
+/// remains in it. Returns false at the end of the source.
 bool LineReader::fill() {
   if (at_end_) return false;
   if (filled_ == window_.size()) {
@@ -211,7 +211,7 @@ bool LineReader::fill() {
   return got > 0;
 }
 
-/// Bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may reach.
+/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may reach.
 std::size_t LineReader::find_end() {
   std::size_t searched = 0;
   while (true) {
@@ -224,7 +224,7 @@ std::size_t LineReader::find_end() {
   }
 }
 
-/// Passes over the rest of a line longer than the window may hold; false where the file ends with it.
+/// Skips the rest of a line longer than the window. Returns false if the file ends with it.
 bool LineReader::skip_rest() {
   while (true) {
     const std::size_t end = find_end();
@@ -247,7 +247,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {  // no end in sight
+  if (raw == searched_bytes) {  // no end within reach
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes → lines: reads a program of any length through a window, from any place in it.
+// LineReader: splits the bytes of a program into lines. It reads a program of any length through a window, from any place.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,45 +14,46 @@
 namespace kadr {
 
 struct Line {
-  std::string_view bytes;    // without its end; valid until the next call
-  std::uint64_t offset = 0;  // of its first byte in the file
+  std::string_view bytes;    // without the end of line; valid until the next call
+  std::uint64_t offset = 0;  // offset of its first byte in the file
   std::uint32_t number = 1;  // counted from 1
   bool ended = true;         // false: the file ends without an end of line
-  bool too_long = false;     // longer than limits::line_bytes; `bytes` is its beginning, the rest is passed over
+  bool too_long = false;     // longer than limits::line_bytes; `bytes` is its start, the rest is skipped
 };
 
-/// Where the bytes come from: a file, or text in memory.
+/// A source of bytes: a file, or text in memory.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
-  /// Reads up to `size` bytes at `offset` into `to`; 0 at the end. One call a window, never one a line.
+  /// Reads up to `size` bytes at `offset` into `to`; returns 0 at the end. Called once per window, never per line.
   virtual std::size_t read(std::uint64_t offset, char* to, std::size_t size) = 0;
   virtual std::uint64_t size() const = 0;
 };
 
-/// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a device; "-" is the standard
-/// input) is kept in a TextSpool up to limits::piped_bytes, limits::device_bytes; EMSGSIZE beyond. Through a door only a regular file.
+/// Opens a file. Returns nullptr if it cannot be read (the reason is in errno). Input that cannot be read twice (a pipe, a device; "-"
+/// is the standard input) is stored in a TextSpool, up to limits::piped_bytes or limits::device_bytes; EMSGSIZE if it is longer.
+/// Through a door only a regular file can be opened.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
-/// Text that others hold too.
+/// A source for text that others hold too.
 std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text);
 
-/// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.
-/// A UTF-8 byte order mark at the beginning is passed over; nothing after the last end of line is no line.
+/// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone if the sample has no LF. A UTF-8 byte order
+/// mark at the start is skipped. No line follows the last end of line.
 class LineReader {
  public:
   explicit LineReader(std::shared_ptr<ByteSource> source);
 
-  /// The next line; false at the end.
+  /// Reads the next line; returns false at the end.
   bool next(Line& line);
-  /// Goes on reading at the beginning of a line seen before.
+  /// Continues at the start of a line read before.
   void seek(std::uint64_t offset, std::uint32_t number);
-  /// Lines end with that byte: the end of a block on a tape in EIA code. Before the first line is read.
+  /// Sets the byte that ends lines: the end of a block on a tape in EIA code. To be called before the first line is read.
   void end_lines_with(char byte) { end_of_line_ = byte; }
-  /// The first bytes of the file (at most 256 KiB): what encoding and control are guessed from.
+  /// The first bytes of the file (at most 256 KiB), from which encoding and control are guessed.
   std::string_view sample();
   std::uint64_t size() const;
-  /// Bytes read so far, for progress. Less than size() after the end: the file could not be read to its end.
+  /// Bytes read so far, for progress. Less than size() at the end if the file could not be read completely.
   std::uint64_t offset() const { return window_offset_ + position_; }
 
  private:
@@ -62,17 +63,17 @@ class LineReader {
   std::size_t find_end();
   bool skip_rest();
 
-  std::shared_ptr<ByteSource> source_;  // shared with readers of other places of the file
+  std::shared_ptr<ByteSource> source_;  // shared with readers of other places in the file
   std::string window_;
   std::string sample_;
-  std::string long_line_;            // beginning of a line that is too long
+  std::string long_line_;            // start of a line that is too long
   std::uint64_t window_offset_ = 0;  // of window_[0] in the file
   std::size_t position_ = 0;         // next byte in the window
   std::size_t filled_ = 0;
-  std::size_t next_read_;  // bytes to ask for: few after a jump, then more
+  std::size_t next_read_;  // bytes to read next: few after a jump, then more
   std::uint32_t line_ = 1;
   bool at_end_ = false;
-  char end_of_line_ = '\n';  // CR where lines end with CR alone
+  char end_of_line_ = '\n';  // CR if lines end with CR alone
 };
 
 }  // namespace kadr

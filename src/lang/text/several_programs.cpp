@@ -1,5 +1,5 @@
-// A tape with several programs: where each begins, what of the sections of subprograms belongs to it (spec/gost 1, 2С42 6.2, 6.3.5). For
-// cli/open_program.
+// A tape with several programs: where each starts, and which sections of subprograms
+// belong to it (spec/gost 1, 2С42 6.2, 6.3.5). Used by cli/open_program.
 
 #include "lang/text/several_programs.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t search_bytes = 64 * 1024;
 
-/// The file with ranges of it blank; ends of lines stay.
+/// The file with some ranges blanked; ends of lines remain.
 class BlankedSource final : public ByteSource {
  public:
   BlankedSource(std::shared_ptr<ByteSource> source, std::vector<ByteRange> blank, bool tape)
@@ -43,7 +43,7 @@ class BlankedSource final : public ByteSource {
   bool tape_;
 };
 
-/// Reads a file block by block and notes where programs and subprograms begin and end.
+/// Reads a file block by block and records where programs and subprograms start and end.
 class Contents {
  public:
   Contents(const std::shared_ptr<ByteSource>& source, const Grammar& grammar, std::optional<Encoding> encoding)
@@ -60,7 +60,7 @@ class Contents {
       take(*block);
     }
     end_at(reader_.size());
-    std::size_t kept = 0;  // a sign % at the end of the file begins no program
+    std::size_t kept = 0;  // a sign % at the end of the file starts no program
     for (std::size_t i = 0; i < contents_.programs.size(); ++i)
       if (has_words_[i]) contents_.programs[kept++] = contents_.programs[i];
     contents_.programs.resize(kept);
@@ -81,7 +81,7 @@ class Contents {
       in_ = In::section;
       return;
     }
-    if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);  // without %
+    if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);  // no % needed
     if (in_ == In::program && block.word_count > 0) has_words_.back() = true;
     if (in_ == In::section) subprogram_block(block);
   }
@@ -122,10 +122,10 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // of each program
+  std::vector<bool> has_words_;  // per program
   In in_ = In::nothing;
-  bool open_ = false;          // a subprogram
-  bool behind_start_ = false;  // of the block with %
+  bool open_ = false;          // a subprogram is open
+  bool behind_start_ = false;  // after the block with %
 };
 
 }  // namespace

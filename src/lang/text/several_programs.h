@@ -1,5 +1,5 @@
 #pragma once
-// A tape with several programs: where each begins, what of the sections of subprograms belongs to it (spec/gost 1, 2С42 6.2, 6.3.5).
+// A tape with several programs: where each starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2, 6.3.5).
 
 #include <cstdint>
 #include <memory>
@@ -10,18 +10,18 @@
 
 namespace kadr {
 
-/// Bytes of the file, from a beginning of a line to another.
+/// A range of bytes in the file; both ends are starts of lines.
 struct ByteRange {
   std::uint64_t begin = 0, end = 0;
 };
 
-/// From its sign % to the next one, or to a section of subprograms.
+/// A program: from its sign % to the next one, or to a section of subprograms.
 struct TapeProgram {
   ByteRange bytes;
-  std::uint32_t number = 0;  // after %, or of O in the block after; 0: none
+  std::uint32_t number = 0;  // after %, or of O in the next block; 0: none
 };
 
-/// The blocks of one subprogram of a section (2С42: N02001 …).
+/// The blocks of one subprogram in a section (2С42: N02001 …).
 struct TapeSubprogram {
   ByteRange bytes;
   std::uint32_t number = 0;
@@ -32,21 +32,22 @@ struct TapeContents {
   std::vector<TapeSubprogram> subprograms;
 };
 
-/// The signs % of a file, whatever they mean there: with fewer than two it holds one program, and need not be read for more.
+/// Counts the signs % of a file, whatever their meaning: with fewer than two it has only one program and need not be analysed.
 std::size_t count_program_signs(ByteSource& source, std::optional<Encoding> encoding);
 
-/// All of a file, at most some thousand programs; a sign % without a block after it is none. What cannot be read is passed over.
+/// Analyses a whole file, up to some thousand programs. A sign % without a block after it is not a program. Unreadable blocks are skipped.
 TapeContents contents_of(const std::shared_ptr<ByteSource>& source, const Grammar& grammar, std::optional<Encoding> encoding);
 
-/// The program of that number; where none has a number, the one in that place, from 1 (ours).
+/// Returns the program with this number; if no program has a number, the one at this place, counted from 1 (our choice).
 std::optional<std::size_t> program_numbered(const TapeContents& contents, std::uint32_t number);
 
-/// The file with one of its programs: the others are blank, as are the subprograms that a reader of the tape would not have in memory:
-/// of two with the same number the last one before the program counts, else the first one after it (INFERRED). Places stay.
+/// Returns the file reduced to one of its programs: the others are blanked, and so are the subprograms that would not be in the memory
+/// of a control that reads the tape: of two with the same number the last one before the program is used, else the first after it
+/// (INFERRED). All places stay the same.
 std::unique_ptr<ByteSource> only_program(std::shared_ptr<ByteSource> source, const TapeContents& contents, std::size_t index,
                                          std::optional<Encoding> encoding);
 
-/// A file that others read too, as it is.
+/// A file that others read too, unchanged.
 std::unique_ptr<ByteSource> whole_file(std::shared_ptr<ByteSource> source);
 
 }  // namespace kadr

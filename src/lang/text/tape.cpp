@@ -1,5 +1,5 @@
-// Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83). For lang/text/tape_side;
-// tested by tests/lang/tape_test.cpp.
+// Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83). Used by
+// lang/text/tape_side; tested by tests/lang/tape_test.cpp.
 
 #include "lang/text/tape.h"
 
@@ -10,15 +10,15 @@
 #include "lang/text/eia.h"
 #include "lang/text/encoding.h"
 
-// The Russian register is KOI-7 Н1: the codes 0x40..0x7E are KOI8-R's letters without their eighth bit, ю а б … ч;
-// Ъ would be the code of a deleted row and has none. Digits and signs, 0x20..0x3F, are the same in both registers.
+// The Russian register is KOI-7 Н1: the codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч.
+// Ъ would have the code of a deleted row and therefore has none. Digits and signs, 0x20..0x3F, are the same in both registers.
 
 namespace kadr {
 namespace {
 
 constexpr std::uint8_t deleted_row = 0x7F;
 constexpr std::uint8_t shift_out = 0x0E;  // to Russian letters
-constexpr std::uint8_t shift_in = 0x0F;   // and back
+constexpr std::uint8_t shift_in = 0x0F;   // back to Latin letters
 constexpr std::uint8_t first_letter = 0x40;
 constexpr std::size_t most_faults = 1000;
 
@@ -26,7 +26,7 @@ bool leaves_no_character(std::uint8_t code) {
   return code == 0 || code == '\r' || code == shift_out || code == shift_in || code == deleted_row;
 }
 
-/// The code of a letter in the Russian register, or 0.
+/// Returns the code of a letter in the Russian register, or 0.
 std::uint8_t russian_code(char32_t letter) {
   static const auto codes = [] {
     std::array<std::uint8_t, 64> table{};
@@ -37,12 +37,12 @@ std::uint8_t russian_code(char32_t letter) {
   return letter >= U'А' && letter <= U'я' ? codes[letter - U'А'] : std::uint8_t{0};
 }
 
-/// Writes rows, and the change of register where the letters need it.
+/// Writes rows, and changes the register where a letter needs it.
 class RowWriter {
  public:
   RowWriter(std::string& rows, TapeCode code) : rows_(rows), code_(code) {}
 
-  /// False: the code has no such character.
+  /// Returns false if the code has no such character.
   bool write(char32_t letter) {
     if (code_ == TapeCode::eia) {
       const auto row = eia_row(letter);
@@ -71,7 +71,7 @@ void trim_right(std::string_view& line) {
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
 }
 
-/// Takes one literal mark from the end of a line; a mark does not continue a word (`SELF`, `КПС`).
+/// Removes one literal mark from the end of a line, unless it is the end of a word (`SELF`, `КПС`).
 bool remove_mark(std::string_view& line) {
   std::string_view rest = line;
   trim_right(rest);
@@ -79,7 +79,7 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    if (before >= 'A' && before != '_') return false;  // a letter, or the end of one that is not ASCII
+    if (before >= 'A' && before != '_') return false;  // a letter, or the last byte of a non-ASCII one
     trim_right(rest);
     line = rest;
     return true;
@@ -87,7 +87,7 @@ bool remove_mark(std::string_view& line) {
   return false;
 }
 
-/// A line without CRs at its end and without its marks: what an LF replaces.
+/// Returns a line without the CRs and marks at its end, which an LF replaces.
 std::string_view without_end(std::string_view line) {
   while (line.ends_with('\r')) line.remove_suffix(1);
   while (remove_mark(line)) continue;

@@ -10,20 +10,20 @@
 
 namespace kadr {
 
-/// The byte of one row: seven bits of code and the eighth track that makes the number of holes even.
+/// The byte of one row: seven bits of code, and the eighth track, which makes the number of holes even.
 std::uint8_t with_even_parity(std::uint8_t code);
 bool has_even_parity(std::uint8_t row);
 
 enum class TapeCode : std::uint8_t {
   iso,  // ISO 7-bit, even parity in the eighth track; Russian letters in its other register (KOI-7 Н1)
-  eia,  // EIA RS-244, odd parity in the fifth
+  eia,  // EIA RS-244, odd parity in the fifth track
 };
 
-/// The code of a tape as text, a row after the other; remembers which register SO and SI have set. Each line begins
-/// with Latin letters, so that a line can be read alone.
+/// Converts the code of a tape to text, row by row, and remembers the register set by SO and SI. Each line starts with Latin letters,
+/// so that a line can be read alone.
 class TapeLetters {
  public:
-  /// Appends the character of one row without its eighth track; NUL, DEL, CR, SO and SI give none.
+  /// Appends the character of one row, given without its eighth track; NUL, DEL, CR, SO and SI have none.
   void append(std::uint8_t code, std::string& text);
 
  private:
@@ -37,19 +37,18 @@ struct TapeFault {
 };
 
 struct TapeText {
-  std::string text;               // UTF-8, a line a block
-  std::vector<TapeFault> faults;  // rows of the wrong parity or without a character, at most 1000; their characters are '?' in the text
+  std::string text;               // UTF-8, one line per block
+  std::vector<TapeFault> faults;  // at most 1000 rows with wrong parity or without a character, which is '?' in the text
 };
 
-/// Rows → text. NUL (blank tape) and DEL (deleted row) are left out, CR too; SO and SI switch to Russian letters and back.
+/// Converts rows to text. NUL (blank tape), DEL (deleted row) and CR are left out; SO and SI switch to Russian letters and back.
 TapeText decode_tape(std::string_view rows, TapeCode code = TapeCode::iso);
 
-/// UTF-8 text → rows, with a leader and trailer of blank tape. The end of a line, a literal ПС or LF at its end become
-/// one LF; a last line without its end gets one. Russian letters stand between SO and SI;
-/// in EIA code small letters become capitals.
-///   alarms  not a character of the code: bad_encoding, with its place in the text and the character (Ё and Ъ have no
-///           code; NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters)
-///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end a block
+/// Converts UTF-8 text to rows, with a leader and trailer of blank tape. The end of a line, with a literal ПС or LF before it, becomes
+/// one LF; a last line without an end gets one. Russian letters are put between SO and SI; in EIA code small letters become capitals.
+///   alarms  bad_encoding for a character that the code does not have, with its place in the text (Ё and Ъ have no code;
+///           NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters)
+///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end per block
 Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows, TapeCode code = TapeCode::iso);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// For cli/tape_command, view/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
+// Reads the image of a punched tape. Used by cli/tape_command, view/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
 
 #include "lang/text/tape_reading.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The image of a punched tape → text, whichever way it was put into the reader.
+// Converts the image of a punched tape to text, in whatever orientation the tape was read.
 
 #include <optional>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace kadr {
 
-/// "iso", "eia".
+/// Names of the codes: "iso", "eia".
 std::optional<TapeCode> tape_code_named(std::string_view name);
 
 struct TapeReading {
-  std::string text;               // UTF-8, a line a block; '?' for what cannot be read
+  std::string text;               // UTF-8, one line per block; '?' for unreadable rows
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
-  TapeLie lie = TapeLie::right;  // another: the rows were turned before they were read
+  TapeLie lie = TapeLie::right;  // how the tape was read; the text is that of the correct orientation
   bool looks_like_tape = false;
 };
 
-/// `said`: the code; nothing: as the rows say, ISO where they do not.
+/// `said`: the code given by the user; nullopt: as detected from the rows, else ISO.
 TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Is it an image of a punched tape, in which code, and does the tape lie as it should?. For cli, lang; tested by
-// tests/lang/tape_side_test.cpp.
+// Detects the image of a punched tape, its code, and the orientation in which
+// it was read. Used by cli, lang; tested by tests/lang/tape_side_test.cpp.
 
 #include "lang/text/tape_side.h"
 
@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double least_valid = 0.95;      // of the rows: a torn tape has some that are not
-constexpr std::size_t least_rows = 8;     // fewer are chance
-constexpr std::size_t least_turned = 16;  // of a tape that would lie wrongly: eight ways to look at it are chance sooner
-constexpr double sure = 0.1;              // share of pairs by which addresses stand before numbers
+constexpr double least_valid = 0.95;      // fraction of valid rows: a torn tape has some invalid ones
+constexpr std::size_t least_rows = 8;     // with fewer rows the result is chance
+constexpr std::size_t least_turned = 16;  // for a wrongly inserted tape: trying eight variants makes chance matches more likely
+constexpr double sure = 0.1;              // majority of pairs with the address before the number, as a fraction
 constexpr std::size_t looked_at = 64 * 1024;
 
 std::uint8_t mirrored(std::uint8_t row) {
@@ -23,7 +23,7 @@ std::uint8_t mirrored(std::uint8_t row) {
   return static_cast<std::uint8_t>(to);
 }
 
-/// What a row says in a code: a character, 0 for none; nothing: it is none of the code.
+/// Returns the meaning of a row in a code: a character, 0 for a row without one; nullopt if the code has no such row.
 std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   if (code == TapeCode::eia) return has_odd_parity(row) ? eia_character(row) : std::nullopt;
   if (!has_even_parity(row)) return std::nullopt;
@@ -33,10 +33,10 @@ std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   return static_cast<char>(c);
 }
 
-/// How much rows are like a program in a code.
+/// How similar rows are to a program in a code.
 struct Likeness {
   bool is_tape = false;
-  double forward = 0;  // -1 … 1: numbers before their addresses … addresses before their numbers
+  double forward = 0;  // from -1, numbers before their addresses, to 1, addresses before their numbers
 };
 
 Likeness likeness(std::string_view rows, TapeCode code, std::size_t least_count) {

@@ -1,5 +1,5 @@
 #pragma once
-// Is it an image of a punched tape, in which code, and does the tape lie as it should?
+// Detects the image of a punched tape, its code, and the orientation in which it was read.
 
 #include <optional>
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// How a tape was put into the reader.
+/// The orientation in which a tape was put into the reader.
 enum class TapeLie : std::uint8_t {
   right,
-  wrong_end,   // its end first: the rows stand in the opposite order
+  wrong_end,   // its end first: the rows are in reverse order
   wrong_side,  // turned over: track 1 is read as track 8
-  both,        // turned round: both
+  both,        // both
 };
 
 struct TapeLook {
@@ -22,16 +22,16 @@ struct TapeLook {
   TapeLie lie = TapeLie::right;
 };
 
-/// 19 of 20 rows have the parity of the code and are codes of program text, at least eight of them and a digit. Where that does not
-/// tell how the tape lies, words do: an address stands before its number.
-///   returns  nothing: no tape
+/// Accepts a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a digit. If
+/// that leaves the orientation open, words decide: an address is before its number.
+///   returns  nullopt if it is not a tape
 std::optional<TapeLook> look_at_tape(std::string_view rows);
 
-/// The rows as they are read from the tape put in rightly.
+/// Returns the rows as the correctly inserted tape would give them.
 ///   law  turned(turned(t, lie), lie) == t
 std::string turned(std::string_view rows, TapeLie lie);
 
-/// "wrong_end", … for messages.
+/// Names for messages: "wrong_end", …
 std::string_view name_of(TapeLie lie);
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// A text that is made and read again. For convert/conversion, view/source_text; tested by tests/lang/text_spool_test.cpp.
+// Stores a text so that it can be read several times. Used by convert/conversion, view/source_text; tested by
+// tests/lang/text_spool_test.cpp.
 
 #include "lang/text/text_spool.h"
 
@@ -13,7 +14,7 @@
 
 namespace kadr {
 
-/// A file that goes away with whoever holds it.
+/// A temporary file that is deleted with its last owner.
 class SpoolFile {
  public:
   SpoolFile() {
@@ -22,7 +23,7 @@ class SpoolFile {
     if (none) return;
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (descriptor_ >= 0) return;
-    std::string name = folder + "/kadr-XXXXXX";  // a file system that has no files without a name
+    std::string name = folder + "/kadr-XXXXXX";  // for file systems without nameless files
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor_ >= 0) unlink(name.c_str());
   }
@@ -32,7 +33,7 @@ class SpoolFile {
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;
 
-  ///   returns  bytes that are written: fewer where there is no file, or no room
+  ///   returns  number of bytes written: fewer if there is no file, or no space
   std::size_t write(std::string_view piece, std::uint64_t at) const {
     return whole([&](std::size_t done) { return pwrite(descriptor_, piece.data() + done, piece.size() - done, off_t(at + done)); },
                  piece.size());
@@ -62,7 +63,7 @@ namespace {
 constexpr std::size_t spilled_at_once = 256 * 1024;  // bytes, once there is a file
 constexpr std::size_t piece_bytes = 256 * 1024;
 
-/// First what is in the file, then what is in memory.
+/// Reads first the part in the file, then the part in memory.
 class SpoolSource final : public ByteSource {
  public:
   SpoolSource(std::shared_ptr<SpoolFile> file, std::uint64_t written, std::string kept)
@@ -96,7 +97,7 @@ class SharedSource final : public ByteSource {
   std::shared_ptr<ByteSource> text_;
 };
 
-/// Behind the last line that is whole; of one line that is longer than all of it, behind a character.
+/// Returns the end of the last whole line; if the piece is only part of a line, the end of its last whole character.
 std::size_t end_of_piece(std::string_view piece) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (const std::size_t line = piece.rfind('\n'); line != std::string_view::npos) return line + 1;

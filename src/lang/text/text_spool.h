@@ -1,6 +1,6 @@
 #pragma once
-// TextSpool: a text of any length that is made piece by piece and then read, more than once: in memory while it is short, else in a
-// temporary file without a name.
+// TextSpool: collects a text of any length piece by piece, so that it can be read more than once: in memory while it is short, else in
+// a temporary file without a name.
 
 #include <cstdint>
 #include <functional>
@@ -13,8 +13,8 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::uint64_t piped_bytes = std::uint64_t{256} << 20;  // that a pipe may give as a program; a file may have any length
-inline constexpr std::uint64_t device_bytes = std::uint64_t{16} << 20;  // that a device may: a tape reader, a terminal
+inline constexpr std::uint64_t piped_bytes = std::uint64_t{256} << 20;  // maximum for a program from a pipe; a file may have any length
+inline constexpr std::uint64_t device_bytes = std::uint64_t{16} << 20;  // maximum length from a device: a tape reader, a terminal
 }  // namespace limits
 
 class SpoolFile;
@@ -25,34 +25,34 @@ class TextSpool {
 
   explicit TextSpool(std::size_t most_in_memory = usual_in_memory) : most_in_memory_(most_in_memory) {}
 
-  /// Where no file can be made, or the disk is full, the rest stays in memory.
+  /// Appends a piece. If no file can be created, or the disk is full, the rest stays in memory.
   void append(std::string_view piece) {
     kept_ += piece;
     if (kept_.size() >= most_in_memory_) spill();
   }
-  /// Bytes so far.
+  /// Number of bytes so far.
   std::uint64_t size() const { return written_ + kept_.size(); }
-  /// The text: nothing is appended afterwards.
+  /// Returns the text; nothing may be appended afterwards.
   std::shared_ptr<ByteSource> source();
 
  private:
   void spill();
 
   std::size_t most_in_memory_;
-  std::string kept_;                 // behind what is in the file
+  std::string kept_;                 // the part after the text in the file
   std::shared_ptr<SpoolFile> file_;  // nullptr: none yet
-  std::uint64_t written_ = 0;        // bytes, in the file
+  std::uint64_t written_ = 0;        // bytes in the file
 };
 
-/// A text that others read too.
+/// A source for a text that others read too.
 std::unique_ptr<ByteSource> shared_source(std::shared_ptr<ByteSource> text);
 
-/// All of it.
+/// Returns the whole text.
 std::string whole_text(ByteSource& source);
 
-/// A text in pieces of some hundred kilobytes, in their order, until `take` returns false. They end with whole lines, of longer lines with
-/// whole characters.
-///   returns  false: `take` did
+/// Passes a text to `take` in order, in pieces of some hundred kilobytes, until `take` returns false. Pieces end with whole lines;
+/// pieces of a longer line end with whole characters.
+///   returns  false if `take` did
 bool each_piece(ByteSource& source, const std::function<bool(std::string_view)>& take);
 
 }  // namespace kadr

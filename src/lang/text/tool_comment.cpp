@@ -1,10 +1,11 @@
-// What a comment says of a tool: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". For session/tool_proposals, view/sheet; tested by
-// tests/lang/tool_comment_test.cpp.
+// Reads the description of a tool in a comment: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". Used by session/tool_proposals,
+// view/sheet; tested by tests/lang/tool_comment_test.cpp.
 //
-//   text ─▶ tool_comment_tokens ─▶ tool_figures: what each figure is ─▶ here: which of them is the size of the tool
+//   text ─▶ tool_comment_tokens ─▶ tool_figures: the meaning of each figure ─▶ here: which of them is the size of the tool
 //
-// A wrong diameter is worse than none. In this order, and only where all that is found at one step agrees: what is called diameter; a size
-// in the name of the tool (1/2 ENDMILL, {6 mm}), the number or letter of a drill, the thread of a tap; a size behind the name (ENDMILL 10).
+// A wrong diameter is worse than none. The sources are tried in this order, and only a step whose findings all agree gives a result: a
+// figure called diameter; a size in the name of the tool (1/2 ENDMILL, {6 mm}), the number or letter of a drill, the thread of a tap; a
+// size after the name (ENDMILL 10).
 
 #include "lang/text/tool_comment.h"
 
@@ -21,7 +22,7 @@ std::optional<std::uint32_t> tool_of(const std::vector<CommentPiece>& pieces) {
   return std::nullopt;
 }
 
-/// Of a comment about several tools (T1 = D16 ENDMILL, T2 = DRILL 6.8) only the first part is read.
+/// Keeps only the first part of a comment about several tools (T1 = D16 ENDMILL, T2 = DRILL 6.8).
 void keep_first_tool(std::vector<CommentPiece>& pieces) {
   const auto first = tool_of(pieces);
   const auto other = std::find_if(pieces.begin(), pieces.end(), [&](const CommentPiece& p) {
@@ -30,7 +31,7 @@ void keep_first_tool(std::vector<CommentPiece>& pieces) {
   pieces.erase(other, pieces.end());
 }
 
-/// Of the whole point: CAM systems write TAPER=45DEG of a chamfer mill for the half of it.
+/// Returns the full point angle: CAM systems give half of it in TAPER=45DEG of a chamfer mill.
 std::optional<double> angle_of(const std::vector<CommentPiece>& pieces, ToolWord kind) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!pieces[i].is_figure() || pieces[i].figure != FigureIs::angle) continue;

@@ -1,4 +1,4 @@
-// The words, figures and signs of a comment. For lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
+// Splits a comment into words, figures and signs. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
 
 #include "lang/text/tool_comment_tokens.h"
 
@@ -14,7 +14,7 @@ namespace {
 struct Alike {
   std::string_view written, meant;
 };
-/// What people write for the same thing.
+/// Different spellings of the same thing.
 constexpr std::array<Alike, 17> sign_spellings = {{
     {"Ø", " DIA "},
     {"ø", " DIA "},
@@ -46,7 +46,7 @@ std::string with_signs_made_alike(std::string_view text) {
   return out;
 }
 
-/// Capital letters, Russian and Western ones too (UTF-8: а…п are D0 B0…BF, р…я D1 80…8F, ё D1 91, à…þ C3 A0…BE).
+/// Converts to capitals, Russian and Western letters too (UTF-8: а…п are D0 B0…BF, р…я D1 80…8F, ё D1 91, à…þ C3 A0…BE).
 std::string capitals(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -80,7 +80,7 @@ class Tokens {
     const bool leads_point = (c == '.' || c == ',') && is_digit(at(at_ + 1));
     const bool abbreviates =
         leads_point && c == '.' && joined_ && at(digits_from(at_ + 1)) == '.' && is_digit(at(digits_from(at_ + 1) + 1));
-    const bool comma_divides = c == ',' && joined_;  // R0,5 has one figure, but "D8,.5" and "A,5" have none before their comma
+    const bool comma_divides = c == ',' && joined_;  // R0,5 has one figure, but in "D8,.5" and "A,5" the comma divides
     if (is_digit(c) || (leads_point && !comma_divides && !abbreviates)) return figure();
     if (is_word_letter(c)) return word();
     ++at_;
@@ -99,7 +99,7 @@ class Tokens {
     joined_ = true, underscored_ = false;
   }
 
-  /// Letters; with points between single ones (E.M.), with an apostrophe between others (C'BORE).
+  /// Reads letters; with points between single letters (E.M.), with an apostrophe between others (C'BORE).
   void word() {
     const std::size_t from = at_;
     const auto goes_on = [&] {
@@ -136,7 +136,7 @@ class Tokens {
     add(std::move(token));
   }
 
-  /// 3/8; a date 3/8/24 is none.
+  /// Reads a fraction 3/8; a date 3/8/24 is not a fraction.
   void fraction(std::size_t from, CommentToken& token) {
     double numerator = 0, denominator = 0;
     std::from_chars(text_.data() + from, text_.data() + at_, numerator);

@@ -1,6 +1,7 @@
-// What each figure of a comment is. For lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
+// Determines the meaning of each figure in a comment. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
 //
-// Each pass looks for one thing in the whole comment and marks the figures that it is sure of; what no pass has marked stays open.
+// Each pass searches the whole comment for one pattern and marks the
+// figures that it is sure of; a figure that no pass has marked stays open.
 
 #include "lang/text/tool_figures.h"
 
@@ -19,7 +20,7 @@ using Is = CommentToken::Is;
 using enum WordSays;
 
 constexpr double most_wholes = 6;          // inches before a fraction: 1 1/4
-constexpr std::size_t longest_size = 3;    // digits of a whole size; 1234 is a number of something
+constexpr std::size_t longest_size = 3;    // digits of a whole size; 1234 is a number, not a size
 constexpr std::size_t longest_number = 8;  // digits of T
 
 class FigureMarker {
@@ -47,17 +48,17 @@ class FigureMarker {
 
  private:
   std::size_t count() const { return all_.size(); }
-  bool has(std::size_t i) const { return i < all_.size(); }  // also of a place before the first, which is a very large one
+  bool has(std::size_t i) const { return i < all_.size(); }  // false also for the index before the first, which wraps around
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }
   bool is_sign(std::size_t i, char c) const { return has(i) && all_[i].is_sign(c); }
   bool says(std::size_t i, WordSays what) const { return has(i) && all_[i].meaning.is(what); }
   bool joined(std::size_t i) const { return has(i) && all_[i].joined; }
   static bool is_letter(const CommentPiece& p) { return p.is_word() && (p.text.size() == 1 || (p.text.size() == 2 && is_high(p.text[0]))); }
-  /// Between blanks.
+  /// A dash between blanks.
   bool is_free_dash(std::size_t i) const { return is_sign(i, '-') && !joined(i) && !joined(i + 1); }
 
-  /// The place behind `i` after signs of `between`.
+  /// Returns the index after `i`, skipping signs of `between`.
   std::size_t behind(std::size_t i, std::string_view between) const {
     for (++i; has(i) && all_[i].is == Is::sign && between.find(all_[i].text[0]) != std::string_view::npos;) ++i;
     return i;
@@ -88,7 +89,7 @@ class FigureMarker {
   std::vector<CommentPiece> all_;
 };
 
-/// NO.17: the point is that of the word.
+/// NO.17: the point belongs to the word.
 void FigureMarker::read_abbreviations() {
   for (std::size_t i = 1; i < count(); ++i) {
     CommentPiece& f = all_[i];
@@ -100,7 +101,7 @@ void FigureMarker::read_abbreviations() {
   }
 }
 
-/// IN is a unit where no other word can be meant: "4 IN VISE" has none, "1/4 IN DRILL" and ".5IN" have.
+/// IN is a unit only where it cannot be the preposition: not in "4 IN VISE", but in "1/4 IN DRILL" and ".5IN".
 bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   if (!says(at, unit_mm | unit_inch)) return false;
   if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // T5 "F" DRILL
@@ -110,7 +111,7 @@ bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   return f.is_fraction || f.has_point || goes_on_with_tool;
 }
 
-/// 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) has no length.
+/// Merges units: 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) is not a length.
 void FigureMarker::take_units() {
   bool braced = false;
   for (std::size_t i = 0; i < count(); ++i) {
@@ -122,13 +123,14 @@ void FigureMarker::take_units() {
     if (!is_unit(i, at)) continue;
     all_[i].unit = says(at, unit_mm) ? 1 : mm_per_inch;
     if (is_sign(at + 1, '/')) all_[i].figure = FigureIs::other;
-    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // 1/2MM: nobody makes one
+    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // 1/2MM: no such tool exists
     if (mm_of_fraction) all_[i].figure = FigureIs::other;
     all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(i) + 1, all_.begin() + static_cast<std::ptrdiff_t>(at) + 1);
   }
 }
 
-/// A figure in a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a point divides it from a word: DRILL.828, BAR5/8.
+/// A figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL.
+/// A fraction or a leading point separates it from a word: DRILL.828, BAR5/8.
 bool FigureMarker::is_part_of_name(std::size_t i) const {
   const CommentPiece& f = all_[i];
   if (f.is_broken) return true;
@@ -154,7 +156,7 @@ void FigureMarker::mark_names() {
     if (is_open(i) && is_part_of_name(i)) all_[i].figure = FigureIs::other;
 }
 
-/// T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-; not X-T3, TOOL 1/2, TOOL 6MM.
+/// Accepts T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-, but not X-T3, TOOL 1/2, TOOL 6MM.
 void FigureMarker::mark_tool_numbers() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, tool_number) || !all_[i].is_word()) continue;
@@ -170,7 +172,7 @@ void FigureMarker::mark_tool_numbers() {
   }
 }
 
-/// A word that says of a figure beside it what it is: 4FL, LOC 1.5, S2000, ZMIN=-5.
+/// Uses words that define the figure next to them: 4FL, LOC 1.5, S2000, ZMIN=-5.
 void FigureMarker::mark_beside_words() {
   for (std::size_t i = 0; i < count(); ++i)
     if (says(i, other_before | other_behind | is_numbered)) mark_by_word(i);
@@ -182,7 +184,7 @@ void FigureMarker::mark_beside_words() {
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // S2000, Z-.5, H7
-    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);  // a feed; SVERLO F8.5 is a diameter in Latin letters
+    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);  // a feed; but SVERLO F8.5 is a diameter, in Latin letters
     if (is_f && is_open(i + 1) && joined(i + 1)) all_[i + 1].figure = FigureIs::other;
     const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);  // 3F, 2Z
     if (counts) all_[i - 1].figure = FigureIs::other;
@@ -191,7 +193,7 @@ void FigureMarker::mark_beside_words() {
   }
 }
 
-/// The word before the figure says what it is: of DIA .5 LOC 1.0 the .5 is not that of LOC.
+/// Returns true if the word before the figure defines it: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
@@ -250,7 +252,7 @@ void FigureMarker::mark_inch_thread(std::size_t size) {
   all_[size + 2].figure = FigureIs::other;
 }
 
-/// 03-0086, 2016-01-30, 10:30, A881-02: numbers of things. Dashes that follow a word of the tool divide: DIA-0.5, .500-DRILL.
+/// 03-0086, 2016-01-30, 10:30, A881-02 are numbers of things. A dash after a word of the tool only separates: DIA-0.5, .500-DRILL.
 void FigureMarker::mark_chains_of_numbers() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!(is_sign(i, '-') || is_sign(i, ':')) || !joined(i) || !joined(i + 1)) continue;
@@ -264,7 +266,7 @@ void FigureMarker::mark_chains_of_numbers() {
   }
 }
 
-/// -.0002, +.0005: by how much something differs. (-1/2: only a dash before a size.)
+/// -.0002, +.0005 are differences. (-1/2 is only a dash before a size.)
 void FigureMarker::mark_signed() {
   for (std::size_t i = 1; i < count(); ++i) {
     const bool sign = is_sign(i - 1, '+') || (is_sign(i - 1, '-') && !joined(i - 1));
@@ -272,7 +274,7 @@ void FigureMarker::mark_signed() {
   }
 }
 
-/// The figure that DIA means: DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
+/// Returns the figure that DIA refers to: DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
 std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
   const std::size_t at = behind(word, is_single ? "=:." : "=:.-");
@@ -319,7 +321,7 @@ void FigureMarker::mark_angles() {
   }
 }
 
-/// Of A X B the second is a length, an angle, a width. 4X is a count.
+/// In A X B the second figure is a length, an angle or a width. 4X is a count.
 void FigureMarker::mark_second_sizes() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!says(i, times) && !is_sign(i, '*')) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// The names of tools in a comment: BALL END MILL, SPOT DRILL, ФРЕЗА; and what kind of tool they name.
+// Finds the names of tools in a comment, BALL END MILL, SPOT DRILL, ФРЕЗА, and the type of tool that they mean.
 
 #include <cstddef>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace kadr {
 
-/// Words that stand together and name a tool.
+/// Adjacent words that name a tool.
 struct ToolName {
-  std::size_t first = 0, last = 0;  // pieces
+  std::size_t first = 0, last = 0;  // indices of its pieces
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
   bool size_behind = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordSays
@@ -18,12 +18,12 @@ struct ToolName {
 
 class ToolNames {
  public:
-  /// `pieces` must outlive it. What is said of another thing (behind FOR, WITH) names no tool here.
+  /// `pieces` must outlive it. Words about another thing (after FOR, WITH) do not name a tool here.
   explicit ToolNames(const std::vector<CommentPiece>& pieces);
 
   const std::vector<ToolName>& all() const { return all_; }
   ToolWord kind() const;
-  /// One of the comment's words says so, of this tool.
+  /// Returns true if one of the comment's words says `what` about this tool.
   bool any(WordSays what) const;
 
  private:

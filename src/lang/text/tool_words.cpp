@@ -1,4 +1,4 @@
-// The words that comments about tools are made of. For lang/text/tool_figures, lang/text/tool_comment.
+// The vocabulary of comments about tools. Used by lang/text/tool_figures, lang/text/tool_comment.
 
 #include "lang/text/tool_words.h"
 
@@ -11,16 +11,16 @@ namespace {
 using enum WordSays;
 
 struct Row {
-  std::string_view words;  // with blanks between
+  std::string_view words;  // separated by blanks
   WordSays says;
   ToolWord kind = ToolWord::none;
 };
 
 constexpr WordSays names_tool = tool | size_behind;
-constexpr WordSays foreign = tool | size_behind | no_bare_size;  // known too little of for more than a size with its unit
+constexpr WordSays foreign = tool | size_behind | no_bare_size;  // too uncertain for anything but a size with its unit
 constexpr WordSays either = other_before | other_behind;
 
-/// English, Russian, Russian in Latin letters; of other languages only the commonest names. A word stands once.
+/// English, Russian, Russian in Latin letters; of other languages only the commonest names. Each word occurs once.
 constexpr Row rows[] = {
     // ---- names of tools
     {"ENDMILL ENDMILLS EM E.M FEM CUTTER SLOTDRILL ФРЕЗА ФРЕЗЫ ФРЕЗОЙ ФР FREZA", names_tool, ToolWord::mill},
@@ -61,7 +61,7 @@ constexpr Row rows[] = {
     {"ROUND ROUNDING ROUNDER", part_of_name},
     {"BORING", part_of_name},
     {"BAR", part_of_name | tool | only_called},
-    // ---- what tools are made of and look like
+    // ---- material and shape of tools
     {"CARBIDE CRB HSS HSSCO COBALT CO STUB STUBBY JOBBER LONG SHORT EXTENDED REGULAR SQ ALU ALUMINUM INSERT INDEXABLE SOLID STEEL",
      describes},
     {"COATED TIN ALTIN TIALN TIALCN DLC UNCOATED ROUGH ROUGHING ROUGHER FINISH FINISHING FINISHER SHARP UPCUT DOWNCUT", describes},
@@ -69,7 +69,7 @@ constexpr Row rows[] = {
     {"КОНЦЕВАЯ КОНЦ ТОРЦЕВАЯ ТОРЦ ТОРЦОВАЯ ЧЕРНОВАЯ ЧИСТОВАЯ ДИСКОВАЯ ПАЗОВАЯ ШПОНОЧНАЯ РАДИУСНАЯ ТВЕРДОСПЛАВНАЯ ТВС ВК КОРОТКОЕ ДЛИННОЕ",
      describes},
     {"TORCEVAYA KONCEVAYA", describes},
-    // ---- units, and what a figure is called
+    // ---- units, and words for the meaning of a figure
     {"MM ММ", unit_mm},
     {"INCH INCHES IN ДЮЙМ ДЮЙМА ДЮЙМОВ \"", unit_inch},
     {"D Д DIA DIAM DIAMETER DIAMETR DIAMETRO DIÁMETRO SIZE Ф ДИАМ ДИАМЕТР ДИАМЕТРОМ", means_diameter},
@@ -79,7 +79,7 @@ constexpr Row rows[] = {
     {"LETTER LTR LTTR LET", letter},
     {"T Т TOOL ИНСТРУМЕНТ ИНСТР ИНСТРУМЕНТА", tool_number},
     {"X Х", times},
-    // ---- figures that are no sizes
+    // ---- words of figures that are not sizes
     {"FLUTE FLUTES FLT FLTS FL ПЕРА ПЕРО ПЕРЬЕВ", either | of_tool | describes},
     {"TOOTH TEETH INSERTS ЗУБА ЗУБЬЕВ ЗУБ", either | describes},
     {"LOC CUTLENGTH", either | of_tool},
@@ -94,7 +94,7 @@ constexpr Row rows[] = {
     {"PART PN DWG SERIAL SN JIG FIXTURE PROGRAM PROG FILE DATE TIME ДЕТАЛЬ ДАТА", is_numbered},
     {"RPM SFM IPM IPR IPT FPT MPM MIN SEC % ОБ", other_before},
     {"DEEP WIDE HIGH TALL BELOW ABOVE APART PLACES PLCS PL FACES SPARES PARTS PECKS POINT FIT ГЛУБ", other_before},
-    // ---- what the comment speaks of
+    // ---- what the comment is about
     {"FOR WITH W ПОД POD С ДЛЯ", another},
     {"OF TO BY FROM AT ON IS THEN THAN MUST AFTER BEFORE NOT USE CNC VMC HMC CHECK REPLACE НА ИЗ ДО ПО ОТ", ends_phrase},
     {"AND OR & + И ИЛИ", ends_phrase | joins},

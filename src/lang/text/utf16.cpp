@@ -1,5 +1,5 @@
-// Program text in UTF-16, as Windows' editors save it: recognised, and read as UTF-8. For cli, control; tested by
-// tests/lang/utf16_test.cpp.
+// Program text in UTF-16, as editors of Windows save it: detects it, and reads
+// it as UTF-8. Used by cli, control; tested by tests/lang/utf16_test.cpp.
 
 #include "lang/text/utf16.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // of UTF-16, at least: a mark a piece
+constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // minimum length of a piece in UTF-16; each piece has a mark
 constexpr std::size_t sample_bytes = 1024;
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
@@ -38,13 +38,13 @@ void append_character(char32_t code, std::string& text) {
   }
 }
 
-/// Tabs and ends of lines aside, a text has no control characters; a binary file and a tape's blank leader have.
+/// Apart from tabs and ends of lines, text has no control characters; binary files and a tape's blank leader have.
 bool is_control(char16_t unit) {
   const bool of_text = unit == '\t' || unit == '\n' || unit == '\r' || unit == '\f';
   return (unit < 0x20 && !of_text) || (unit >= 0x7F && unit < 0xA0) || unit >= 0xFFFE;
 }
 
-/// Without a mark: at least two characters, half of them ASCII.
+/// Detects UTF-16 without a byte order mark: at least two characters, half of them ASCII.
 bool is_plainly(std::string_view sample, ByteOrder order) {
   const std::size_t size = std::min(sample.size(), sample_bytes);
   std::size_t ascii = 0, units = 0;
@@ -62,7 +62,7 @@ std::optional<ByteOrder> order_by_mark(std::string_view sample) {
   return std::nullopt;
 }
 
-/// Reads any place of the text: the piece it lies in is made UTF-8 again. Holds nothing that changes, so threads may share it.
+/// Reads any place of the text by converting its piece again. It has no mutable state, so threads may share it.
 class Utf16Source final : public ByteSource {
  public:
   Utf16Source(std::unique_ptr<ByteSource> source, ByteOrder order) : source_(std::move(source)), order_(order) {
@@ -86,7 +86,7 @@ class Utf16Source final : public ByteSource {
       text.clear();
       piece(mark.there, text);
       const std::size_t skipped = offset + got - mark.here;
-      if (skipped >= text.size()) break;  // the file has become shorter meanwhile
+      if (skipped >= text.size()) break;  // the file has become shorter in the meantime
       got += text.copy(to + got, size - got, skipped);
     }
     return got;
@@ -95,11 +95,11 @@ class Utf16Source final : public ByteSource {
 
  private:
   struct Mark {
-    std::uint64_t there = 0;  // in the file
-    std::uint64_t here = 0;   // in the text
+    std::uint64_t there = 0;  // offset in the file
+    std::uint64_t here = 0;   // offset in the text
   };
 
-  /// The text from a mark; returns the file's bytes that it takes.
+  /// Converts the piece that starts at a mark; returns the number of bytes used from the file.
   std::size_t piece(std::uint64_t there, std::string& text) const {
     std::string bytes(utf16_piece_bytes, '\0');
     bytes.resize(source_->read(there, bytes.data(), bytes.size()));
@@ -108,7 +108,7 @@ class Utf16Source final : public ByteSource {
 
   std::unique_ptr<ByteSource> source_;
   ByteOrder order_;
-  std::vector<Mark> marks_;  // the last one is the end
+  std::vector<Mark> marks_;  // the last mark is the end
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Program text in UTF-16, as Windows' editors save it: recognised, and read as UTF-8.
+// Program text in UTF-16, as editors of Windows save it: detects it, and reads it as UTF-8.
 
 #include <cstddef>
 #include <memory>
@@ -14,40 +14,41 @@ namespace kadr {
 
 enum class ByteOrder : std::uint8_t { little, big };
 
-/// "utf-16": its mark or its text tells the order of bytes; "utf-16le", "utf-16be".
+/// "utf-16": its byte order mark or its text shows the byte order; "utf-16le", "utf-16be".
 enum class Utf16 : std::uint8_t { any, little, big };
 
-/// What somebody says of a program's encoding: one of those, or nothing.
+/// The encoding that the user gives for a program: one of the two, or none.
 struct SaidEncoding {
   std::optional<Encoding> encoding;
   std::optional<Utf16> utf16;
 };
-/// No name: nothing is said. False: no such encoding.
+/// Reads the name of an encoding; an empty name means none. Returns false if there is no such encoding.
 bool read_encoding(std::string_view name, SaidEncoding& said);
 
-/// By its mark (FF FE, FE FF), or where half of the characters of the first kilobyte and more are ASCII, every other byte 0, and none is a
-/// control character, as in binary files and on a tape's blank leader. Nothing: no UTF-16.
+/// Detects UTF-16 by its byte order mark (FF FE, FE FF), or if at least half of the characters in the first kilobyte are ASCII (every
+/// other byte is 0) and none is a control character, as in binary files and on a tape's blank leader. Returns nullopt if it is not UTF-16.
 std::optional<ByteOrder> look_at_utf16(std::string_view sample);
 
-/// The order of bytes of a text that is said to be UTF-16: its mark decides, then the name, then the text; INFERRED: without any of them
-/// that of Windows, little.
+/// Returns the byte order of a text that is given as UTF-16: by its mark, else by the given name, else by the text. INFERRED: without
+/// any of them little-endian, as Windows uses it.
 ByteOrder order_of(std::string_view sample, Utf16 said);
 
-/// Appends whole characters of `bytes` as UTF-8, U+FFFD for half a surrogate pair; where the text ends here (`last`) for an odd byte, too.
-///   returns  bytes taken: a character that is cut is left, unless `last`
+/// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair
+/// becomes U+FFFD, and so does an odd byte at the end of the text (`last`).
+///   returns  number of bytes used: a cut character is left over, unless `last`
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
-/// A whole text; false, and nothing done, where it is no UTF-16.
+/// Converts a whole text. Returns false, with nothing changed, if it is not UTF-16.
 bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::string& text);
 
-/// Program text for a BlockReader, with its encoding if that is known.
+/// Program text for a BlockReader, with its encoding if known.
 struct OpenedText {
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };
 
-/// The file itself; or, of UTF-16, a view of it as UTF-8 that can be read from any place and knows of each 32 KiB where they begin.
-///   returns  no source: the file cannot be read, errno tells why
+/// Opens the file itself; or, for UTF-16, a UTF-8 view of it that can be read from any place and stores a mark for each 32 KiB.
+///   returns  no source if the file cannot be read; the reason is in errno
 OpenedText open_text(const std::string& path, const SaidEncoding& said = {}, const FileDoor* door = nullptr);
 OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said = {});
 

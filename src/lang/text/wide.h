@@ -1,5 +1,5 @@
 #pragma once
-// Characters above 127 of valid UTF-8. Used by the lexer only.
+// Reads characters above 127 in valid UTF-8. Used by the lexer only.
 
 #include <string_view>
 

@@ -1,4 +1,5 @@
-// Letters of a written text. For convert/conversion, cli/convert; tested by tests/lang/written_letters_test.cpp.
+// Converts text to the characters that a control accepts. Used by convert/conversion, cli/convert; tested by
+// tests/lang/written_letters_test.cpp.
 
 #include "lang/text/written_letters.h"
 
@@ -11,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t leader_rows = 100;
-constexpr std::size_t high_bytes = 128;  // above 127
+constexpr std::size_t high_bytes = 128;  // number of bytes above 127
 
 /// GOST 7.79-2000, system B, without its marks; capitals А to Я.
 constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   "D", "E", "ZH", "Z", "I",  "J", "K",
@@ -44,7 +45,7 @@ std::string small(std::string_view capitals) {
   return text;
 }
 
-/// What may stand for a character, the nearest first.
+/// Returns possible replacements for a character, the closest first.
 std::vector<std::string> alike(char32_t code) {
   if (code == capital_yo) return {"Е", "YO"};
   if (code == small_yo) return {"е", "Е", "yo", "YO"};
@@ -62,7 +63,7 @@ std::vector<std::string> alike(char32_t code) {
   return {"?", " "};
 }
 
-/// Of an encoding of a byte a character.
+/// Table of a one-byte encoding.
 const std::map<char32_t, char>& bytes_above(Encoding encoding) {
   static const auto table_of = [](Encoding of) {
     std::map<char32_t, char> table;
@@ -94,11 +95,11 @@ bool has_letters(const WrittenLetters& letters, std::string_view text) {
   return true;
 }
 
-/// The same each time: looked for once.
+/// Remembers the replacements already found.
 class Alikes {
  public:
   explicit Alikes(const WrittenLetters& letters) : letters_(letters) {}
-  ///   returns  nothing: the character itself has a place
+  ///   returns  nullopt if the character itself is allowed
   const std::optional<std::string>& of(char32_t code) {
     if (const auto found = known_.find(code); found != known_.end()) return found->second;
     return known_.emplace(code, look(code)).first->second;
@@ -137,7 +138,7 @@ Transliterated transliterated(std::string_view utf8, const WrittenLetters& lette
   Alikes alikes(letters);
   made.text.reserve(utf8.size());
   for (std::size_t at = 0; at < utf8.size();) {
-    std::size_t end = at;  // of what is plain
+    std::size_t end = at;  // end of the ASCII run
     while (end < utf8.size() && static_cast<unsigned char>(utf8[end]) < first_high) ++end;
     made.text.append(utf8.substr(at, end - at));
     if (end == utf8.size()) break;
