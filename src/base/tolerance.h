@@ -12,7 +12,7 @@ inline constexpr double ellipse_chord = 5e-4;  // mm: an ellipse approximated by
 inline constexpr double tangential = 1e-6;     // radians: two elements that differ by less meet without a corner, NCT 15.5.0
 inline constexpr double circular = 0.05;  // mm: difference of radii in an arc that still counts as circular (decimals of a program, N1339)
 inline constexpr double least_radius =
-    1e-3;  // mm: the controls' least increment; nearer to a spiral's centre, the speed at this radius counts
+    1e-3;  // mm: the controls' least increment; near the centre of a spiral, speed is computed at this radius
 inline constexpr double least_speed = 1e-6;  // mm/s: floor for a motion that limits would bring to a stop; no program has such a feed
 inline constexpr double exact_path = 5e-4;   // mm: an arc that must be followed exactly; half the least increment of the controls
 inline constexpr double level = same_point;  // mm: two levels of a canned cycle closer than this are the same
