@@ -121,7 +121,7 @@ struct MotionDetail {
   std::optional<double> start_angle;  // of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
+  int input = 0;                      // input of a probe motion: 1 to 8; 98: torque; 0: any
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
   std::vector<Follower> followers;    // each listed after its master; their travel is no part of the path
   std::shared_ptr<const TipWay> tip_way;

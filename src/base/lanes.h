@@ -1,5 +1,5 @@
 #pragma once
-// Vectors of eight doubles that are calculated in parallel: with SSE registers on every processor, with wider ones where available.
+// Vectors of eight doubles that are calculated in parallel: in the 128-bit registers that every processor has, or in wider ones.
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ inline constexpr double contour_reach = 100'000;         // mm from the origin; 
 
 /// Reads the edges of a drawing in the order of the file. Arcs are split into pieces of at most a semicircle.
 ///   text     DXF if it starts with a DXF pair, SVG if it starts with '<', else the text format
-///   alarms   contour_syntax, contour_unit, contour_empty, contour_too_large, value_out_of_range
+///   alarms   contour_syntax, contour_word_missing, contour_unit, contour_radius, contour_reach, contour_empty, contour_too_large
 ContourResult read_contour(std::string_view text);
 
 ContourResult read_contour_dxf(std::string_view text);

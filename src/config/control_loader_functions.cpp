@@ -82,7 +82,7 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
-/// Modes that use no words. If one had a word in `takes`, a mistake in a program would remain undetected.
+/// Modes that use no words. A word in their `takes` would only hide that the word has no effect in a program.
 constexpr Function wordless[] = {
     Function::plane_xy,
     Function::plane_zx,
