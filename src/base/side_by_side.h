@@ -56,7 +56,7 @@ class SideBySide {
   std::function<void()> work_;
   std::exception_ptr failure_;
   bool begun_ = false;                                             // begin() was called, wait() not yet
-  bool alone_ = false;                                             // no thread could be created: begin() executes the work itself
+  bool alone_ = false;                                             // single processor, or no thread: begin() executes the work itself
   Thread thread_;                                                  // started with the first work
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // number of the last work, from 1
   std::atomic<bool> over_ = false;
