@@ -1,5 +1,5 @@
 #pragma once
-// What a program makes the machine do: an Action is a value, a Step an action with where the tool stood before it and when it happens.
+// What a program makes the machine do. An Action is a value; a Step is an Action with its time and the tool's position before it.
 
 #include "action/action.h"
 #include "action/curve.h"  // length, points and extents of a motion

@@ -1,7 +1,7 @@
 #pragma once
-// Alarms as data, and what a person is told of them.
+// Alarms as data, and their texts for people.
 
 #include "base/alarm.h"
 #include "base/result.h"
 #include "config/alarm_texts.h"
-#include "out/text/alarm_print.h"  // an alarm with its place: AlarmReport
+#include "out/text/alarm_print.h"  // AlarmReport: an alarm with its location

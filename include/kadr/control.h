@@ -1,4 +1,5 @@
 #pragma once
-// Control: the interpreter alone, blocks → actions. A whole run, with the machine, times and planner: <kadr/session.h>.
+// Control: the interpreter alone, which converts blocks to actions. For a whole run, with the machine, times and planner, see
+// <kadr/session.h>.
 
 #include "control/control.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Kadr as a library, whole. docs/library.md shows it by examples.
+// All of Kadr as a library. docs/library.md shows it by examples.
 
 #include "action.h"   // what a program makes the machine do: values
 #include "alarm.h"    // alarms and their texts

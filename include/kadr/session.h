@@ -1,6 +1,7 @@
 #pragma once
-// Session: a program being run; the axes in time; snapshot, restore. What is made of it: stepping, any line of a long program, going on in
-// mid program, the control's own block search, the axes' next position for a servo clock.
+// Session: a program that is being executed, with the positions of the axes over time, and snapshot and restore. Built on it: stepping,
+// access to any line of a long program, continuing in mid-program, the control's own block search, and the next axis positions for a
+// servo clock.
 
 #include "session/block_search.h"
 #include "session/checkpoints.h"

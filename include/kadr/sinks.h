@@ -1,5 +1,5 @@
 #pragma once
-// Kadr's own sinks of Steps. One of your own: any function that takes a Step.
+// Kadr's own sinks of Steps. A sink of your own is any function that accepts a Step.
 
 #include "out/picture/plot.h"  // SVG, PNG
 #include "out/text/summary.h"  // Statistics

@@ -1,6 +1,6 @@
 #pragma once
-// Action: one elementary thing the machine is to do, fully resolved; a plain value (design.md 1).
-// Lengths mm, angles degrees, times s. Axis values stand in the order of the control's axis names.
+// Action: one elementary thing that the machine has to do, fully resolved; a plain value (design.md 1). Lengths are in mm, angles in
+// degrees, times in s. Axis values are in the order of the control's axis names.
 
 #include <array>
 #include <cstdint>
@@ -28,21 +28,21 @@ struct Spindle {
   SpindleDir dir;
   double rpm;  // rev/min
   std::uint8_t number = 1;
-  std::optional<double> turn{};   // of `position`: degrees, signed
-  std::optional<double> angle{};  // … and where it stands then
+  std::optional<double> turn{};   // only for `position`: signed rotation, degrees
+  std::optional<double> angle{};  // only for `position`: the resulting angle of the spindle, degrees
 };
 struct Speed {
-  double value;  // a new speed: rev/min, or m/min at the surface (G96)
+  double value;  // the new speed: rev/min, or surface speed in m/min (G96)
   bool surface;
   std::uint8_t number = 1;  // of the spindle
-  std::uint8_t range = 0;   // gear range that follows from it; 0: none
-  double rpm = 0;           // of a speed at the surface: what it makes where it is commanded
+  std::uint8_t range = 0;   // gear range that the speed selects; 0: none
+  double rpm = 0;           // rev/min that a surface speed gives where it is commanded
 };
 enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch {
   Coolant what;
 };
-/// Where a tool lies, for controls with a tool table (nct 12.3).
+/// The location of a tool, for controls with a tool table (nct 12.3).
 struct ToolPlace {
   std::uint32_t data = 0;  // row of the tool table; 0: none
   std::uint32_t magazine = 0;
@@ -56,19 +56,19 @@ struct ToolSelect {
 struct ToolChange {
   std::uint32_t tool;
   ToolPlace place{};
-  bool there = false;  // nothing is changed: the program says which tool stands in the spindle (2С42 6.4.4)
+  bool there = false;  // no tool is changed: the program states which tool is in the spindle (2С42 6.4.4)
 };
-/// M code for the machine.
+/// An M code that goes to the machine.
 struct MachineFunction {
   std::uint32_t code;
   std::optional<double> p{};  // words of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-  std::uint8_t spindle = 0;        // it acts on; 0: none
-  std::optional<double> number{};  // of an output or input, and what it gets (spec/linuxcnc 8)
+  std::uint8_t spindle = 0;        // the spindle it acts on; 0: none
+  std::optional<double> number{};  // of an output or input; `value` is what it is set to (spec/linuxcnc 8)
   std::optional<double> value{};
-  bool by_control = false;  // the control carries it out itself, and the machine is told of it (nct 13.1: M2, M30, M98, M99)
+  bool by_control = false;  // the control executes it itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
 };
-/// A function on another address (nct 13.2).
+/// An auxiliary function on another address than M (nct 13.2).
 struct AuxiliaryFunction {
   char address;
   double value;
@@ -81,60 +81,63 @@ struct Stop {
 struct Message {
   std::string text;
   std::int32_t number = -1;  // -1: none
-  bool asks = false;         // waits for an answer of the operator (#3107)
+  bool asks = false;         // waits for the operator's answer (#3107)
 };
-/// Channels have waited for each other; one for all of them (nct 14.5).
+/// Channels have waited for each other and continue together; one Sync for all of them (nct 14.5).
 struct Sync {
   std::uint32_t code;
   std::vector<std::uint8_t> channels;  // in the order of arrival
   double at = 0;                       // s, time of release
 };
-/// Safety zones change (nct 22.2): G22 gives limits, G23 brings those of the parameters back.
+/// Changes the safety zones (nct 22.2): G22 sets limits, G23 restores the limits of the parameters.
 struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
-  AxisMask axes = 0;           // with limits; the others are free
-  Axes least{}, most{};        // of these, machine coordinates; infinite: no limit
-  bool of_parameters = false;  // it is the zone of the parameters as they are now, in force or not; G23 brings it back
+  AxisMask axes = 0;           // axes with limits; the others are unlimited
+  Axes least{}, most{};        // limits of these axes, machine coordinates; infinite: no limit
+  bool of_parameters = false;  // the zone that the parameters define now, active or not; G23 restores it
 };
-/// An electronic gearbox begins: the slave axis turns with a spindle and a third axis' travel beside its motions (nct 20.1).
+/// Switches an electronic gearbox on: in addition to its own motions, the slave axis follows a spindle and the travel of a third axis
+/// (nct 20.1).
 struct Couple {
   std::string master, slave;      // spindle, axis
-  double ratio = 1;               // revolutions of the slave for one of the master, signed
-  double rpm = 0;                 // of the slave at the master's present speed, rev/min, signed
-  bool feeds_by_slave = false;    // feed per revolution is that of the slave
-  std::optional<double> phase{};  // of the slave at the zero pulse, degrees
-  double helix = 0;               // degrees for a mm of `along`
-  std::string along{};            // axis; empty: none
-  int master_number = 0;          // of the spindle
+  double ratio = 1;               // revolutions of the slave per revolution of the master, signed
+  double rpm = 0;                 // speed of the slave at the master's present speed, rev/min, signed
+  bool feeds_by_slave = false;    // feed per revolution counts the slave's revolutions
+  std::optional<double> phase{};  // angle of the slave at the zero pulse, degrees
+  double helix = 0;               // degrees per mm of `along`
+  std::string along{};            // name of the third axis; empty: none
+  int master_number = 0;          // number of the master spindle
 };
 struct Uncouple {
   std::string slave;
 };
-/// Round the corner at the tool's radius, about the programmed point (G39, nct 15.5.6).
+/// Rounds the corner about the programmed point with the tool's radius (G39, nct 15.5.6).
 struct ContourCorner {
-  std::optional<Vec2> way{};  // I J K: the next motion goes that way; else as it does
+  std::optional<Vec2> way{};  // I J K: direction that the corner leads to; without it, the direction of the next motion
 };
-/// How the compensated contour is checked from here on (nct 15.5.2, 15.5.7). Not a command to the machine.
+/// How the compensated path is checked from here on (nct 15.5.2, 15.5.7). This is not a command to the machine.
 struct ContourCheck {
   bool interference = false;  // N1403 #0 IEN
-  bool always_alarm = false;  // #1 AAL: no correction is tried
-  std::uint8_t further = 0;   // N1404: 0…8 blocks over and above three
-  double least_step = 0;      // N1405 DELTV, mm: shorter steps round a corner are left out
+  bool always_alarm = false;  // #1 AAL: alarm without trying to correct the path
+  std::uint8_t further = 0;   // N1404: 0…8 blocks checked in addition to three
+  double least_step = 0;      // N1405 DELTV, mm: shorter steps around a corner are omitted
   friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
 };
-/// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
-/// `here`: the program takes the place where the tool stands, beside the contour, for its point (G92 after G40, Mach3 10.7.27).
-/// Of a queued contour (LinuxCNC): the motion held back ends beside its point, before M0 too.
+/// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). With `off`, compensation has ended (G40,
+/// 15.5.3). With `here`, the program takes the tool's actual position, off the contour, as the programmed point (G92 after G40, Mach3
+/// 10.7.27). In a queued contour (LinuxCNC), the motion that was held back ends off its programmed point, by the tool radius, also before
+/// M0.
 struct ContourBreak {
   bool off = false;
   bool here = false;
 };
-/// The frame of what follows, no command to the machine: `work` are the tool's coordinates from now on (2С42: but for a new length).
+/// Changes the frame of all that follows; not a command to the machine. `work`: the tool's work coordinates from now on (2С42: without a
+/// newly selected tool length).
 struct FrameChange {
   Placement placement;
   Axes work;
-  std::shared_ptr<const Axes> shifted{};  // by G52, G92 …: part of the placement's origin; nullptr: not at all, or in its shift alone
+  std::shared_ptr<const Axes> shifted{};  // part of placement.origin due to G52, G92 …; nullptr: none, or only in placement.shift
 };
 
 struct Action {
@@ -144,7 +147,7 @@ struct Action {
       what;
 };
 
-/// Actions are emitted in batches. Clearing keeps the elements, so that a long run builds none anew.
+/// A batch of emitted actions. clear() keeps the elements, so that a long run does not allocate them again.
 class ActionBatch {
  public:
   Action& add() {
@@ -152,7 +155,7 @@ class ActionBatch {
       grow();
     return actions_[end_++];
   }
-  /// One more before the first: once, until the batch is cleared.
+  /// Inserts an action before the first; at most once until the batch is cleared.
   Action& add_front() { return actions_[begin_ = 0]; }
   void clear() { begin_ = end_ = 1; }
   void cut(std::size_t size) { end_ = begin_ + size; }
@@ -169,10 +172,10 @@ class ActionBatch {
   [[gnu::noinline]] void grow() { actions_.emplace_back(); }
 
   std::vector<Action> actions_ = std::vector<Action>(1);
-  std::size_t begin_ = 1, end_ = 1;  // the first place is kept free
+  std::size_t begin_ = 1, end_ = 1;  // the first element is reserved for add_front()
 };
 
-/// An alarm with its place, as people and traces see it.
+/// An alarm with its location, as people and traces see it.
 struct AlarmReport {
   Alarm alarm;
   std::string file;
@@ -183,7 +186,7 @@ struct AlarmReport {
     std::uint32_t line;
     std::uint32_t block;
     bool has_block;
-    std::string file{};  // that the line stands in, if that is not the program itself; Control::calls_of() alone tells
+    std::string file{};  // the file that the line is in, if it is not the program itself; set only by Control::calls_of()
   };
   std::vector<Call> calls;  // outermost first
   struct Line {
@@ -191,31 +194,31 @@ struct AlarmReport {
     std::string file, text;
     Span where{};
   };
-  Line other{};            // a second place that belongs to it: the contour that is cut
-  std::string own_text{};  // words of the program itself (#3000 of nct), longer than an argument of the alarm may be
+  Line other{};            // a second line that the alarm is about: the contour that is cut
+  std::string own_text{};  // the program's own message (#3000 of nct), which may be longer than an AlarmArg
 };
 
-/// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).
+/// The result of a probe motion, passed back to `control` before the next block (design.md 1, the only backward arrow).
 struct ProbeAnswer {
   bool touched = false;
   Axes at{};        // work coordinates where the motion ended
-  double part = 1;  // of the way that was made
+  double part = 1;  // executed part of the motion's path, 0..1
 };
 
-/// What was in force when a block had been carried out.
+/// What was in force after a block was executed.
 struct BlockState {
   std::vector<std::string> modal;  // code words, with F, S, T, D, H
   std::uint32_t tool = 0;          // in the spindle
-  Axes origin{};                   // of the work system, all shifts included, machine coordinates
-  Axes length{};                   // of the tool, by axis
+  Axes origin{};                   // origin of the work system in machine coordinates, all shifts included
+  Axes length{};                   // tool length, by axis
 };
 
-/// State after a run: the last line of a trace.
+/// The state after a run: the last line of a trace.
 struct Ending {
   Axes position{};  // work
   Axes machine_position{};
-  std::vector<std::pair<std::string, double>> variables;    // "#100", "R2": all that are set
-  std::vector<std::pair<std::string, bool>> watched_unset;  // asked for, not set
+  std::vector<std::pair<std::string, double>> variables;    // all that are set: "#100", "R2"
+  std::vector<std::pair<std::string, bool>> watched_unset;  // requested, but not set
   std::vector<std::string> modal;                           // code words in force
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// AxisRoles: which axes are X, Y, Z and which are rotary.
+// AxisRoles: which axes of a channel are X, Y, Z, and which are rotary.
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace kadr {
 
-/// What the rooms after `control` know of a channel's axes.
+/// What the rooms after `control` know about the axes of a channel.
 struct AxisRoles {
   std::size_t count = 3;
   AxisMask rotary = 0;
-  std::array<int, 3> xyz{0, 1, 2};  // places of X, Y, Z among the axes; -1: there is none
+  std::array<int, 3> xyz{0, 1, 2};  // indices of the axes X, Y, Z; -1: the channel has none
 
   static AxisRoles of(const std::vector<std::string>& names, AxisMask rotary) {
     AxisRoles roles{std::min(names.size(), max_axes), rotary, {-1, -1, -1}};

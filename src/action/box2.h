@@ -1,5 +1,5 @@
 #pragma once
-// Box2: least and most coordinates of a thing in a plane.
+// Box2: a bounding box in a plane.
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
-// by_kind: asks an action what kind it is. Every kind is named, by a function that takes it or in ignores<…> or same<…>: a kind that is
-// added to Action does not compile until each caller has decided what it means there.
+// by_kind(): calls a function according to the kind of an action. A caller names every kind, either with a function that accepts it or in
+// ignores<…> or same<…>. So when a kind is added to Action, no caller compiles until it handles the new kind.
 //
 //   by_kind(
 //       action,                                                   //
@@ -16,7 +16,7 @@
 
 namespace kadr {
 
-/// Several functions as one; the argument decides which is called.
+/// Combines several functions into one with overloads.
 template <class... Functions>
 struct EachKind : Functions... {
   using Functions::operator()...;
@@ -27,7 +27,7 @@ EachKind(Functions...) -> EachKind<Functions...>;
 template <class Kind, class... Kinds>
 concept IsOneOf = (std::same_as<Kind, Kinds> || ...);
 
-/// Takes these kinds and does nothing.
+/// Accepts these kinds and does nothing.
 template <class... Kinds>
 struct Ignored {
   template <class Kind>
@@ -37,7 +37,7 @@ struct Ignored {
 template <class... Kinds>
 inline constexpr Ignored<Kinds...> ignores{};
 
-/// Takes these kinds and returns the same of each.
+/// Accepts these kinds and returns the same value for each.
 template <class Result, class... Kinds>
 struct SameOf {
   Result result;
@@ -49,7 +49,7 @@ SameOf<Result, Kinds...> same(Result result) {
   return {std::move(result)};
 }
 
-/// Calls the function that takes the action's kind, and returns what it returns: the same type for all kinds.
+/// Calls the function that accepts the action's kind and returns its result, whose type is the same for all kinds.
 template <class... Functions>
 auto by_kind(const Action& action, Functions&&... functions) {
   return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
@@ -60,11 +60,11 @@ auto by_kind(Action& action, Functions&&... functions) {
   return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
 }
 
-/// Returns nullptr where the action is no motion: for those who look at nothing else.
+/// Returns nullptr if the action is not a motion. For callers that are interested in motions only.
 inline const Motion* motion_of(const Action& action) { return std::get_if<Motion>(&action.what); }
 inline Motion* motion_of(Action& action) { return std::get_if<Motion>(&action.what); }
 
-/// A code that the control carries out itself, and that the machine is only told of (nct 13.1: M2, M30, M98, M99).
+/// Returns true for a code that the control executes itself and only reports to the machine (nct 13.1: M2, M30, M98, M99).
 inline bool is_by_control(const Action& action) {
   const auto* const function = std::get_if<MachineFunction>(&action.what);
   return function != nullptr && function->by_control;

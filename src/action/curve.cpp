@@ -1,5 +1,5 @@
-// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix, a cone or a spline. For action, motion, out,
-// path; tested by tests/action/curve_test.cpp.
+// Curve: the path of one Motion from the tool's position: a line, an arc, a spiral, a helix, a cone or a spline. Used by action, motion,
+// out, path; tested by tests/action/curve_test.cpp.
 
 #include "action/curve.h"
 
@@ -10,7 +10,8 @@ namespace kadr {
 
 namespace {
 
-constexpr double stands_within = 1e-7;  // mm; `tiny` of LinuxCNC's find_straight_length: FeedAlong::xyz
+// FeedAlong::xyz: travel of X, Y, Z below this counts as none, mm; `tiny` in LinuxCNC's find_straight_length.
+constexpr double stands_within = 1e-7;
 
 AxisMask followers_of(const MotionDetail* detail) {
   AxisMask axes = 0;
@@ -36,12 +37,12 @@ FlatPath Curve::plane_path() const {
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
   if (!arc_) return FlatPath::line(start, end);
   Vec2 center = motion_.center;
-  if (surface_ == PathSurface::cylinder)  // stands in axis units
+  if (surface_ == PathSurface::cylinder)  // the centre is given in axis units
     center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
 
-/// Axis units per mm of the unrolled surface: of a cylinder's rotary axis degrees per mm.
+/// Returns axis units per mm of the unrolled surface: degrees per mm for the rotary axis of a cylinder, else 1.
 double Curve::unit(std::size_t axis) const {
   return surface_ == PathSurface::cylinder && roles_.is_rotary(axis) ? 1 / (motion_.detail->radius * rad_per_deg) : 1;
 }
@@ -62,7 +63,7 @@ AxisMask Curve::xyz_axes() const {
   return axes;
 }
 
-/// What the axes outside the plane contribute to a length.
+/// Returns what the axes outside the plane contribute to the length.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
   if (along == FeedAlong::xyz) {
@@ -76,7 +77,7 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
-  bool flat = true;  // nothing outside the plane moves
+  bool flat = true;  // true if nothing moves outside the plane
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);
   return flat;
 }
@@ -84,7 +85,7 @@ bool Curve::measures_path(FeedAlong along) const {
 double Curve::length(FeedAlong along) const {
   if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
   const double way = straight() ? rise(along) : flat_.length(rise(along));
-  return way > 0 ? way : rotary_length();  // rotary axes alone: degrees for mm
+  return way > 0 ? way : rotary_length();  // if only rotary axes move, degrees count as mm
 }
 
 double Curve::rate(FeedAlong along, double part) const {
@@ -93,7 +94,7 @@ double Curve::rate(FeedAlong along, double part) const {
   return std::hypot(kadr::length(flat_.rate(part)), rise(along));
 }
 
-/// A point of the flat path as the axes of the plane stand there.
+/// Converts a point of the flat path to positions of the plane's two axes.
 Vec2 Curve::in_axes(Vec2 flat) const {
   if (surface_ != PathSurface::cylinder) return flat;
   const Vec2 way = flat - flat_.at(0);
@@ -106,7 +107,8 @@ void Curve::set_in_plane(Axes& point, Vec2 flat) const {
   point[second_] = there.y;
 }
 
-/// A follower's way is its master's; what else there is between its ends, in a turned frame, it goes evenly.
+/// A follower travels as far as its master. Any remaining difference between its ends (in a turned frame) is spread evenly over the
+/// motion.
 void Curve::set_followers(Axes& point, double part) const {
   for (const Follower& follower : motion_.detail->followers) {
     const double rest = way(follower.axis) - follower.sign * way(follower.master);

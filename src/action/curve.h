@@ -1,7 +1,7 @@
 #pragma once
-// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix, a cone or a spline; or one of these in the
-// plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along; an axis that
-// follows another goes as that does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2, LinuxCNC G5 to G5.3.
+// Curve: the path of one Motion from the tool's position: a line, an arc, a spiral, a helix, a cone or a spline, or one of these on a
+// surface (polar or cylinder interpolation). Axes outside the plane, and rotary axes, move evenly with the path; a follower axis moves as
+// its master does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2, LinuxCNC G5 to G5.3.
 
 #include "action/action.h"
 #include "action/axis_roles.h"
@@ -10,14 +10,14 @@
 
 namespace kadr {
 
-/// Least and most value of each axis.
+/// The least and greatest value of each axis.
 struct Extents {
   Axes least;
   Axes most;
 };
 
-/// A view of a motion: what it is made of must outlive it. Work coordinates.
-///   law  length, extents of a turned, mirrored, reversed motion: the same, turned, mirrored
+/// A view of a motion, in work coordinates. The constructor's arguments must outlive it.
+///   law  a turned, mirrored or reversed motion has the same length, and its extents are turned, mirrored
 ///   law  at(0) is the start and at(1) the end, bit by bit
 class Curve {
  public:
@@ -29,63 +29,65 @@ class Curve {
         spline_(motion.kind == MotionKind::spline),
         first_(motion.first),
         second_(motion.second) {
-    if (arc_ || motion.detail) find_path();  // else a straight line, of which its ends are all
+    if (arc_ || motion.detail) find_path();  // else the motion is a straight line and its ends say all
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
   bool spline() const { return spline_; }
   PathSurface surface() const { return surface_; }
-  /// A line in the axes: its speed and direction are the same all along.
+  /// Returns true for a line in axis coordinates: speed and direction are constant.
   bool straight() const { return !arc_ && !spline_ && surface_ == PathSurface::plane; }
 
-  /// Length of the path in mm: of the linear axes; on a surface in its plane. Axes outside the plane count, rotary ones and those
-  /// that follow others do not.
+  /// Returns the length of the path in mm. It counts the linear axes, also those outside the plane; on a surface, the path is measured in
+  /// the surface's plane. Rotary axes and followers do not count.
   double length() const;
 
-  /// The way of the rotary axes outside the plane in degrees (of several: as if at right angles, NIST 2.1.2.5).
+  /// Returns the travel of the rotary axes outside the plane, in degrees (several axes: as if at right angles, NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Length of what a feed is measured along.
+  /// Returns the length that a feed measured along `along` counts.
   double length(FeedAlong along) const;
 
-  /// That is certainly length().
+  /// Returns true only if length(along) equals length() for certain.
   bool measures_path(FeedAlong along) const;
 
-  /// How fast that grows: d length / d part. The same all along but for spirals.
+  /// Returns d length(along) / d part. It is constant except on spirals.
   double rate(FeedAlong along, double part) const;
 
-  /// Signed way of an axis between the ends of the motion; whole turns of an axis that rolls over included.
+  /// Returns the signed travel of an axis over the motion; for an axis that rolls over, whole revolutions are included.
   double way(std::size_t axis) const { return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis]; }
 
-  /// Point at the part 0..1 of a line's length, of an arc's angle. An axis that rolls over counts on beyond its turn until the end.
+  /// Returns the point at `part`, 0..1 of a line's length or of an arc's angle. Inside the motion, an axis that rolls over counts on
+  /// beyond 360°.
   Axes at(double part) const;
 
-  /// How fast the axes move: d at(part) / d part, mm or degrees.
+  /// Returns the derivative of at() by `part`, mm or degrees.
   Axes rates(double part) const;
 
-  /// Those of the two axes of polar interpolation.
+  /// Returns the derivatives of the two axes of polar interpolation.
   PolarAxes polar_rates(double part) const { return polar().rates(part); }
 
-  /// The same point as the program's words mean it on a surface: polar: mm in the programmed plane; else at(part).
+  /// Returns the same point in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
+  /// at(part).
   Axes programmed(double part) const;
 
-  /// Point of a path that is not straight, in its plane; of a surface mm in the programmed or unrolled plane.
+  /// Returns the point in the plane of a path that is not straight; on a surface, mm in the programmed or unrolled plane.
   Vec2 flat(double part) const { return flat_.at(part); }
 
-  /// Of a path that is not straight, in its plane: 1/mm, positive where it turns to the left.
+  /// Returns the curvature of a path that is not straight, in its plane: 1/mm, positive for a left turn.
   double curvature(double part) const { return flat_.curvature(part); }
 
-  /// The part at which polar interpolation is nearest to the rotation centre; 0 off it.
+  /// Returns the part at which polar interpolation is nearest to the rotation centre; 0 without polar interpolation.
   double nearest() const;
 
-  /// Bounding box. Of axes that roll over: only the ends.
+  /// Returns the bounding box. For an axis that rolls over, only its ends count.
   Extents extents() const;
 
-  /// Number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
+  /// Returns the number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
-  /// Number of equal pieces with at most one extreme of any axis each: for searches.
+  /// Returns a number of equal pieces, each with at most one extreme of any axis; for searches.
   int samples() const { return straight() ? 1 : flat_.samples(); }
 
  private:
@@ -116,9 +118,9 @@ class Curve {
   bool arc_ = false, spline_ = false;
   PathSurface surface_ = PathSurface::plane;
   AxisMask rolled_ = 0;
-  AxisMask following_ = 0;              // axes that copy another's way
+  AxisMask following_ = 0;              // axes that copy another axis' travel
   std::size_t first_ = 0, second_ = 1;  // axes of the plane
-  FlatPath flat_;                       // the path in the plane, of a surface in its own; not set for a straight line
+  FlatPath flat_;                       // the path in its plane or on its surface; not set for a straight line
 };
 
 }  // namespace kadr

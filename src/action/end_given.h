@@ -1,11 +1,11 @@
 #pragma once
-// EndGiven: whether a motion ends where the work zero says, or at a place of the machine.
+// EndGiven: what the end of a motion refers to: the work offset or a fixed position of the machine.
 
 #include <cstdint>
 
 namespace kadr {
 
-/// What gives the end of a motion: where the work zero is moved, only ends `by_work` move with it.
+/// What specifies the end of a motion. If a work offset is shifted, only ends `by_work` move with it.
 enum class EndGiven : std::uint8_t {
   by_work,      // work coordinates
   by_machine,   // machine coordinates: G53
@@ -14,7 +14,7 @@ enum class EndGiven : std::uint8_t {
   reference_3,
   reference_4,
 };
-inline int reference_of(EndGiven end) {  // 1 to 4; 0: none
+inline int reference_of(EndGiven end) {  // returns 1 to 4; 0 if the end is no reference point
   return end < EndGiven::reference_1 ? 0 : int(end) - int(EndGiven::reference_1) + 1;
 }
 

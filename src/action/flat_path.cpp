@@ -1,4 +1,4 @@
-// FlatPath: a line, a circle's arc, a planar spiral or a part of a spline in a plane. For action, path; tested by
+// FlatPath: a line, a circular arc, a planar spiral or a segment of a spline in a plane. Used by action, path; tested by
 // tests/action/flat_path_test.cpp.
 
 #include "action/flat_path.h"
@@ -16,12 +16,12 @@ constexpr int most_pieces = 100'000;
 constexpr int samples_per_turn = 64;
 constexpr int samples_of_line = 16;
 
-/// ∫ sqrt(R² + a²) dR, of a spiral with R' = dR/dφ and a² = R'² + rise².
+/// Antiderivative of sqrt(R² + a²), for a spiral with R' = dR/dφ and a² = R'² + rise².
 double primitive(double radius, double a) { return (radius * std::hypot(radius, a) + a * a * std::asinh(radius / a)) / 2; }
 
-/// Length of a spiral around an axis: `rise` along it, `growth` outwards.
+/// Returns the length of a spiral around an axis that moves by `rise` along the axis and by `growth` outwards.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  constexpr double hardly = 1e-3;  // growth / radius: below, the difference of primitives loses digits, but Gauss is exact to rounding
+  constexpr double hardly = 1e-3;  // of growth / radius: below, the difference of primitives loses digits; Gauss is exact to rounding
   if (sweep_rad == 0) return std::hypot(growth, rise);
   if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
     const double a = std::hypot(growth, rise) / sweep_rad;
@@ -35,8 +35,9 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
   return sum;
 }
 
-/// Angle φ of a spiral, radians from its start, where its reach towards the direction `quarter` (also radians from the start)
-/// is greatest: φ − quarter = atan(R' / R(φ)). The difference of both sides rises by 1 to 2 per radian: Newton's method is quick.
+/// Returns the angle φ of a spiral, radians from its start, at which it reaches farthest in the direction `quarter` (also radians from
+/// the start). There φ − quarter = atan(R' / R(φ)). The difference of the two sides rises by 1 to 2 per radian, so Newton's method
+/// converges fast.
 double turning_point(double quarter, double radius, double growth_per_rad) {
   constexpr int most_steps = 30;
   constexpr double near_enough = 1e-13;
@@ -57,9 +58,10 @@ void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
   const auto passes = [&](bool behind, bool before, bool not_opposite) {
     if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
-    return behind && before && not_opposite;  // not on the other side of an arc of hardly any sweep
+    return behind && before && not_opposite;  // excludes the opposite side of an arc of almost no sweep
   };
-  // cross(first, axis) >= 0, cross(axis, last) >= 0, and one of them is not turned away from it
+  // The axis direction lies in the sweep if cross(first, axis) >= 0 and cross(axis, last) >= 0, and one of the arms does not point away
+  // from it.
   if (passes(first.y <= 0, last.y >= 0, first.x >= 0 || last.x >= 0)) box.most.x = std::max(box.most.x, arc.center.x + arc.radius);
   if (passes(first.x >= 0, last.x <= 0, first.y >= 0 || last.y >= 0)) box.most.y = std::max(box.most.y, arc.center.y + arc.radius);
   if (passes(first.y >= 0, last.y <= 0, first.x <= 0 || last.x <= 0)) box.least.x = std::min(box.least.x, arc.center.x - arc.radius);
@@ -145,17 +147,17 @@ Box2 FlatPath::box() const {
       box.take(at(turned / sweep_rad));
     }
   };
-  // A growing radius turns back up to 90° after the quarter, a shrinking one before it.
+  // A growing radius has its extreme up to 90° after the quarter, a shrinking one up to 90° before it.
   const double slack = radius_change_ == 0 ? 0 : 1;
   const double first = std::ceil(low / 90) - slack, last = std::floor(high / 90) + slack, turn = 3 + 2 * slack;
-  // Of many turns the outermost are the first and the last, for the radius grows steadily.
+  // Of many revolutions the first and the last are the outermost, because the radius changes steadily.
   for (double quarter = first; quarter <= std::min(last, first + turn); ++quarter) take_quarter(quarter);
   for (double quarter = std::max(first + turn + 1, last - turn); quarter <= last; ++quarter) take_quarter(quarter);
   return box;
 }
 
-/// Direction of the point seen from the origin, degrees, continuous as long as `radius_at` (that of the point) stays on the
-/// same side of the centre's distance from the origin. With e the direction of the arm, c that of the centre:
+/// Returns the direction of the point seen from the origin, in degrees. It is continuous as long as `radius_at` (the radius of the point)
+/// stays on the same side of the distance between centre and origin. With e the direction of the arm and c the direction of the centre:
 ///   the origin inside the circle:   angle of e + angle between e and the point, within ±90°
 ///   outside:                        angle of c + angle between c and the point, within ±90°
 double FlatPath::absolute_deg(double part, double radius_at) const {
@@ -169,7 +171,7 @@ double FlatPath::absolute_deg(double part, double radius_at) const {
 
 double FlatPath::swept(double part) const {
   const auto turn = [](Vec2 from, Vec2 to) { return angle_deg({dot(from, to), cross(from, to)}); };
-  if (spline_ != nullptr) {  // piece by piece: no one turns by half a turn
+  if (spline_ != nullptr) {  // piece by piece, so that no piece turns by 180° or more
     const int count = samples();
     double sum = 0;
     Vec2 before = from_;
@@ -183,7 +185,7 @@ double FlatPath::swept(double part) const {
   if (!arc_) return turn(from_, at(part));
   const double distance = kadr::length(center_), here = radius(part);
   if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
-  // The radius passes the distance of the centre once: there one view hands over to the other.
+  // The radius equals the distance of the centre once: there the computation switches from one of the two cases to the other.
   const double over = (distance - radius_) / radius_change_;
   const double grown = std::nextafter(distance, 2 * distance + 1);
   const double before = radius_ > distance ? grown : distance, after = here > distance ? grown : distance;

@@ -1,6 +1,7 @@
 #pragma once
-// FlatPath: a line, a circle's arc, a planar spiral or a part of a spline in a plane. NCT 4.3: the radius changes linearly with the angle,
-// R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of turns. A `part` 0..1 is that of a line's or spline's length, of an arc's angle.
+// FlatPath: a line, a circular arc, a planar spiral or a segment of a spline in a plane. The radius of a spiral changes linearly with the
+// angle (NCT 4.3): R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of revolutions. A `part` in 0..1 is a part of the length of a line or
+// spline, or of the angle of an arc.
 
 #include "action/box2.h"
 #include "base/vec.h"
@@ -9,57 +10,57 @@ namespace kadr {
 
 class PlaneSpline;
 
-/// A circle's arc, counter-clockwise from the end of one arm to that of the other.
+/// A circular arc, counter-clockwise from the end of the arm `first` to the end of the arm `last`.
 struct CircleArc {
   Vec2 center;
   double radius = 0;
-  Vec2 first, last;  // from the centre
+  Vec2 first, last;  // arms, from the centre
   double turns = 0;  // swept angle / 360, positive
 };
 
-/// Widens the box by the arc's outermost points in the directions of the axes, its ends excepted.
+/// Extends the box to the arc's outermost points in the directions of the axes, without the arc's ends.
 void take_quarters(Box2& box, const CircleArc& arc);
 
 ///   law  at(0) is the start and at(1) the end, bit by bit
-///   law  turned, mirrored, reversed: the same length; cut in two: the lengths add up
+///   law  a turned, mirrored or reversed path has the same length; if it is cut in two, the lengths add up
 class FlatPath {
  public:
   FlatPath() = default;
   static FlatPath line(Vec2 from, Vec2 to);
 
-  /// `turns`: swept angle / 360, counter-clockwise positive. Where one radius is 0, the other end gives the direction.
+  /// `turns`: swept angle / 360, counter-clockwise positive. If the radius at one end is 0, the other end gives the direction.
   static FlatPath arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 
-  /// `from`, `to`: parts of the curve, which must outlive the path.
+  /// `from`, `to`: parts of the curve's length. The curve must outlive the path.
   static FlatPath spline(const PlaneSpline& curve, double from, double to);
 
   bool is_arc() const { return arc_; }
 
   Vec2 at(double part) const;
 
-  /// How fast the point moves: d at(part) / d part, mm.
+  /// Returns d at(part) / d part, mm.
   Vec2 rate(double part) const;
 
-  /// Length in mm if it also goes `rise` mm out of the plane, evenly with the part (helix, cone).
+  /// Returns the length in mm if the path also moves `rise` mm out of the plane, evenly with the part (helix, cone).
   double length(double rise = 0) const;
 
-  /// Of an arc: its angle along a circle of the radius at its start; 0 where that is 0.
+  /// Returns the length of the arc's angle on a circle with the radius at the start; 0 if that radius is 0, or for no arc.
   double turn_length() const;
 
-  /// The exact bounding box.
+  /// Returns the exact bounding box.
   Box2 box() const;
 
-  /// Angle swept about the plane's origin up to `part`, degrees, signed, whole turns counted.
-  /// Through the origin itself: by half a turn.
+  /// Returns the angle swept about the plane's origin up to `part`: degrees, signed, whole revolutions counted. A path through the origin
+  /// itself sweeps 180° there.
   double swept(double part) const;
 
-  /// Number of equal pieces whose chords stay within `chord` mm; 1 for a line.
+  /// Returns the number of equal pieces whose chords stay within `chord` mm; 1 for a line.
   int pieces(double chord) const;
 
-  /// 1/mm, positive where it turns to the left; of a spiral that of the circle there.
+  /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, the curvature of the circle with the radius at that point.
   double curvature(double part) const;
 
-  /// Number of equal pieces with at most one extreme of any coordinate each: for searches.
+  /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
   int samples() const;
 
  private:
@@ -69,10 +70,10 @@ class FlatPath {
 
   Vec2 from_, to_;
   Vec2 center_;
-  Vec2 arm_;              // centre → start; its direction alone, if the radius there is 0
+  Vec2 arm_;              // from centre to start; a unit vector if the radius there is 0
   double sweep_deg_ = 0;  // counter-clockwise positive
   double radius_ = 0;
-  double radius_change_ = 0;  // at the end, against the start
+  double radius_change_ = 0;  // radius at the end minus radius at the start
   bool arc_ = false;
   const PlaneSpline* spline_ = nullptr;
   double spline_from_ = 0, spline_to_ = 1;  // parts of the curve

@@ -1,18 +1,18 @@
 #pragma once
-// MotionTime: how long a motion is and how long it takes, by motion/time/estimate or motion/look_ahead.
+// MotionTime: the length and the duration of a motion, as computed by motion/time/estimate or motion/look_ahead.
 
 #include <optional>
 
 namespace kadr {
 
-/// What was found of one motion.
+/// The length, duration and speeds of one motion.
 struct MotionTime {
-  double length = 0;                 // Curve::length(), mm
-  double seconds = 0;                // 0 if it would never end
-  double feed = 0;                   // the commanded one after override, mm/min (degrees/min), along what `along` says; 0: rapid, none
-  double feed_most = 0;              // highest speed along that, where `exact` (0 of a rapid in polar interpolation)
-  bool exact = false;                // the seconds are those of the machine
-  std::optional<double> feed_end{};  // speed at its end, as feed_most; where the look-ahead has planned it
+  double length = 0;     // Curve::length(), mm
+  double seconds = 0;    // 0 if it would never end
+  double feed = 0;       // the commanded feed after override, mm/min (degrees/min), measured along MotionFeed::along; 0: rapid, or no feed
+  double feed_most = 0;  // highest speed, in the unit of `feed`; valid only if `exact` (0 for a rapid in polar interpolation)
+  bool exact = false;    // `seconds` is the machine's exact time, not an estimate
+  std::optional<double> feed_end{};  // speed at the end, in the unit of `feed`; set if the look-ahead has planned it
 };
 
 }  // namespace kadr

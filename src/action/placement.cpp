@@ -1,4 +1,4 @@
-// Work ↔ machine coordinates; tests/action/frame_test.cpp.
+// Converts between work and machine coordinates. Tested by tests/action/frame_test.cpp.
 
 #include "action/placement.h"
 
@@ -21,7 +21,7 @@ Vec3 turned(const FrameTurn& r, Vec3 v) {
   return {row(r.rows[0]), row(r.rows[1]), row(r.rows[2])};
 }
 
-/// The inverse of a rotation is its transpose.
+/// Uses that the inverse of a rotation is its transpose.
 Vec3 turned_back(const FrameTurn& r, Vec3 v) { return v.x * r.rows[0] + v.y * r.rows[1] + v.z * r.rows[2]; }
 
 Axes as_driven(const AxisDrives& drives, const Axes& programmed) { return drives.is_own ? programmed : drives.driven(programmed); }

@@ -1,5 +1,5 @@
 #pragma once
-// Placement: how work coordinates lie on the machine.
+// Placement: the transformation between work coordinates and machine coordinates.
 
 #include <array>
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace kadr {
 
-/// Which axis of the machine each programmed one drives, and which of them backwards, about the machine's zero (nct 20.3, 20.4).
+/// Which machine axis each programmed axis drives, and which axes are reversed about the machine's zero (nct 20.3, 20.4).
 struct AxisDrives {
-  std::array<std::int8_t, max_axes> axis;  // a permutation
-  AxisMask reversed = 0;                   // programmed axes
-  bool is_own = true;                      // each its own, forwards
+  std::array<std::int8_t, max_axes> axis;  // machine axis of each programmed axis; a permutation
+  AxisMask reversed = 0;                   // mask of programmed axes
+  bool is_own = true;                      // each programmed axis drives its own machine axis, not reversed
   AxisDrives();
   friend bool operator==(const AxisDrives&, const AxisDrives&) = default;
 
@@ -23,75 +23,79 @@ struct AxisDrives {
   Axes programmed(const Axes& driven) const;
 };
 
-/// A rotation of the main axes (nct 10.2.3), and the axes that then carry it out.
+/// A rotation of the main axes (nct 10.2.3), and the assignment of the machine axes that execute it.
 struct FrameTurn {
-  std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // of the matrix
-  std::array<std::int8_t, 3> main{0, 1, 2};                               // axes X, Y, Z by index, -1: none
+  std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // rows of the rotation matrix
+  std::array<std::int8_t, 3> main{0, 1, 2};                               // indices of the axes X, Y, Z; -1: none
   AxisDrives drives;
   friend bool operator==(const FrameTurn&, const FrameTurn&) = default;
 };
 
-/// Work coordinates turned with the frame: `turn · work` on the main axes; the others stay. nullptr: as they are.
+/// Returns the work coordinates turned with the frame: `turn · work` on the main axes, the others unchanged. With nullptr, returns
+/// `work`.
 Axes turned_axes(const FrameTurn& turn, const Axes& work);
 Axes turned_back_axes(const FrameTurn& turn, const Axes& way);
 inline Axes turned(const FrameTurn* turn, const Axes& work) { return turn == nullptr ? work : turned_axes(*turn, work); }
 
-/// Of the tool in space.
+/// The position and direction of the tool in space.
 struct Pose {
   Vec3 tip;                 // mm
-  Vec3 direction{0, 0, 1};  // from the tip into the tool, of length 1
+  Vec3 direction{0, 0, 1};  // unit vector from the tip into the tool
 };
 
-/// How work coordinates lie in the part and on the machine where they are turned in space, or rotary axes take the tool or the part along
-/// (nct 25). Work coordinates are those of the programming frame in force. kinematics/part_space makes them.
+/// The transformation between work and machine coordinates if the frame is tilted in space, or if rotary axes carry the tool or the part
+/// (nct 25). Work coordinates are in the programming frame in force. Implemented in kinematics/part_space.
 class WorkSpace {
  public:
   virtual ~WorkSpace() = default;
-  /// Only seen from here: the Placement itself says where the axes stand.
+  /// Returns true if the Placement's own fields determine where the axes are, and this object only describes the pose.
   virtual bool is_plain() const = 0;
-  /// The tip is led: along a motion the axes stand where machine_of() says, at each of its points (nct 25.14). Else at its end, and go
-  /// there evenly.
+  /// Returns true if the tip is led: at each point of a motion, the axes are where machine_of() says (nct 25.14). Otherwise machine_of()
+  /// holds at the end of the motion only, and the axes move evenly to that point.
   virtual bool leads_tip() const = 0;
-  /// The positions of these axes count, whatever work coordinates the others have.
+  /// Converts work coordinates to machine coordinates. `plainly`: the result without this transformation; it supplies the rotary
+  /// positions and all axes that are not transformed.
   virtual Axes machine_of(const Axes& work, const Axes& plainly) const = 0;
   virtual Axes work_of(const Axes& machine, const Axes& plainly) const = 0;
-  /// Axes that move with these; the rotary ones may move the others, or leave them where they are (N3212 FOS).
+  /// Returns the axes that move if these are programmed. A rotary axis moves the others, or leaves them where they are (N3212 FOS).
   virtual AxisMask moved_with(AxisMask named) const = 0;
-  /// Work coordinates of axes that stand change with these.
+  /// Returns true if moving these axes changes the work coordinates of axes that do not move.
   virtual bool changes_work(AxisMask named) const = 0;
-  /// X, Y, Z in the work system, whatever the programming frame is (G68.1, G68.2).
+  /// Returns X, Y, Z in the work system, whatever programming frame (G68.1, G68.2) is active.
   virtual Axes in_system(const Axes& work) const = 0;
-  /// Where its zero is on the machine, as that was measured.
+  /// Returns the machine position of the work system's zero, as it was measured.
   virtual Vec3 zero() const = 0;
-  /// The programming frame's directions lie otherwise than those of the work system.
+  /// Returns true if the directions of the programming frame differ from those of the work system.
   virtual bool has_frame() const = 0;
-  /// Where the tool is in the part, which turns with its table: in the work system as it lies where that was measured.
+  /// Returns the pose of the tool relative to the part, which turns with its table. The coordinates are in the work system as it was
+  /// oriented when its zero was measured.
   virtual Pose pose(const Axes& machine) const = 0;
-  /// There are rotary axes that turn the tool or the part.
+  /// Returns true if rotary axes turn the tool or the part.
   virtual bool has_rotary() const = 0;
-  /// Radius, mm, by which a degree of the rotary axes moves the tip at most, about where the axes stand.
+  /// Returns the greatest radius, in mm, at which the rotary axes move the tip near these axis positions.
   virtual double arm(const Axes& machine) const = 0;
-  /// Those of the rotary axes.
+  /// Returns the mask of the rotary axes.
   virtual AxisMask rotary_axes() const = 0;
 };
 
-/// machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work); then as the axes are driven.
+/// machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work); then the values go to the
+/// axes that `drives` names.
 ///   law  work_of(machine_of(w)) == w up to rounding
 struct Placement {
-  Axes origin{};                             // of the work system, machine coordinates, all shifts included that are not turned
+  Axes origin{};                             // of the work system, in machine coordinates, with all shifts except turned ones
   Axes length{};                             // of the tool, by axis
-  Axes shift{};                              // turned with it (G52 and G92 of the NCT); zero without a turn
-  std::shared_ptr<const FrameTurn> turn{};   // of directions; nullptr: none, or they change with the rotary axes
-  std::shared_ptr<const WorkSpace> space{};  // nullptr: there is no more to say; one that is not plain says where the axes stand
+  Axes shift{};                              // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
+  std::shared_ptr<const FrameTurn> turn{};   // nullptr: no rotation, or directions change with the rotary axes
+  std::shared_ptr<const WorkSpace> space{};  // nullptr: none; one that is not plain determines where the axes are
   friend bool operator==(const Placement&, const Placement&) = default;
 
   Axes machine_of(const Axes& work) const;
   Axes work_of(const Axes& driven) const;
-  /// Axes of the machine that move with these programmed ones: with a turn the main axes together.
+  /// Returns the machine axes that move if these are programmed; with a turn, the main axes move together.
   AxisMask moved_with(AxisMask named) const;
-  /// The axis of the machine that a programmed one drives.
+  /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
-  /// A sum, axis by axis.
+  /// Returns true if machine_of() is a mere sum, axis by axis.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };
 

@@ -1,4 +1,5 @@
-// PlaneSpline: a rational B-spline in a plane, run through evenly. For action/flat_path; tested by tests/action/plane_spline_test.cpp.
+// PlaneSpline: a rational B-spline in a plane, traversed at constant speed. Used by action/flat_path; tested by
+// tests/action/plane_spline_test.cpp.
 
 #include "action/plane_spline.h"
 
@@ -11,9 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr int most_spline_pieces = 100'000;
-constexpr double standing = 1e-9;  // of the length for a whole t: so slow the direction is that of the curve beside
+// A speed (length per unit of t) below this part of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
+constexpr double standing = 1e-9;
 
-/// Gauss, eight places of [-1, 1].
+/// Gauss quadrature with eight points in [-1, 1].
 constexpr std::array<double, 4> gauss_place = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> gauss_weight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
@@ -37,8 +39,8 @@ PlaneSpline::PlaneSpline(const std::vector<ControlPoint>& points, std::size_t or
   }
 }
 
-/// The control points of the Bézier piece between knots `span` and `span` + 1: its polar form there, of which each argument is one of the
-/// two. Knots: 0 (`order` times), 1, 2, …, the last (`order` times).
+/// Returns the control points of the Bézier piece between the knots `span` and `span` + 1: values of its polar form (blossom) there, with
+/// each argument one of the two knots. The knots are 0 (`order` times), 1, 2, …, the last (`order` times).
 PlaneSpline::Piece PlaneSpline::piece_of(const std::vector<Weighted>& points, std::size_t span) const {
   const std::size_t degree = order_ - 1;
   const double last = static_cast<double>(points.size() - degree);
@@ -63,7 +65,7 @@ PlaneSpline::Motion2 PlaneSpline::motion(Place place) const {
   std::array<Weighted, most_order> d;
   std::copy(pieces_[place.piece].begin(), pieces_[place.piece].end(), d.begin());
   const std::size_t degree = order_ - 1;
-  Weighted first{}, second{};  // derivatives
+  Weighted first{}, second{};  // first and second derivative
   for (std::size_t level = degree; level > 0; --level) {
     const double n = static_cast<double>(degree);
     if (level == 2) {
@@ -90,7 +92,7 @@ double PlaneSpline::length_between(std::uint32_t piece, double from, double to) 
   return half * sum;
 }
 
-/// Nodes so close that the length between two is known to rounding.
+/// Adds nodes so densely that the length between two neighbours is exact to rounding.
 void PlaneSpline::measure(std::uint32_t piece, double from, double to, double whole, int halvings) {
   constexpr double close = 1e-12;
   const double middle = from + (to - from) / 2;
@@ -103,7 +105,7 @@ void PlaneSpline::measure(std::uint32_t piece, double from, double to, double wh
   measure(piece, middle, to, other, halvings - 1);
 }
 
-/// Newton's method between two nodes, halving where it would leave them.
+/// Newton's method between two nodes, with bisection where it would leave them.
 PlaneSpline::Place PlaneSpline::place_of(double part) const {
   const double wanted = part * length();
   const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });
@@ -137,7 +139,7 @@ Vec2 PlaneSpline::at(double part) const {
 
 Vec2 PlaneSpline::direction(double part) const {
   if (!(length() > 0)) return {};
-  constexpr double beside = 1e-5;  // of the length
+  constexpr double beside = 1e-5;  // step to a nearby point, as part of the length
   for (const double shift : {0.0, beside, 10 * beside, 100 * beside}) {
     const double there = std::clamp(part < 0.5 ? part + shift : part - shift, 0.0, 1.0);
     const Vec2 rate = motion(place_of(there)).rate;
@@ -172,7 +174,7 @@ std::pair<PlaneSpline::Piece, PlaneSpline::Piece> PlaneSpline::split(const Piece
   return {left, right};
 }
 
-/// By the hulls of smaller and smaller pieces; the ends of `piece` are in the box.
+/// Uses the convex hulls of smaller and smaller pieces. The ends of `piece` must be in the box already.
 void PlaneSpline::widen(Box2& box, const Piece& piece, int halvings) {
   constexpr double close = 1e-9;  // mm
   Box2 hull{flat(piece[0]), flat(piece[0])};
@@ -205,26 +207,28 @@ Box2 PlaneSpline::box(double from, double to) const {
 
 int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>(pieces_.size() * 4 * order_, most_spline_pieces)); }
 
-/// How far the curve is from the chord between two parts, looked at in `places` - 1 places between them. `start`, `end`: points there.
+/// Returns the greatest distance of the curve from the chord between two parts, sampled at `places` - 1 inner points. `start`, `end`: the
+/// points at the two parts.
 double PlaneSpline::off_chord(double from, double to, Vec2 start, Vec2 end, int places) const {
   const Vec2 way = end - start;
   const double squared = dot(way, way);
   double worst = 0;
   for (int i = 1; i < places; ++i) {
     const Vec2 off = at(from + (to - from) * i / places) - start;
-    const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;  // at a cusp it is beyond the chord's end
+    const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;  // at a cusp beyond the chord's end
     worst = std::max(worst, kadr::length(off - along * way));
   }
   return worst;
 }
 
-/// A chord's distance goes down as the square of its length where the curve is smooth, as the length itself at a cusp: tried until it
-/// holds. A curve of the length s between the ends of a chord c lies within the ellipse of the string: √(s² − c²)/2 from the chord. Where
-/// it is smooth it comes near that, and the middle tells the greatest distance; where not, more places are looked at.
+/// The distance from a chord falls with the square of its length where the curve is smooth, and with the length itself at a cusp; so the
+/// count is raised until the distance is small enough. A curve of length s between the ends of a chord c lies within an ellipse (string
+/// construction): at most √(s² − c²)/2 from the chord. A smooth curve comes close to this bound, and the samples near the middle give the
+/// greatest distance; otherwise more points are sampled.
 int PlaneSpline::pieces(double from, double to, double chord) const {
-  constexpr double used = 0.8;        // the distance is looked at in some places
-  constexpr double fastest_rise = 4;  // of the count, from one try to the next
-  constexpr double of_ellipse = 0.5;  // a circle's arc: 0.87
+  constexpr double used = 0.8;        // part of the tolerance that is used, because the distance is only sampled
+  constexpr double fastest_rise = 4;  // greatest factor of the count from one trial to the next
+  constexpr double of_ellipse = 0.5;  // a smooth curve reaches more than this part of the bound; a circular arc: 0.87
   double count = std::max(1.0, std::ceil((to - from) * samples() / 4));
   while (true) {
     const double hopeless = fastest_rise * fastest_rise * used * chord;

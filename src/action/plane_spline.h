@@ -1,7 +1,7 @@
 #pragma once
-// PlaneSpline: a rational B-spline (NURBS) in a plane, clamped, with uniform knots, run through evenly: a `part` 0..1 is that of its
-// length. LinuxCNC G5, G5.1, G5.2 (spec/linuxcnc 7.7). It is kept as Bézier pieces: by blossoms (Ramshaw), points and derivatives by de
-// Casteljau, as in Piegl, Tiller: The NURBS Book.
+// PlaneSpline: a rational B-spline (NURBS) in a plane, clamped, with uniform knots, parametrised by length: a `part` in 0..1 is a part of
+// the curve's length. For LinuxCNC G5, G5.1, G5.2 (spec/linuxcnc 7.7). It is stored as Bézier pieces, obtained by blossoms (Ramshaw);
+// points and derivatives by de Casteljau's algorithm, as in Piegl, Tiller: The NURBS Book.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +19,12 @@ struct ControlPoint {
 };
 
 ///   law  at(0) and at(1) are the first and the last control point, bit by bit
-///   law  turned, mirrored, reversed control points: the same curve, turned, mirrored, reversed
-///   law  the curve lies in the hull of its control points
+///   law  turned, mirrored, reversed control points give the curve turned, mirrored, reversed
+///   law  the curve lies in the convex hull of its control points
 class PlaneSpline {
  public:
-  static constexpr std::size_t most_order = 32;     // of a piece of degree 31; usual ones are 3 and 4
-  static constexpr std::size_t most_points = 5000;  // more are no shape that a person or a CAM system writes as one curve
+  static constexpr std::size_t most_order = 32;     // degree 31; usual orders are 3 and 4
+  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes more points as one curve
 
   ///   points  at least `order` and at most most_points of them, weights above 0
   ///   order   degree + 1, from 2 to most_order
@@ -32,27 +32,28 @@ class PlaneSpline {
 
   double length() const { return nodes_.back().length; }
   Vec2 at(double part) const;
-  /// Unit tangent; where the curve stands (control points that coincide) that of the curve beside it; {}: a curve of no length.
+  /// Returns the unit tangent. If the derivative vanishes (control points coincide), returns the tangent of a nearby point; {} for a
+  /// curve of length 0.
   Vec2 direction(double part) const;
-  /// 1/mm, positive where it turns to the left.
+  /// Returns the curvature in 1/mm, positive for a left turn.
   double curvature(double part) const;
-  /// The greatest amount of it, looked at in samples() places.
+  /// Returns the greatest absolute curvature at the samples() + 1 sampled points.
   double greatest_curvature() const;
-  /// The bounding box between two parts, within 1e-9 mm.
+  /// Returns the bounding box between two parts, within 1e-9 mm.
   Box2 box(double from, double to) const;
-  /// Number of equal pieces between two parts whose chords stay within `chord` mm.
+  /// Returns the number of equal pieces between two parts whose chords stay within `chord` mm.
   int pieces(double from, double to, double chord) const;
-  /// Number of equal pieces with at most one extreme of any coordinate each: for searches.
+  /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
   int samples() const;
 
  private:
-  /// Of a control point: weight · coordinates, weight.
+  /// A control point in homogeneous coordinates: weight · x, weight · y, weight.
   struct Weighted {
     double x = 0, y = 0, w = 0;
   };
-  using Piece = std::vector<Weighted>;  // Bézier, `order` of them
+  using Piece = std::vector<Weighted>;  // Bézier piece of `order` control points
 
-  /// The length from the beginning to a place.
+  /// A point of the curve, with the length from the curve's start to it.
   struct Node {
     std::uint32_t piece;
     double t;  // of the piece, 0..1
@@ -62,7 +63,7 @@ class PlaneSpline {
     std::uint32_t piece;
     double t;
   };
-  /// Position and its derivatives by t.
+  /// Position, first and second derivative by t.
   struct Motion2 {
     Vec2 at, rate, bend;
   };

@@ -1,4 +1,4 @@
-// PolarPath: a path programmed in a flat plane, carried out by a linear and a rotary axis. For action/curve; tested by
+// PolarPath: a path programmed in a plane and executed by a linear and a rotary axis. Used by action/curve; tested by
 // tests/action/polar_test.cpp.
 
 #include "action/polar.h"
@@ -15,7 +15,7 @@ constexpr int most_polar_pieces = 100'000;
 
 }  // namespace
 
-/// Below the offset there is no place for the linear axis: it stays at the centre.
+/// The linear axis cannot reach points closer to the centre than the offset; for them it stays at 0.
 double PolarPath::linear_at(Vec2 point) const {
   const double distance = length(point);
   return side_ * std::sqrt(std::max(0.0, (distance - offset_) * (distance + offset_)));
@@ -62,7 +62,8 @@ void PolarPath::extremes(PolarAxes& least, PolarAxes& most) const {
   most = {linear.most, rotary.most};
 }
 
-/// At distance d from the centre the linear axis bends by at most 1/d: a chord of length h misses by h²/8d, and by h/2 at most.
+/// At distance d from the centre the curvature of the linear axis' travel is at most 1/d, so a chord of length h misses it by h²/8d, and
+/// never by more than h/2.
 int PolarPath::pieces(double chord) const {
   const double near = std::abs(linear_at(path_.at(nearest())));
   const double step = std::max(2 * chord, std::sqrt(8 * chord * near));

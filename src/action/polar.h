@@ -1,39 +1,39 @@
 #pragma once
-// PolarPath: a path programmed in a flat plane, carried out by a linear and a rotary axis. NCT 4.5:
+// PolarPath: a path programmed in a plane and executed by a linear and a rotary axis. NCT 4.5:
 //   linear = side · sqrt(u² + w² − p²),   rotary = atan2(side·w, side·u) − atan2(p, linear), continuous from its start.
 
 #include "action/flat_path.h"
 
 namespace kadr {
 
-/// Of the two axes: mm and degrees, or mm and degrees per part.
+/// Positions of the two axes in mm and degrees, or their derivatives in mm and degrees per part.
 struct PolarAxes {
   double linear = 0;
   double rotary = 0;
 };
 
-/// A view of a path; it must outlive this.
+/// A view of a path, which must outlive it.
 class PolarPath {
  public:
-  /// `side`: sign of the linear axis; `offset`: p, mm; `rotary_start`: the rotary axis at part 0, degrees.
+  /// `side`: sign of the linear axis; `offset`: p, mm; `rotary_start`: position of the rotary axis at part 0, degrees.
   PolarPath(const FlatPath& path, double side, double offset, double rotary_start)
       : path_(path), side_(side), offset_(offset), rotary_start_(rotary_start) {}
 
   PolarAxes at(double part) const;
 
-  /// How fast the axes move: d at(part) / d part. In the rotation centre itself the rotary axis has no speed.
+  /// Returns d at(part) / d part. At the rotation centre itself, the rotary axis has speed 0.
   PolarAxes rates(double part) const;
 
-  /// Distance of the rotation centre from the tool, mm.
+  /// Returns the distance between the tool and the rotation centre, mm.
   double distance(double part) const { return length(path_.at(part)); }
 
-  /// The part at which the tool is nearest to the rotation centre (exact for a line; by search for an arc).
+  /// Returns the part at which the tool is nearest to the rotation centre (exact for a line, by search for an arc).
   double nearest() const;
 
-  /// Least and most of both axes.
+  /// Returns the least and greatest position of both axes.
   void extremes(PolarAxes& least, PolarAxes& most) const;
 
-  /// Number of equal pieces whose chords keep the linear axis within `chord` mm.
+  /// Returns the number of equal pieces whose chords keep the linear axis within `chord` mm.
   int pieces(double chord) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Step: one Action as those see it who look at a run: where the tool stood before it, and when it happens. Made by motion/time/steps, in
-// one place of each channel, so that none of them follows the tool for itself or builds the curve of a motion again.
+// Step: an Action as the observers of a run see it, with the tool's position before it and its time. motion/time/steps creates it in one
+// place for each channel, so that no observer has to track the tool or build the curve of a motion again.
 
 #include <optional>
 #include <variant>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// A view of an action: what it is made of must outlive it. KeptStep does not need that.
+/// A view of an action; the constructor's arguments must outlive it. KeptStep is a copy without this condition.
 class Step {
  public:
   Step(const AxisRoles& its_roles, const Action& its_action, const ToolPosition& before, double start = 0, const MotionTime& its_time = {},
@@ -23,15 +23,15 @@ class Step {
 
   const AxisRoles& roles;    // of the channel
   const Action& action;      //
-  const ToolPosition& from;  // where the tool stands before it
-  double begins;             // virtual time, s since the start, waiting for other channels included
-  MotionTime time;           // of a motion; zeros: nobody counts
-  double pause;              // s, of any other action
+  const ToolPosition& from;  // position of the tool before the action
+  double begins;             // virtual time, s since the start, including waits for other channels
+  MotionTime time;           // of a motion; all 0 if nobody computes times
+  double pause;              // duration of any other action, s
 
-  /// nullptr: the action is none.
+  /// Returns nullptr if the action is not a motion.
   const Motion* motion() const { return std::get_if<Motion>(&action.what); }
 
-  /// The path of the motion from there: built when it is first asked for, once.
+  /// Returns the path of the motion, which is built once, at the first call. The action must be a motion.
   const Curve& curve() const {
     if (!curve_) curve_.emplace(roles, from.work, std::get<Motion>(action.what));
     return *curve_;
@@ -41,7 +41,7 @@ class Step {
   mutable std::optional<Curve> curve_;
 };
 
-/// A Step that outlives what it was made of: of those who run behind the machine and pass it on later.
+/// A copy of a Step that outlives its sources; for observers that lag behind the machine and forward steps later.
 struct KeptStep {
   explicit KeptStep(const Step& step)
       : roles(step.roles), action(step.action), from(step.from), begins(step.begins), time(step.time), pause(step.pause) {}

@@ -1,5 +1,5 @@
 #pragma once
-// SurfaceSpeed: constant surface speed of a spindle (nct 11.5): it turns by where an axis stands,
+// SurfaceSpeed: constant surface speed of a spindle (nct 11.5). The speed follows from the position of an axis:
 //   n = min(max(1000 v / (π D), least), most)      D = 2 |position in the work coordinate system|
 
 #include <algorithm>
@@ -11,25 +11,25 @@
 namespace kadr {
 
 struct SurfaceSpeed {
-  bool on = false;          // else the spindle keeps the speed that it has
+  bool on = false;          // if false, the spindle keeps its present speed
   std::uint8_t number = 1;  // of the spindle
   std::uint8_t axis = 0;    // index of the axis whose position is the radius
-  double metres = 0;        // a minute
+  double metres = 0;        // surface speed, m/min
   double least = 0;         // rev/min
   double most = no_limit;
 
   static constexpr double no_limit = 1e300;
-  static constexpr std::uint8_t no_axis = 255;  // the parameter names none: as at the centre
+  static constexpr std::uint8_t no_axis = 255;  // the parameter names no axis: the speed is as at the centre
 
-  /// mm from the axis, where it turns as fast.
+  /// Returns the distance from the axis, in mm, at which this surface speed gives `rpm`.
   double radius(double rpm) const { return mm_per_m * metres / (2 * pi * rpm); }
 
-  /// rev/min at a place in work coordinates.
+  /// Returns the speed in rev/min at a position in work coordinates.
   double rpm(const Axes& work) const {
     const double diameter = axis < work.size() ? 2 * std::fabs(work[axis]) : 0;
     return std::min(std::max(diameter > 0 ? mm_per_m * metres / (pi * diameter) : no_limit, least), most);
   }
-  /// INFERRED: at the centre without any limit it stays at `before`.
+  /// INFERRED: at the centre, without any limit, the speed stays at `before`.
   double rpm(const Axes& work, double before) const {
     const double now = rpm(work);
     return now < no_limit ? now : before;

@@ -1,5 +1,5 @@
 #pragma once
-// ToolPosition: where the tool stands, followed from Action to Action; and where the axes of the machine stand along a motion.
+// ToolPosition: the tool's position, tracked from Action to Action. Also: the positions of the machine's axes along a motion.
 
 #include <memory>
 #include <variant>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Where the tool point is, and how its work system lies. At the start: Control::ending() before the first block.
+/// The position of the tool point, and how its work system lies. At the start: Control::ending() before the first block.
 struct ToolPosition {
   Axes work{};
   Axes machine{};
@@ -31,12 +31,13 @@ struct ToolPosition {
   }
 };
 
-/// The motion leads the tool's tip: the axes' ways follow from that.
+/// Returns true if the motion leads the tool's tip, so that the travel of the axes follows from the tip's path.
 inline bool leads_tip(const ToolPosition& from, const Motion& motion) {
   return from.space && from.space->leads_tip() && !(motion.detail && motion.detail->evenly);
 }
 
-/// The same where the tip is led (nct 25.14): the tool is where the motion's own way or the work coordinates say, and so are the axes.
+/// Like machine_along(), for a motion that leads the tip (nct 25.14): the tool's position comes from the motion's TipWay, or else from
+/// the work coordinates, and the axis positions follow from it.
 inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (part <= 0) return from.machine;
   if (part >= 1) return motion.machine;
@@ -47,7 +48,7 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
   return from.space->machine_of(tool, plainly);
 }
 
-/// Where the tip is then in the part, in the work system.
+/// Returns the position of the tip relative to the part, in the work system, at `part` of a motion that leads the tip.
 inline Vec3 led_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
   const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
@@ -55,7 +56,8 @@ inline Vec3 led_tip(const AxisRoles& roles, const ToolPosition& from, const Moti
   return {of(0), of(1), of(2)};
 }
 
-/// Axes that follow others (of a parked one what is calculated), and those that are parked. `ways`: the work coordinates turned.
+/// Sets the axes that follow others (a follower of a parked axis follows its calculated position), and holds the parked axes. `ways`: the
+/// turned work coordinates.
 inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
   const AxisMask parked = motion.detail->parked;
   const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
@@ -70,9 +72,9 @@ inline void follow_along(const ToolPosition& from, const Motion& motion, const A
   }
 }
 
-/// Machine coordinates at the `part` of a motion where the work coordinates are `work`. What lies between the two (the work
-/// coordinates turned, if the frame is) is the same along the motion, or taken up evenly by it (a tool length that the next
-/// motion takes out, 2С42). An axis that rolls over counts on beyond its turn until the end.
+/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between the two (after
+/// turning the work coordinates, if the frame is turned) is constant along the motion, or changes evenly over it (2С42: a tool length
+/// that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (leads_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();

@@ -1,4 +1,4 @@
-// What went wrong, as data: id, arguments, the piece of text. For action, base, config, lang, out; tested by tests/base/alarm_test.cpp.
+// Alarms as data: id, arguments, span of text. Used by action, base, config, lang, out; tested by tests/base/alarm_test.cpp.
 
 #include "base/alarm.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What went wrong, as data: id, arguments, the piece of text. Nothing above `out` turns it into a sentence.
+// An Alarm is data: an id, up to three arguments, and the span of text that it is about. Only the room `out` turns it into a sentence.
 
 #include <array>
 #include <cstdint>
@@ -17,23 +17,23 @@ enum class AlarmId : std::uint16_t {
       count
 };
 
-/// Stands for the id where nothing is wrong. It is one of the values, so that an Alarm, which each Result has room for, stays as small as
-/// it is.
+/// The id that means "no alarm". It is a value of AlarmId, not a separate flag, so that an Alarm, and every Result that has room for one,
+/// stays small.
 inline constexpr AlarmId no_alarm = AlarmId::count;
 
-/// The id as it is printed and as the rows of controls/alarms.toml name it.
+/// Returns the name of the id as it is printed, and as the rows of controls/alarms.toml spell it.
 std::string_view name_of(AlarmId id);
 
-/// The id of that name; no_alarm: there is none.
+/// Returns the id with this name, or no_alarm if there is none.
 AlarmId alarm_named(std::string_view name);
 
-/// A note is what a user wants to know, but nothing is wrong: it does not count. Advice is what no control would stop at, but a shop would
-/// not run (docs/checklist.md): it counts by itself.
+/// How serious an alarm is. A note informs the user; nothing is wrong, and it is not counted. Advice is about something that no control
+/// would stop at, but that a shop would not run (docs/checklist.md); it is counted separately.
 enum class Severity : std::uint8_t { alarm, warning, note, advice };
-/// As programs read it: "alarm", "warning", "note", "advice".
+/// Returns the name in machine-readable output: "alarm", "warning", "note", "advice".
 std::string_view name_of(Severity severity);
 
-/// One argument of an alarm's text: a number, or a short piece of text (longer ones are cut, at a whole character).
+/// An argument of an alarm's text: a number, or a short text. A longer text is cut at a character boundary.
 class AlarmArg {
  public:
   AlarmArg() = default;
@@ -53,12 +53,12 @@ class AlarmArg {
   std::array<char, 30> text_{};
 };
 
-/// Plain value without allocation, so that a Result costs nothing while all goes well.
+/// Plain value that never allocates, so that a Result costs nothing as long as no alarm occurs.
 struct Alarm {
   AlarmId id = no_alarm;
   Severity severity = Severity::alarm;
   std::uint8_t arg_count = 0;
-  Span where;  // in the text of the block's line
+  Span where;  // bytes in the line of the block
   std::array<AlarmArg, 3> args;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What <cmath> lacks.
+// Small arithmetic helpers that <cmath> lacks.
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-// Kinds of characters, whatever the locale: programs are ASCII where they mean something.
+// Character classes that do not depend on the locale: everything that has a meaning in a program is ASCII.
 #pragma once
 
 #include <string_view>
@@ -12,10 +12,10 @@ constexpr bool is_letter(char c) { return is_capital(c) || is_lower(c); }
 constexpr char to_upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 constexpr char to_lower(char c) { return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// A byte that ASCII does not have: part of a Cyrillic letter, in every encoding that is read.
+/// True for a byte outside ASCII. In every encoding that Kadr reads, such a byte is part of a Cyrillic letter.
 constexpr bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
-/// Is there any, and is each one of that kind?
+/// Returns true if the text is not empty and every character satisfies `is`.
 constexpr bool all_are(std::string_view text, bool (*is)(char)) {
   for (const char c : text)
     if (!is(c)) return false;

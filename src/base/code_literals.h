@@ -1,11 +1,11 @@
 #pragma once
-// Numbers of G and M codes as words and rows hold them, in tenths: 43.4_g is 434, 6_m is 60.
+// Literals for the numbers of G and M codes, which words and rows store in tenths: 43.4_g is 434, 6_m is 60.
 
 #include <cstdint>
 
 namespace kadr {
 
-/// The tenths of a number written with one decimal at most.
+/// Returns ten times a number that is written with at most one decimal.
 template <char... Digits>
 consteval std::int32_t tenths_of_code() {
   std::int32_t tenths = 0, decimals = -1;

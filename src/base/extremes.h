@@ -1,5 +1,6 @@
 #pragma once
-// range_of(): least and most value of a function over 0..1, by even samples and a golden section around each extreme.
+// range_of(): the least and greatest value of a function over 0..1, found by even sampling and a golden-section search around each
+// extreme.
 
 #include <algorithm>
 #include <utility>
@@ -12,12 +13,12 @@ struct Range {
   double most = 0;
 };
 
-/// Where in [low, high] `f`, with one minimum there, is least.
+/// Returns the x in [low, high] at which `f` is least. `f` must have a single minimum there.
 template <class F>
 double place_of_least(const F& f, double low, double high) {
   constexpr double golden = 0.61803398874989485;
   constexpr int most_steps = 80;
-  constexpr double near_enough = 1e-11;  // of the way: far below where the value still changes
+  constexpr double near_enough = 1e-11;  // of x, which is about 1 wide: far below where f(x) still changes
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double at_a = f(a), at_b = f(b);
   for (int step = 0; step < most_steps && high - low > near_enough; ++step) {
@@ -36,8 +37,8 @@ double place_of_least(const F& f, double low, double high) {
   return at_a < at_b ? a : b;
 }
 
-/// Least and most of f over 0..1, both ends included.
-///   samples  so many that at most one extreme lies between two neighbours
+/// Returns the least and greatest value of f over 0..1, both ends included.
+///   samples  number of sampling intervals; at most one extreme may lie between two neighbouring samples
 template <class F>
 Range range_of(const F& f, int samples) {
   std::vector<double> values;

@@ -1,6 +1,6 @@
 #pragma once
-// FileDoor: who opens the files that are read because a program, a set-up or a control's file names them: what it calls, extends, begins
-// with. Without one they are those of the file system. A server gives one that opens nothing beyond the folder that it serves.
+// FileDoor: opens the files that a program, a set-up or a control's file refers to (a called program, the base that a control extends …).
+// Without a FileDoor they are opened directly in the file system. The server passes one that opens nothing outside the folder it serves.
 
 #include <string>
 
@@ -9,10 +9,10 @@ namespace kadr {
 class FileDoor {
  public:
   virtual ~FileDoor() = default;
-  /// For reading: a regular file, and nobody is waited for.
-  ///   returns  a descriptor, the caller's; -1: errno tells why
+  /// Opens a regular file for reading, without blocking.
+  ///   returns  a file descriptor that the caller owns, or -1 with the reason in errno
   virtual int open_for_reading(const std::string& path) const = 0;
-  /// The path, links not followed, lies where files may be looked for.
+  /// Returns true if the path (links not resolved) lies inside the folders that may be searched.
   virtual bool reaches(const std::string& path) const = 0;
 };
 

@@ -1,5 +1,5 @@
-// For the outputs of a command (out/trace/result_file, cli/outputs) and of a program (control/macro_b/output/output_file);
-// tests/base/file_id_test.cpp.
+// Identity of files. Used for the outputs of a command (out/trace/result_file, cli/outputs) and of a program
+// (control/macro_b/output/output_file); tested by tests/base/file_id_test.cpp.
 
 #include "base/file_id.h"
 
@@ -36,12 +36,12 @@ std::optional<FileId> file_id_of(int descriptor) {
 
 std::string true_path(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int most_links = 40;  // as the system follows
+  constexpr int most_links = 40;  // the limit of the system
   fs::path at(path);
   for (int i = 0; i < most_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;
     std::error_code error;
-    const fs::path target = fs::read_symlink(at, error);  // a link to what is not there yet
+    const fs::path target = fs::read_symlink(at, error);  // for a link whose target does not exist yet
     if (error) break;
     at = target.is_absolute() ? target : at.parent_path() / target;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Which file a name means: two names of one file, by links of whatever kind, are told from names of two.
+// Identity of files: finds out whether two paths mean the same file, also through symbolic or hard links.
 
 #include <compare>
 #include <cstdint>
@@ -11,19 +11,19 @@ namespace kadr {
 
 struct FileId {
   std::uint64_t device = 0;
-  std::uint64_t number = 0;  // of the inode
+  std::uint64_t number = 0;  // inode number
   auto operator<=>(const FileId&) const = default;
 };
 
-/// Links are followed. Nothing: there is no such file.
+/// Follows links. Returns nullopt if the file does not exist.
 std::optional<FileId> file_id_of(const std::string& path);
-/// Of an open file.
+/// The same for an open file.
 std::optional<FileId> file_id_of(int descriptor);
 
-/// The path from the root with every link followed, that of the last part too; there need not be such a file.
+/// Returns the absolute path with every link resolved, including a link in the last component. The file need not exist.
 std::string true_path(const std::string& path);
 
-/// Some files: whether they are there already or not.
+/// A set of files, which may or may not exist yet.
 class FileSet {
  public:
   void add(const std::string& path);
@@ -33,7 +33,7 @@ class FileSet {
 
  private:
   std::set<FileId> ids_;
-  std::set<std::string> paths_;  // true ones
+  std::set<std::string> paths_;  // results of true_path()
 };
 
 }  // namespace kadr

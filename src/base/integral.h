@@ -1,6 +1,6 @@
 #pragma once
-// integral(): a definite integral to a relative error, for functions with narrow peaks at the ends and with kinks.
-// Simpson's rule, halved where the halves disagree with the whole.
+// integral(): a definite integral to a given relative error, for functions with corners and with narrow peaks at the ends. It uses the
+// adaptive Simpson rule: an interval is halved where the sum over its halves disagrees with the whole.
 
 #include <cmath>
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace detail {
 
-/// One stretch of the integration: values at its ends and its middle.
+/// An interval of the integration, with the function's values at its ends and its middle.
 struct Stretch {
   double from, to;
   double at_from, at_middle, at_to;
@@ -22,20 +22,20 @@ double refined(const F& f, const Stretch& s, double error, int depth) {
   const Stretch right{middle, s.to, s.at_middle, f((middle + s.to) / 2), s.at_to};
   const double halves = left.simpson() + right.simpson();
   const double gap = halves - s.simpson();
-  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // also where f is not a number
+  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // also ends where f is NaN
   return refined(f, left, error / 2, depth - 1) + refined(f, right, error / 2, depth - 1);
 }
 
 }  // namespace detail
 
-/// Integral of f from `from` to `to`.
-///   relative  greatest error against the integral of |f|, as long as f has no peak inside narrower than 1/16 of the way
-///   law       not a number where f is none
+/// Returns the integral of f from `from` to `to`.
+///   relative  greatest error, relative to the integral of |f|; guaranteed only if f has no inner peak narrower than 1/16 of the interval
+///   law       the result is NaN if f is NaN somewhere
 template <class F>
 double integral(const F& f, double from, double to, double relative) {
   constexpr int stretches = 16;
   constexpr int most_halvings = 48;
-  constexpr int most_rounds = 4;  // a peak at an end makes the first guess of the size far too large
+  constexpr int most_rounds = 4;  // a peak at an end makes the first estimate of the size far too large
   double size = 0;
   for (int i = 0; i <= stretches; ++i) size += std::abs(f(from + (to - from) * i / stretches) * (to - from) / stretches);
   double sum = 0;

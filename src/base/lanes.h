@@ -1,25 +1,25 @@
 #pragma once
-// Eight numbers that are calculated side by side: in the registers of every processor, or in wider ones where it has them.
+// Vectors of eight doubles that are calculated in parallel: in the 128-bit registers that every processor has, or in wider ones.
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 
-// Functions that take or hand back vectors are taken into their callers: no rules of calling apply.
+// Silences the ABI warning about vectors as arguments and results: all such functions are inlined, so no calling convention applies.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace kadr {
 
 inline constexpr std::size_t lanes = 8;
 
-// Functions of lanes are taken into those that call them, so that they are compiled for the same processor.
+// Functions on lanes are inlined into their callers, so that they are compiled for the same instruction set.
 #define KADR_LANES [[gnu::always_inline]] inline
 
 using Pair = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 
-/// Where `sign` is above 0 that of `then`, else that of `otherwise`.
+/// Selects lane by lane: `then` where `sign` is above 0, else `otherwise`.
 template <class V>
 KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
   return sign > 0 ? then : otherwise;
@@ -32,7 +32,7 @@ KADR_LANES Pair greater(const Pair& x, const Pair& y) { return x > y ? x : y; }
 KADR_LANES Four greater(const Four& x, const Four& y) { return x > y ? x : y; }
 KADR_LANES Pair all_of(double x, const Pair&) { return Pair{x, x}; }
 KADR_LANES Four all_of(double x, const Four&) { return Four{x, x, x, x}; }
-/// From and to numbers of half the size, of any alignment.
+/// Converts from and to floats at an address of any alignment.
 KADR_LANES void read_lanes(const float* from, Pair& x) { x = Pair{from[0], from[1]}; }
 KADR_LANES void read_lanes(const float* from, Four& x) {
   float __attribute__((vector_size(16))) narrow;
@@ -51,14 +51,14 @@ KADR_LANES double product_of(const Four& x) { return (x[0] * x[2]) * (x[1] * x[3
 KADR_LANES double least_of(const Pair& x) { return std::min(x[0], x[1]); }
 KADR_LANES double least_of(const Four& x) { return std::min(std::min(x[0], x[2]), std::min(x[1], x[3])); }
 
-/// Twice as many numbers, in two halves: a vector wider than the registers is taken to pieces and put together in memory.
+/// A vector of twice the length, in two halves. (A single vector wider than the registers would be split and reassembled in memory.)
 template <class Half>
 struct Doubled {
   Half low = {}, high = {};
 
   Doubled() = default;
   KADR_LANES Doubled(const Half& l, const Half& h) : low(l), high(h) {}
-  /// From an address of any alignment.
+  /// Reads from an address of any alignment.
   KADR_LANES explicit Doubled(const double* from) {
     std::memcpy(static_cast<void*>(&low), from, sizeof low);
     std::memcpy(static_cast<void*>(&high), from + sizeof low / sizeof *from, sizeof high);
@@ -100,7 +100,7 @@ struct Doubled {
     return {where_positive(sign.low, then.low, otherwise.low), where_positive(sign.high, then.high, otherwise.high)};
   }
   KADR_LANES friend Doubled root_of(const Doubled& x) { return {root_of(x.low), root_of(x.high)}; }
-  // The same to the last bit for both kinds: ((0+4)+(2+6)) + ((1+5)+(3+7)).
+  // The order of summation is the same for both kinds, so results agree to the last bit: ((0+4)+(2+6)) + ((1+5)+(3+7)).
   KADR_LANES friend double sum_of(const Doubled& x) { return sum_of(x.low + x.high); }
   KADR_LANES friend double product_of(const Doubled& x) { return product_of(x.low * x.high); }
   KADR_LANES friend double least_of(const Doubled& x) { return least_of(where_positive(x.high - x.low, x.low, x.high)); }
@@ -110,15 +110,15 @@ struct Doubled {
 using NarrowLanes = Doubled<Doubled<Pair>>;
 using WideLanes = Doubled<Four>;
 
-// WideLanes live within one function: how such a vector lies in memory is not the same for all processors.
+// WideLanes must not cross a function boundary: the memory layout of such a vector depends on the processor it is compiled for.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 template <class Work>
 [[gnu::target("avx2")]] auto with_wide_lanes(const Work& work) {
   return work(WideLanes());
 }
 
-/// Does `work`, an [[gnu::always_inline]] function of the kind of lanes to be used, the same for all kinds to the last bit
-/// (-ffp-contract=off).
+/// Calls `work`, an [[gnu::always_inline]] function, with an object of the lane type to use. The results are the same to the last bit for
+/// all lane types (needs -ffp-contract=off).
 template <class Work>
 auto side_by_side(const Work& work) {
   static const bool are_wide = __builtin_cpu_supports("avx2") != 0;

@@ -1,14 +1,14 @@
 #pragma once
-// Values made where they stay.
+// made_in(): constructs a value directly at its destination.
 
 #include <new>
 #include <type_traits>
 
 namespace kadr {
 
-/// Overwrites `place` with what `make` returns, built there: no copy. A copy of what has just been stored number by number is loaded
-/// in larger pieces, for which the processor waits until all has reached the cache.
-///   law  `make` does not look at `place`
+/// Overwrites `place` with the result of `make`, constructed in place, without a copy. A copy would read in large pieces what was just
+/// written number by number, and the processor would stall until all the writes have reached the cache.
+///   law  `make` must not read `place`
 template <class T, class Make>
 void made_in(T& place, const Make& make) {
   static_assert(std::is_trivially_destructible_v<T> && std::is_same_v<T, std::invoke_result_t<const Make&>>);

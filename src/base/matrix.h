@@ -1,5 +1,5 @@
 #pragma once
-// 3×3 matrices of turns, and the little of vectors in space that goes with them.
+// 3×3 rotation matrices, and the vector operations in space that they need.
 
 #include <array>
 
@@ -9,18 +9,18 @@ namespace kadr {
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-/// Of length 1; {} of {}.
+/// Returns the vector scaled to length 1; {} for a zero vector.
 inline Vec3 unit(Vec3 a) {
   const double l = length(a);
   return l > 0 ? (1 / l) * a : Vec3{};
 }
 
-/// Rows of a matrix; by itself the identity.
+/// A matrix, stored by rows; the identity by default.
 struct Mat3 {
   std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
   static Mat3 of_columns(Vec3 x, Vec3 y, Vec3 z) { return {{Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}}}; }
-  /// Right-handed turn about an axis of length 1 (NCT 25.1, 25a 4).
+  /// Returns the right-handed rotation about an axis of length 1 (NCT 25.1, 25a 4).
   static Mat3 about(Vec3 axis, double degrees) {
     const SinCos t = sincos_deg(degrees);
     const auto [x, y, z] = axis;
@@ -37,9 +37,9 @@ struct Mat3 {
   friend bool operator==(const Mat3&, const Mat3&) = default;
 };
 
-/// The inverse of a turn.
+/// For a rotation, this is the inverse.
 inline Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
-/// transposed(m) · v
+/// Returns transposed(m) · v, for a rotation the inverse rotation of v.
 inline Vec3 turned_back(const Mat3& m, Vec3 v) { return v.x * m.rows[0] + v.y * m.rows[1] + v.z * m.rows[2]; }
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// What nearly every file of Kadr includes, read once (KADR_PRECOMPILED in CMakeLists.txt). A file still includes what it uses: clang builds
-// without it.
+// Precompiled header (KADR_PRECOMPILED in CMakeLists.txt): what nearly every file includes. A file still includes what it uses, because
+// clang builds without this header.
 
 #include <algorithm>
 #include <array>

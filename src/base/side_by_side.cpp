@@ -1,5 +1,5 @@
-// SideBySide: one piece of work at a time in a thread of its own. For motion/least_time/planner, session/run_ahead; tested by
-// tests/base/side_by_side_test.cpp.
+// SideBySide: executes one piece of work at a time in a thread of its own. Used by motion/least_time/planner, session/run_ahead; tested
+// by tests/base/side_by_side_test.cpp.
 
 #include "base/side_by_side.h"
 
@@ -43,7 +43,7 @@ void SideBySide::begin(std::function<void()> work) {
 }
 
 void SideBySide::work() {
-  constexpr int few_looks = 200;  // more would keep a processor from others; who gives the work does not wait for it to begin
+  constexpr int few_looks = 200;  // more would keep a processor from other threads, and the caller of begin() does not wait for the start
   for (std::uint32_t seen = 0;; ++seen) {
     wait_for(
         given_, [&] { return given_.load(std::memory_order_acquire) != seen; }, few_looks);
@@ -55,13 +55,13 @@ void SideBySide::work() {
   }
 }
 
-/// The piece of work of that number is this side's.
+/// Claims the piece of work with this number. Returns false if the other thread has claimed it already.
 bool SideBySide::claim(std::uint32_t number) {
   std::uint32_t before = number - 1;
   return claimed_.compare_exchange_strong(before, number, std::memory_order_acq_rel);
 }
 
-/// What the thread has not begun yet, as no processor is free for it, is done here.
+/// If the thread has not started the work yet, because no processor is free, executes the work here.
 void SideBySide::finish() {
   const std::uint32_t given = given_.load(std::memory_order_relaxed);
   if (is_done()) return;

@@ -1,5 +1,6 @@
 #pragma once
-// SideBySide: one piece of work at a time in a thread of its own, beside whoever gave it. And what threads wait with.
+// SideBySide: executes one piece of work at a time in a thread of its own, in parallel with the caller. wait_for(): how threads wait for
+// each other.
 
 #include <atomic>
 #include <cstdint>
@@ -10,9 +11,9 @@
 
 namespace kadr {
 
-/// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
-/// some 20 µs, in a virtual machine longer; 500 looks take about as long. More would use up the time slice of the very thread that is
-/// waited for where the machine is busy.
+/// Waits until `done`. It polls first, because the other side is usually nearly ready, then sleeps until `changes` is notified. Waking up
+/// takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time slice
+/// of the very thread that is waited for.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done, int most_looks = 500) {
   for (int look = 0;; ++look) {
@@ -25,23 +26,23 @@ void wait_for(const std::atomic<Value>& changes, const Done& done, int most_look
   }
 }
 
-/// That this process may use.
+/// Returns true if this process may use more than one processor.
 bool has_several_processors();
 
 class SideBySide {
  public:
   SideBySide() = default;
-  /// Waits for what is begun.
+  /// Waits for pending work.
   ~SideBySide();
   SideBySide(const SideBySide&) = delete;
   SideBySide& operator=(const SideBySide&) = delete;
 
-  /// Begins it; what it needs stays alone with it until wait(). Where there is one processor, or no thread is to be had, it is done at
-  /// once.
-  ///   pre  wait() was called since the last one
+  /// Starts the work. Until wait(), only the work may touch the data that it needs. With a single processor, or if no thread can be
+  /// created, the work is executed before this returns.
+  ///   pre  wait() was called after the previous begin()
   void begin(std::function<void()> work);
-  /// Until it is done.
-  ///   throws  what it threw
+  /// Waits until the work is done.
+  ///   throws  the exception that the work threw
   void wait();
   bool is_begun() const { return begun_; }
 
@@ -54,10 +55,10 @@ class SideBySide {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;                                             // and not waited for
-  bool alone_ = false;                                             // no thread is to be had
-  Thread thread_;                                                  // begun with the first work
-  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // by number, from 1
+  bool begun_ = false;                                             // begin() was called, wait() not yet
+  bool alone_ = false;                                             // single processor, or no thread: begin() executes the work itself
+  Thread thread_;                                                  // started with the first work
+  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // number of the last work, from 1
   std::atomic<bool> over_ = false;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where in the source text something stands.
+// Span and Position: locations in the source text.
 
 #include <cstdint>
 
@@ -12,11 +12,11 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// Where a block stands in its file, enough to read it again.
+/// The location of a block in its file, sufficient to read the block again.
 struct Position {
   std::uint64_t offset = 0;  // byte offset of the line in the file
   std::uint32_t line = 1;    // counted from 1
-  std::uint32_t nth = 0;     // blocks before it in the same line (several may stand between `ПС`)
+  std::uint32_t nth = 0;     // number of blocks before it in the same line (2С42: several blocks, separated by `ПС`, may share a line)
   friend bool operator==(const Position&, const Position&) = default;
 };
 

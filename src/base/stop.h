@@ -1,14 +1,15 @@
 #pragma once
-// StopToken: whoever runs a program may want it to end before its end.
+// StopToken: lets the owner of a run end it early.
 
 #include <atomic>
 
 namespace kadr {
 
-/// Asked by every loop that may take long; a value, handed down from whoever owns the flag. One read of memory, safe in any thread.
+/// Every loop that may take long polls this. It is a value, passed down from the owner of the flag; a poll is one relaxed read of memory,
+/// safe in any thread.
 class StopToken {
  public:
-  StopToken() = default;  // never asked to stop
+  StopToken() = default;  // a token that never requests a stop
   explicit StopToken(const std::atomic<bool>& flag) : flag_(&flag) {}
 
   bool asked() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }

@@ -1,4 +1,4 @@
-// Thread. For base/side_by_side, cli/stop, panel, server, session/run_ahead, stock; tested by tests/base/thread_test.cpp and
+// Thread. Used by base/side_by_side, cli/stop, panel, server, session/run_ahead, stock; tested by tests/base/thread_test.cpp and
 // tests/every_command.py.
 
 #include "base/thread.h"
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// nullptr: none is to be had.
+/// Returns a thread that is not joinable if none can be created.
 std::thread begun(std::function<void()> work) {
   try {
     return std::thread(std::move(work));

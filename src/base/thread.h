@@ -1,6 +1,6 @@
 #pragma once
-// Thread: whoever wants a thread asks here, and is told where none is to be had: too many of them, or too little memory. Nothing that a
-// thread throws is the end of the process.
+// Thread: the only place where Kadr creates threads. It reports if none can be created (too many threads, too little memory), and an
+// exception in a thread never ends the process.
 
 #include <exception>
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// There is no other thread for what cannot be done without one.
+/// Thrown if no thread can be created for work that needs one.
 struct NoThread : std::exception {
   const char* what() const noexcept override { return "no more threads are to be had"; }
 };
@@ -19,22 +19,22 @@ class Thread {
   Thread() = default;
   Thread(Thread&&) noexcept = default;
   Thread& operator=(Thread&&) = delete;
-  /// Waits for its end.
+  /// Waits until the thread ends.
   ~Thread() { wait(); }
 
-  /// Begins it; once.
-  ///   returns  false: none is to be had, and nothing is begun
+  /// Starts the thread; may be called once only.
+  ///   returns  false if no thread can be created; then nothing was started
   [[nodiscard]] bool begin(std::function<void()> work);
-  /// The same of work that cannot be done without one.
+  /// Like begin(), for work that cannot be done without a thread of its own.
   ///   throws  NoThread
   void begin_or_throw(std::function<void()> work);
   bool is_begun() const { return thread_.joinable(); }
 
-  /// Until it is over.
+  /// Waits until the thread ends.
   void wait() {
     if (thread_.joinable()) thread_.join();
   }
-  /// What it threw, once it has been waited for; nothing: it ended by itself.
+  /// After wait(): the exception that the work threw, or nullptr if it ended normally.
   std::exception_ptr thrown() const { return thrown_ ? *thrown_ : nullptr; }
 
  private:
@@ -42,12 +42,13 @@ class Thread {
   std::unique_ptr<std::exception_ptr> thrown_;
 };
 
-/// Begins a thread that nobody waits for.
-///   returns  false: none is to be had
+/// Starts a thread that nobody waits for.
+///   returns  false if no thread can be created
 [[nodiscard]] bool begin_alone(std::function<void()> work);
 
-/// work(0) … work(count - 1), each in a thread as far as they are to be had, the others one after the other in this one.
-///   throws  what one of them threw, once all are over
+/// Executes work(0) … work(count - 1), each in a thread of its own. If threads run out, the remaining calls follow one another in this
+/// thread.
+///   throws  the first exception found, after all calls have ended
 void side_by_side(int count, const std::function<void(int)>& work);
 
 }  // namespace kadr

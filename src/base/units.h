@@ -1,5 +1,5 @@
 #pragma once
-// Units other than those used inside (mm, degrees, seconds).
+// Units other than the internal ones (mm, degrees, seconds).
 
 namespace kadr {
 

@@ -1,5 +1,5 @@
-// Small vectors and exact trigonometry in degrees. For action, config, control, lang, machine, motion, out, path; tested by
-// tests/base/vec_test.cpp.
+// Small vectors, and trigonometry in degrees that is exact at multiples of 90°. Used by action, config, control, lang, machine, motion,
+// out, path; tested by tests/base/vec_test.cpp.
 
 #include "base/vec.h"
 
@@ -11,14 +11,15 @@ namespace {
 
 constexpr double root_half = 0.70710678118654752440;
 
-/// What std::remquo(deg, 90, &quarter) gives, which is exact, sooner: a whole number of quarters has so few digits that neither the product
-/// nor the difference is rounded. At 45 degrees the quarter may be either of the two.
+/// Faster equivalent of std::remquo(deg, 90, &quarter): reduces `deg` to [-45, 45] and sets `quarter` modulo 4. It is exact too: below
+/// `most`, neither the product nor the difference is rounded, because a whole number of quarters has so few digits. At ±45° either
+/// neighbouring quarter may result.
 double beyond_quarters(double deg, int& quarter) {
-  constexpr double most = 1e12, to_whole = 0x1.8p52;  // added and taken away again: rounded to a whole number
+  constexpr double most = 1e12, to_whole = 0x1.8p52;  // adding and subtracting to_whole rounds to a whole number
   if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
   double quarters = (deg / 90 + to_whole) - to_whole;
   double rest = deg - quarters * 90;
-  if (std::fabs(rest) > 45) {  // the quotient was rounded over the middle
+  if (std::fabs(rest) > 45) {  // rounding of the quotient gave the wrong quarter
     const double one = std::copysign(1.0, rest);
     quarters += one;
     rest -= one * 90;
@@ -31,9 +32,9 @@ double beyond_quarters(double deg, int& quarter) {
 
 SinCos sincos_deg(double deg) {
   int quarter = 0;
-  const double rest_deg = beyond_quarters(deg, quarter);  // deg + 90 would round
+  const double rest_deg = beyond_quarters(deg, quarter);  // reduced first, because deg + 90 would round
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;  // either neighbour may be the nearest quarter: both must give the same
+  const bool middle = std::fabs(rest_deg) == 45;  // both possible quarters must give the same result
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

@@ -1,5 +1,5 @@
 #pragma once
-// Small vectors and exact trigonometry in degrees.
+// Small vectors, and trigonometry in degrees that is exact at multiples of 90°.
 
 #include <array>
 #include <cmath>
@@ -8,20 +8,20 @@
 
 namespace kadr {
 
-/// At most this many axes in one channel (NCT 2.0: 16).
+/// Greatest number of axes in one channel (NCT 2.0: 16).
 inline constexpr std::size_t max_axes = 16;
 
-/// A value per axis, in the order of the axis table; mm, or degrees for rotary axes.
+/// One value per axis, in the order of the axis table: mm, degrees for rotary axes.
 using Axes = std::array<double, max_axes>;
 
-/// Is any of them other than 0?
+/// Returns true if any value differs from 0.
 constexpr bool any_nonzero(const Axes& axes) {
   for (const double v : axes)
     if (v != 0) return true;
   return false;
 }
 
-/// A bit per axis.
+/// One bit per axis.
 using AxisMask = std::uint32_t;
 
 struct Vec2 {
@@ -57,14 +57,14 @@ struct SinCos {
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double rad_per_deg = pi / 180.0;
 
-/// Sine and cosine of an angle in degrees; 0 and ±1 exactly at k·90°.
+/// Returns the sine and cosine of an angle in degrees; exactly 0 and ±1 at k·90°.
 ///   law  sincos_deg(a + 90) == {cos a, -sin a}, bit by bit, while a + 90 is exact
 SinCos sincos_deg(double deg);
 
-/// Turned by `deg` counter-clockwise about the origin.
+/// Returns `v` rotated by `deg` counter-clockwise about the origin.
 Vec2 rotated(Vec2 v, double deg);
 
-/// Direction of `v` in degrees, (-180, 180]; exact at multiples of 90°.
+/// Returns the direction of `v` in degrees, in (-180, 180]; exact at multiples of 90°.
 double angle_deg(Vec2 v);
 
 }  // namespace kadr

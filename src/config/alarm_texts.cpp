@@ -1,5 +1,5 @@
-// Alarms in words: controls/alarms.toml in English and Russian, over it the control's own numbers and wording. For cli, config, out;
-// tested by tests/config/alarm_texts_test.cpp.
+// Texts of alarms: controls/alarms.toml in English and Russian, overridden by the control's own numbers and wording. Used by cli, config,
+// out; tested by tests/config/alarm_texts_test.cpp.
 
 #include "config/alarm_texts.h"
 
@@ -17,7 +17,7 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view file_name = "controls/alarms.toml";
 
-/// An argument that is a unit, or a figure with one, in the language of the sentence around it.
+/// Translates an argument that is a unit, or a number with a unit, into the language of the sentence.
 std::string with_unit(std::string_view text, Lang lang) {
   constexpr std::pair<std::string_view, std::string_view> units[] = {
       {"mm/min", "мм/мин"}, {"mm/rev", "мм/об"}, {"1/min", "1/мин"}, {"rev/min", "об/мин"}, {"mm", "мм"}, {"in", "дюйма"}, {"s", "с"}};
@@ -31,14 +31,14 @@ std::string with_unit(std::string_view text, Lang lang) {
   return std::string(text);
 }
 
-/// A shop thinks in micrometres; what is smaller than that is shown as it is.
+/// Formats an argument. A number is shown to 0.001, which suits a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
   if (std::isnan(arg.number())) return lang == Lang::ru ? "«пусто»" : "(vacant)";  // a macro variable without a value
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
 
-/// `pattern` with {0} {1} {2} replaced.
+/// Returns `pattern` with {0} {1} {2} replaced by the arguments.
 std::string filled(const std::string& pattern, const Alarm& alarm, Lang lang) {
   std::string text;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -55,13 +55,13 @@ std::string filled(const std::string& pattern, const Alarm& alarm, Lang lang) {
   return text;
 }
 
-/// In the language asked for, else in the other one.
+/// Returns the text in the requested language, or in the other one if it is missing.
 const std::string& in(const Text& text, Lang lang) {
   const std::string& asked = lang == Lang::ru ? text.ru : text.en;
   return !asked.empty() ? asked : lang == Lang::ru ? text.en : text.ru;
 }
 
-/// Where a key of a row is kept; null: there is no such key. What has no text (args) is not asked for.
+/// Returns the field of the row that stores a key, or nullptr if no field does. `args`, which is not a text, is never looked up.
 std::string* place_of(AlarmText& row, std::string_view key) {
   if (key == "en") return &row.text.en;
   if (key == "ru") return &row.text.ru;

@@ -1,5 +1,5 @@
 #pragma once
-// Alarms in words: controls/alarms.toml in English and Russian, over it the control's own numbers and wording.
+// Texts of alarms: controls/alarms.toml in English and Russian, overridden by the control's own numbers and wording.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -14,28 +14,28 @@ enum class Lang : std::uint8_t { en, ru };
 
 class AlarmTexts {
  public:
-  /// Without texts: ids and arguments only.
+  /// An object without texts, which prints ids and arguments only.
   AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}
 
-  /// The common texts, overlaid by `def.alarms`; without a control the common ones alone.
+  /// Loads the common texts and overrides them by `def.alarms`; with nullptr, loads the common texts only.
   ///   returns  an error sentence if controls/alarms.toml is damaged: unknown id, wrong key
   static tl::expected<AlarmTexts, std::string> load(const ControlDef* def);
 
-  /// Text with its arguments put in for {0} {1} {2}; the id and the arguments where there is no text.
+  /// Returns the text with its arguments inserted for {0} {1} {2}. Without a text, returns the id and the arguments.
   std::string sentence(const Alarm& alarm, Lang lang) const;
 
-  /// What to do about it, arguments put in; may be empty.
+  /// Returns the advice on what to do, arguments inserted; may be empty.
   std::string hint(const Alarm& alarm, Lang lang) const;
 
-  /// The text as it stands in the file, {0} and all.
+  /// Returns the text as the file has it, {0} and all.
   const std::string& pattern(AlarmId id, Lang lang) const;
 
-  /// The hint as it stands in the file.
+  /// Returns the hint as the file has it.
   const std::string& hint_pattern(AlarmId id, Lang lang) const;
 
-  /// The control's own number; empty: it has none.
+  /// Returns the control's own number of this alarm; empty if it has none.
   const std::string& number(AlarmId id) const { return row(id).number; }
-  /// The same of one alarm: a program's own (#3000) has the number the program gave it.
+  /// Like number(AlarmId), for one alarm: an alarm raised by the program itself (#3000) has the number that the program gave.
   std::string number(const Alarm& alarm) const;
 
  private:
@@ -44,7 +44,7 @@ class AlarmTexts {
   std::vector<AlarmText> rows_;  // by AlarmId
 };
 
-/// A number for people: shortest, up to `decimals` places, no -0.
+/// Formats a number for people: as short as possible, with up to `decimals` decimals, never -0.
 std::string number_text(double value, int decimals = 6);
 
 }  // namespace kadr

@@ -1,5 +1,6 @@
 #pragma once
-// Contours: drawings ↔ edges. DXF, SVG, or the small text format of docs/commands/mill.md. What the edges enclose: path/area/loops.
+// Reads contours from drawings as lists of edges: DXF, SVG, or the small text format of docs/commands/mill.md. path/area/loops finds out
+// what the edges enclose.
 
 #include <cstdint>
 #include <string>
@@ -16,15 +17,15 @@ namespace kadr {
 struct Edge {
   Vec2 from;
   Vec2 to;
-  double bulge = 0;        // tangent of a quarter of the swept angle, counter-clockwise positive; 0: a line; at most 1: half a circle
-  bool open = false;       // a side without a wall: the tool may run over it
-  std::uint32_t line = 0;  // of the file; 0: not of a file
+  double bulge = 0;        // tangent of a quarter of the swept angle, counter-clockwise positive; 0: line; at most 1: semicircle
+  bool open = false;       // the edge has no wall: the tool may cross it
+  std::uint32_t line = 0;  // line in the file; 0: not from a file
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 struct ContourFault {
   Alarm alarm;
-  std::uint32_t line = 0;  // of the file, from 1; 0: of the whole
+  std::uint32_t line = 0;  // line in the file, from 1; 0: the fault concerns the whole file
 };
 
 using Edges = std::vector<Edge>;
@@ -35,35 +36,35 @@ inline tl::unexpected<ContourFault> contour_fault(std::uint32_t line, const Alar
 }
 
 namespace limits {
-inline constexpr std::size_t contour_bytes = 16u << 20;  // of a file
-inline constexpr std::size_t contour_edges = 20'000;     // the geometry after takes time with each
+inline constexpr std::size_t contour_bytes = 16u << 20;  // size of a file
+inline constexpr std::size_t contour_edges = 20'000;     // each edge costs time in the later geometry
 inline constexpr double contour_reach = 100'000;         // mm from the origin; no milling machine is larger
 }  // namespace limits
 
-/// The edges of a drawing in the order of the file; arcs in pieces of at most half a circle.
-///   text     DXF if its first pair is one, SVG if it begins with '<', else the text format
-///   alarms   contour_syntax, contour_unit, contour_empty, contour_too_large, value_out_of_range
+/// Reads the edges of a drawing in the order of the file. Arcs are split into pieces of at most a semicircle.
+///   text     DXF if it starts with a DXF pair, SVG if it starts with '<', else the text format
+///   alarms   contour_syntax, contour_word_missing, contour_unit, contour_radius, contour_reach, contour_empty, contour_too_large
 ContourResult read_contour(std::string_view text);
 
 ContourResult read_contour_dxf(std::string_view text);
 ContourResult read_contour_svg(std::string_view text);
 ContourResult read_contour_text(std::string_view text);
 
-/// What the readers build edges with; holds the limits.
+/// Collects the edges for the readers and checks the limits.
 class EdgeList {
  public:
   void line(Vec2 from, Vec2 to);
-  /// The arc with a bulge of any size (DXF).
+  /// Adds an arc with a bulge of any size (DXF).
   void bulged(Vec2 from, Vec2 to, double bulge);
-  /// Arc around `centre`, from angle to angle in degrees, counter-clockwise if `to` is the greater.
+  /// Adds an arc around `centre` between two angles in degrees; counter-clockwise if `to_deg` is greater.
   void arc(Vec2 centre, double radius, double from_deg, double to_deg);
-  /// The same with its ends as they stand in the file, that neighbours meet exactly.
+  /// Adds an arc with exactly these end points, so that neighbouring edges meet exactly.
   void arc_between(Vec2 from, Vec2 to, Vec2 centre, bool ccw);
   void at(std::uint32_t line) { line_ = line; }
   void open(bool is) { open_ = is; }
-  /// No more edges are taken: there are too many, or one is wrong.
+  /// Returns true if no more edges are accepted: there are too many, or one was invalid.
   bool full() const { return failed_; }
-  /// The edges, or what keeps them from being a contour.
+  /// Returns the edges, or the reason why they are no contour.
   ContourResult take();
 
  private:

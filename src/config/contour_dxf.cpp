@@ -1,5 +1,5 @@
-// DXF (ASCII): LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE with bulges, of the ENTITIES section; $INSUNITS says the unit.
-// An entity whose layer's name begins with "open" is a side without a wall. Other entities (texts, dimensions) are no contour.
+// Reads DXF (ASCII): LINE, ARC, CIRCLE, LWPOLYLINE, and POLYLINE with bulges, from the ENTITIES section. $INSUNITS gives the unit. An
+// entity on a layer whose name begins with "open" is an edge without a wall. Other entities (texts, dimensions) are ignored.
 
 #include <fast_float/fast_float.h>
 
@@ -17,7 +17,7 @@ namespace {
 struct Pair {
   int code = -1;
   std::string_view value;
-  std::uint32_t line = 0;  // of the value
+  std::uint32_t line = 0;  // line of the value
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -25,11 +25,11 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
-/// mm of a unit of $INSUNITS; 0: a unit no drawing of a part is made in.
+/// Returns the mm of a unit of $INSUNITS; 0 for a unit in which nobody draws a part.
 double unit_of(int insunits) {
   switch (insunits) {
     case 0:
-    case 4: return 1;  // not stated: mm
+    case 4: return 1;  // 0: not stated, mm is assumed
     case 1: return mm_per_inch;
     case 2: return 12 * mm_per_inch;
     case 5: return 10;
@@ -43,17 +43,17 @@ bool names_open(std::string_view layer) {
   return layer.size() >= 4 && (layer[0] | 32) == 'o' && (layer[1] | 32) == 'p' && (layer[2] | 32) == 'e' && (layer[3] | 32) == 'n';
 }
 
-/// One entity while its pairs come in.
+/// An entity whose pairs are being read.
 struct Entity {
   std::string_view type;
   std::uint32_t line = 0;
   bool open = false;
-  std::map<int, double> value;  // of codes that stand once
+  std::map<int, double> value;  // values of the codes that occur once
   struct Vertex {
     Vec2 at;
     double bulge = 0;
   };
-  std::vector<Vertex> vertices;  // of a LWPOLYLINE
+  std::vector<Vertex> vertices;  // only for LWPOLYLINE
   bool closed() const { return std::fmod(of(70), 2) == 1; }
   double of(int code) const {
     const auto found = value.find(code);
@@ -108,7 +108,7 @@ class DxfReader {
     return value;
   }
 
-  /// Code 0: what came before is whole.
+  /// Code 0 ends the previous entity and starts the next one.
   std::optional<Alarm> begin() {
     if (entity_.type != "SECTION") finish();
     if (pair_.value == "EOF") ended_ = true;
@@ -159,7 +159,7 @@ class DxfReader {
     if (!in_entities_ || entity_.type.empty()) return;
     edges_.at(entity_.line);
     edges_.open(entity_.open);
-    const bool mirrored = entity_.of(230) < 0;  // extrusion towards −Z: X is mirrored
+    const bool mirrored = entity_.of(230) < 0;  // extrusion towards −Z mirrors X
     if (entity_.type == "LINE")
       edges_.line({unit_ * entity_.of(10), unit_ * entity_.of(20)}, {unit_ * entity_.of(11), unit_ * entity_.of(21)});
     else if (entity_.type == "CIRCLE") edges_.arc(point(10, 20), unit_ * entity_.of(40), 0, 360);
@@ -196,7 +196,7 @@ class DxfReader {
       edges_.bulged(at(i), at((i + 1) % count), mirrored ? -vertices[i].bulge : vertices[i].bulge);
   }
 
-  static constexpr double most_angle = 36'000;  // degrees: a hundred turns are no drawing
+  static constexpr double most_angle = 36'000;  // degrees: no drawing has an arc angle beyond a hundred revolutions
 
   std::string_view rest_;
   std::uint32_t line_ = 0;

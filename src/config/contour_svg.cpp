@@ -1,6 +1,6 @@
-// SVG: path, rect, circle, ellipse, line, polygon, polyline with their transforms. Y is turned upwards: the lower left corner of the
-// page is the origin. width with a unit and viewBox give the scale; without a unit one user unit is 1 mm (ours).
-// An element, or a group, of class "open" or with an id that begins so is a side without a wall.
+// Reads SVG: path, rect, circle, ellipse, line, polygon, polyline with their transforms. Y is flipped to point upwards, and the origin is
+// the lower left corner of the page. A width with a unit, together with viewBox, gives the scale; without a unit, Kadr takes one user
+// unit as 1 mm. An element or group of class "open", or with an id that begins with "open", has no wall.
 
 #include <algorithm>
 #include <cstring>
@@ -15,9 +15,9 @@ namespace {
 
 using svg::Matrix;
 
-constexpr int deepest_group = 100;  // groups in groups
+constexpr int deepest_group = 100;  // nesting depth of groups
 
-/// A length and its unit in mm; `unit`: 0 where none stands.
+/// A length and the mm of its unit; `unit` is 0 if there is no unit.
 struct Length {
   double value = 0;
   double unit = 0;
@@ -39,7 +39,7 @@ std::optional<Length> length_of(const char* text) {
   return std::nullopt;
 }
 
-/// One function of a transform list.
+/// Returns the matrix of one function of a transform list.
 std::optional<Matrix> function_matrix(std::string_view name, const std::vector<double>& n) {
   const auto turned = [](double deg) {
     const SinCos t = sincos_deg(deg);
@@ -102,7 +102,7 @@ class SvgReader {
     const auto end = text_.begin() + std::min(offset, static_cast<std::ptrdiff_t>(text_.size()));
     return static_cast<std::uint32_t>(1 + std::count(text_.begin(), end, '\n'));
   }
-  /// Nodes come in the order of the text: each line end is counted once.
+  /// Returns the line of a node. Nodes come in the order of the text, so each line end is counted once only.
   std::uint32_t line_of(const pugi::xml_node& node) {
     const std::ptrdiff_t offset = std::max(node.offset_debug(), counted_);
     line_ += static_cast<std::uint32_t>(std::count(text_.begin() + counted_, text_.begin() + offset, '\n'));
@@ -113,7 +113,7 @@ class SvgReader {
     return ContourFault{alarm(AlarmId::contour_syntax, {}, text), line_of(node)};
   }
 
-  /// The page: user units → mm, Y upwards.
+  /// Sets the transformation of the page: user units to mm, Y upwards.
   bool set_page(const pugi::xml_node& root) {
     std::vector<double> box;
     if (root.attribute("viewBox") && (!svg::read_numbers(root.attribute("viewBox").value(), box) || box.size() != 4)) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// What the SVG reader draws with: user units of an element → edges in mm.
+// The pen that the SVG reader draws with: converts shapes in user units to edges in mm.
 
 #include <functional>
 
@@ -7,7 +7,7 @@
 
 namespace kadr::svg {
 
-/// x' = a·x + c·y + e, y' = b·x + d·y + f, as SVG writes it.
+/// x' = a·x + c·y + e, y' = b·x + d·y + f, in SVG's order of the coefficients.
 struct Matrix {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
@@ -17,7 +17,8 @@ struct Matrix {
   }
 };
 
-/// An ellipse, its axis turned by `turn` degrees, from angle `from` over `sweep` (degrees of its parameter, positive towards +Y).
+/// An elliptical arc. Its axis is turned by `turn` degrees; it starts at the angle `from` and covers `sweep` (degrees of the ellipse's
+/// parameter, positive towards +Y).
 struct EllipseArc {
   Vec2 centre;
   double rx = 0, ry = 0, turn = 0, from = 0, sweep = 360;
@@ -28,9 +29,9 @@ class Pen {
   Pen(EdgeList& edges, const Matrix& to_mm) : edges_(edges), to_mm_(to_mm) {}
 
   void line(Vec2 from, Vec2 to) { edges_.line(to_mm_(from), to_mm_(to)); }
-  /// Any curve over 0..1, as arcs and lines within tol::contour_curve.
+  /// Draws any curve over 0..1 as arcs and lines, within tol::contour_curve.
   void curve(const std::function<Vec2(double)>& at);
-  /// A circle stays one where the matrix keeps it round.
+  /// Draws an ellipse. A circle stays an exact circle if the matrix keeps it round.
   void ellipse(const EllipseArc& arc);
   bool full() const { return edges_.full(); }
 
@@ -41,12 +42,12 @@ class Pen {
   Matrix to_mm_;
 };
 
-/// The `d` of a path.
-///   returns  the place in `d` that is not understood, or npos
+/// Draws the attribute `d` of a path.
+///   returns  the position in `d` that cannot be read, or npos
 std::size_t draw_path(std::string_view d, Pen& pen);
 
-/// Numbers of a list, separated by blanks or a comma.
-///   returns  false: something else stands there
+/// Reads a list of numbers, separated by blanks or commas.
+///   returns  false if the text contains anything else
 bool read_numbers(std::string_view text, std::vector<double>& numbers);
 
 }  // namespace kadr::svg

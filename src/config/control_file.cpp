@@ -1,4 +1,5 @@
-// controls/*.toml → ControlDef: the file with what it extends laid under it. For cli; tested by tests/config/control_file_test.cpp.
+// Loads controls/*.toml as ControlDef: merges a file with the control that it extends. Used by cli; tested by
+// tests/config/control_file_test.cpp.
 
 #include "config/control_file.h"
 
@@ -23,7 +24,7 @@ namespace {
 
 using Table = tl::expected<toml::table, std::string>;
 
-/// A built-in file as its table, which is read fast, or as its text, whose nodes know their lines.
+/// Source of a built-in file: the packed table, which is fast to read, or the text, whose nodes have line numbers.
 enum class From : std::uint8_t { table, text };
 
 std::optional<Table> built_in(const std::string& file, From from) {
@@ -32,7 +33,8 @@ std::optional<Table> built_in(const std::string& file, From from) {
   return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
 }
 
-/// Operations where neither a file nor what it extends has rows for them: those of mach3, RS274/NGC; with macros those of nct.
+/// Adds the section [expressions] if neither the file nor its base has one: the rows of nct for a control with macros, else those of
+/// mach3, which are RS274/NGC.
 void lay_operations(toml::table& under, const toml::table& over) {
   const auto is_on = [&](std::string_view key) {
     return over["grammar"][key].value<bool>().value_or(under["grammar"][key].value_or(false));
@@ -42,7 +44,7 @@ void lay_operations(toml::table& under, const toml::table& over) {
   if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
 }
 
-/// Whatever kind of node they are.
+/// Compares two nodes of any type.
 bool are_equal(const toml::node& a, const toml::node& b) {
   if (a.type() != b.type()) return false;
   switch (a.type()) {
@@ -56,7 +58,7 @@ bool are_equal(const toml::node& a, const toml::node& b) {
   }
 }
 
-/// Every key of the row stands below with the same value.
+/// Returns true if `below` has every key of the row with the same value.
 bool is_part_of(const toml::table& row, const toml::table& below) {
   return !row.empty() && std::all_of(row.begin(), row.end(), [&](const auto& entry) {
     const toml::node* const same = below.get(entry.first.str());
@@ -64,7 +66,7 @@ bool is_part_of(const toml::table& row, const toml::table& below) {
   });
 }
 
-/// Rows of the control below that this one does not have: it says `false` in their place.
+/// Removes the rows of the base control that this control replaces by `false`.
 void take_away(toml::table& merged_table) {
   for (const std::string_view section : {"g", "m", "address", "cycle", "groups", "alarms"}) {
     toml::table* const rows = merged_table[section].as_table();
@@ -76,7 +78,7 @@ void take_away(toml::table& merged_table) {
   }
 }
 
-/// A row of the file, or a key of a section without rows, that says what the control below says already: where.
+/// Finds a row, or a key of a section without rows, that only repeats what the base control says. Returns a message with its location.
 std::optional<std::string> said_again(const toml::table& under, const toml::table& over, const std::string& file) {
   constexpr std::string_view with_rows[] = {"g", "m", "address", "groups", "cycle", "alarms"};
   constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes", "convert"};
@@ -99,7 +101,7 @@ std::optional<std::string> said_again(const toml::table& under, const toml::tabl
   return std::nullopt;
 }
 
-/// The variables of the control below stay, but for those whose symbol a row of the file has, too: that row takes their place.
+/// Keeps the variables of the base control, except those whose symbol also occurs in a row of the file: that row replaces them.
 void lay_variables(const toml::table& under, toml::table& over) {
   const toml::array* const below = under["variables"].as_array();
   toml::array* const own = over["variables"].as_array();
@@ -117,7 +119,7 @@ void lay_variables(const toml::table& under, toml::table& over) {
 
 bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
 
-/// Sections of the manual of another control are none of the one that extends it.
+/// Clears all `manual` keys: they refer to the manual of the base control, and a control with another manual must not inherit them.
 void forget_sections(toml::table& table) {
   for (auto&& [key, value] : table) {
     if (key == "manual" && value.is_string()) *value.as_string() = "";
@@ -128,15 +130,15 @@ void forget_sections(toml::table& table) {
   }
 }
 
-/// What is met on the way down.
+/// What merged() has met on its way down the bases.
 struct Below {
-  std::vector<std::string>& lineage;  // the ids
-  std::set<FileId> files;             // their own files: one that comes again extends itself
+  std::vector<std::string>& lineage;  // ids of the bases
+  std::set<FileId> files;             // the user's own files; a file that occurs twice extends itself
 };
 
-/// The table of a file with what it extends laid under it.
+/// Returns the table of a file, merged over the tables of what it extends.
 Table merged(Table table, const std::string& file, From from, Below& below, const FileDoor* door) {
-  constexpr std::size_t deepest = 16;  // controls below each other
+  constexpr std::size_t deepest = 16;  // greatest number of controls that extend one another
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
@@ -162,14 +164,14 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
-  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
+  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they identify the base, not this control
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
-    under->erase("alarms");  // its numbers and texts are its own
+    under->erase("alarms");  // `alone`: the control does not inherit numbers and texts of alarms
     alarms->erase("alone");
   }
   toml_tools::merge(*under, std::move(*table));
@@ -177,10 +179,10 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   return under;
 }
 
-/// The texts of alarms, the languages that Kadr does not read and the tables of parameters are no controls of their own.
+/// Returns false for files of controls/ that are not controls: texts of alarms, languages that Kadr does not read, parameter tables.
 bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
-/// The id itself, or the one that the alias stands for.
+/// Returns the id itself, or the id that the alias stands for.
 std::string id_meant_by(const std::string& name) {
   if (toml_tools::embedded_text("controls/" + name + ".toml")) return name;
   const auto& aliases = control_aliases();
@@ -192,7 +194,7 @@ std::string id_meant_by(const std::string& name) {
 
 std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
   const std::vector<std::int16_t>& rows = letter == 'G' ? g_rows : m_rows;
-  const auto at = static_cast<std::size_t>(tenth);  // negative: beyond every row
+  const auto at = static_cast<std::size_t>(tenth);  // a negative tenth becomes an index beyond every row
   if (at < rows.size() && rows[at] >= 0) return rows[at];
   if (letter == 'M' && m_user_row >= 0 && tenth >= m_user_from && tenth <= m_user_to && tenth % 10 == 0) return m_user_row;
   return -1;
@@ -240,7 +242,7 @@ std::vector<std::string> built_in_controls() {
   std::vector<std::string> ids;
   for (const EmbeddedFile& file : embedded_files()) {
     std::string_view name = file.name;
-    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // macros stand beside them
+    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // macros are in the same list
     name.remove_prefix(9);
     name.remove_suffix(5);
     if (is_control(name)) ids.emplace_back(name);

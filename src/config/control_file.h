@@ -1,5 +1,5 @@
 #pragma once
-// controls/*.toml → ControlDef. A user's own file may extend a built-in one: `extends = "gost"` and the differences.
+// Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"` and the differences.
 
 #include <string>
 #include <string_view>
@@ -12,21 +12,21 @@
 
 namespace kadr {
 
-/// The control with that id or alias, in small letters or capitals, or in that file if `name` ends with .toml.
-///   door     opens such files, and what they extend
-///   returns  an error sentence with file and line: unknown key, function, group, word; a code twice; …
+/// Returns the built-in control with this id or alias, in upper or lower case; if `name` ends with .toml, the control in that file.
+///   door     opens these files, and the files that they extend
+///   returns  on failure, an error sentence with file and line: unknown key, function, group, word; a code twice; …
 tl::expected<ControlDef, std::string> load_control(const std::string& name, const FileDoor* door = nullptr);
 
-/// The same from TOML text; `file` names it in messages.
+/// Like load_control(), from TOML text; `file` is the name used in messages.
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);
 
-/// Ids of the built-in controls.
+/// Returns the ids of the built-in controls.
 std::vector<std::string> built_in_controls();
 
-/// The other names of the built-in controls, in order, and the ids that they mean: "haas-vf" → "haas".
+/// Returns the aliases of the built-in controls, sorted, each with its id: "haas-vf" → "haas".
 const std::vector<std::pair<std::string, std::string>>& control_aliases();
 
-/// Ids and aliases: all that may stand behind --control.
+/// Returns ids and aliases: every name that --control accepts.
 std::vector<std::string> control_names();
 
 }  // namespace kadr

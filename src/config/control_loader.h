@@ -1,5 +1,6 @@
 #pragma once
-// One control file (merged with what it extends) → ControlDef; a method a section. Only control_file.cpp uses it.
+// ControlLoader: converts a control file (already merged with what it extends) to a ControlDef; one method per section. Only
+// control_file.cpp uses it.
 
 #include <initializer_list>
 #include <map>
@@ -17,7 +18,7 @@ namespace kadr {
 using Failed = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 
-/// Leaves the function with the error sentence of `expression`, if it has one.
+/// Returns from the enclosing function with the error sentence of `expression`, if it has one.
 #define KADR_LOAD(expression)                                            \
   do {                                                                   \
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
@@ -34,21 +35,21 @@ class ControlLoader {
   Done sections();
   Done names();
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
-  /// A key that is not among `known`, with the nearest of them.
+  /// Returns the error for a key that is not in `known`, with the nearest known key.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
                                           loader_texts::Sentence what = "unknown key '{}'") const;
-  /// A table of the file; where the key holds anything else, load() fails.
+  /// Returns a table of the file. If the key holds anything else, load() fails.
   const toml::table* section(std::string_view key);
-  /// A list of a row; where the key holds anything else, load() fails.
+  /// Returns a list of a row. If the key holds anything else, load() fails.
   const toml::array* list(const toml::table& row, std::string_view key);
-  /// Text of a key; where it is none, load() fails.
+  /// Returns the text of a key. If the key holds anything else, load() fails.
   std::string text(const toml::table& row, std::string_view key);
-  /// Fails where the user's own file has that key: in a base it may have an effect there.
+  /// Fails if the user's own file has this key. A key inherited from a base is accepted, because it may have an effect there.
   Done no_effect(const toml::table& row, std::string_view key, const std::string& why) const;
   bool is_own(const toml::node& node) const;
-  /// Whole number of a key, 0 to `most`; where it is none, load() fails.
+  /// Returns the whole number of a key, 0 to `most`. If the key holds anything else, load() fails.
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
-  /// Value of a key that must have its type; where it has not, load() fails.
+  /// Returns the value of a key that must have type T. If it has another type, load() fails.
   template <class T>
   T typed(const toml::table& row, std::string_view key, T otherwise) {
     const toml::node* const node = row.get(key);
@@ -57,7 +58,7 @@ class ControlLoader {
     if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + loader_texts::say("{} must be true or false", key);
     return otherwise;
   }
-  /// Number of a key within its range; where it is none, load() fails.
+  /// Reads the number of a key, which must be within the range. If it is not, load() fails.
   void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
   Done dialect();
   Done grammar();
@@ -76,10 +77,10 @@ class ControlLoader {
   Done axes();
   int axis_named(const std::string& name) const;
   Done order();
-  /// `phase` of the row, or the function's own; it must stand in the control's order.
+  /// Returns `phase` of the row, or the function's own phase. The phase must be listed in the control's order.
   tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function);
-  // ---- what the engine can do (control_loader_functions.cpp)
-  /// `does` of a row that stands for `name_of_row`, if the engine can do it on this control.
+  // ---- the functions of the engine (control_loader_functions.cpp)
+  /// Returns the function in `does` of a row, if the engine can execute it on this control. `name_of_row` is used in messages.
   tl::expected<Function, std::string> function_of(const toml::table& row, CalledBy by, const std::string& name_of_row);
   std::string nearest_function(std::string_view name, CalledBy by) const;
   bool has(Needs needs) const;
@@ -101,14 +102,14 @@ class ControlLoader {
   Done word_format(char letter, const toml::table& row, const AddressRow& a);
   Done groups();
   int group_named(std::string_view name) const;
-  /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
+  /// Converts "XYZ" to a mask. Every letter must be an address of this control; that is checked after all sections are read.
   std::uint64_t letters(const std::string& text) const;
-  /// The same of a key; where it holds another character, load() fails.
+  /// Does the same for the text of a key. If the text contains other characters than letters and `beside`, load() fails.
   std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
-  /// "other": the numbers that have no row of their own go to the machine.
+  /// Reads "other": M codes without a row of their own go to the machine.
   Done other_codes(const toml::table& row, char letter);
   std::uint16_t cycle_named(std::string_view name) const;
   Done cycles();
@@ -116,7 +117,7 @@ class ControlLoader {
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
-  /// "parameters": the name of another file of controls/.
+  /// Reads "parameters": the name of another file of controls/.
   Done parameters();
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
@@ -132,7 +133,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
-  std::string bad_value_;  // the first number that whole() refused
+  std::string bad_value_;  // the first error of whole(), text(), section() …
 };
 
 }  // namespace kadr

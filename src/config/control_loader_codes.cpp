@@ -1,4 +1,4 @@
-// Sections of a control file that hold its codes: groups, G, M, cycles, variables, parameters, alarms.
+// Reads the sections of a control file about codes: groups, G, M, cycles, variables, parameters, alarms.
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,8 @@ int ControlLoader::group_named(std::string_view name) const {
   return -1;
 }
 
-/// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-/// c, r, a are the words ,C ,R ,A; no letter: `*` (takes_all_axes).
+/// Converts "XYZ" to a mask. Every letter must be an address of this control; that is checked after all sections are read. c, r, a mean
+/// the words ,C ,R ,A; `*` (takes_all_axes) is no letter.
 std::uint64_t ControlLoader::letters(const std::string& text) const {
   std::uint64_t bits = 0;
   for (const char c : text) {
@@ -158,7 +158,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   return {};
 }
 
-/// "other": the numbers that have no row of their own go to the machine.
+/// Reads "other": M codes without a row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
   if (letter != 'M') return Failed(place(name_, row) + say("only M codes may have 'other'"));
   constexpr std::uint32_t most_code = 99'999'999;
@@ -224,7 +224,7 @@ Done ControlLoader::cycles() {
   return {};
 }
 
-/// `{ X = "R01" }`: the word X of the call sets the formal parameter R01 (spec/correctors 3).
+/// Reads `{ X = "R01" }`: the word X of the call sets the formal parameter R01 (spec/correctors 3).
 Done ControlLoader::cycle_parameters(const toml::table& to, CycleRow& cycle) const {
   const std::string& letters = def_.grammar.long_parameters;
   for (const auto& [word, node] : to) {
@@ -293,7 +293,8 @@ Done ControlLoader::alarms() {
   return {};
 }
 
-/// "12" = 400: what a coded feed or speed means; `progression = true`: the standard's geometric progression, then what the table names.
+/// Reads the values of a coded feed or speed, such as "12" = 400. With `progression = true`, starts from the standard's geometric
+/// progression, which the table's own rows override.
 Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) {
   constexpr std::size_t most_digits = 8;
   const toml::table* const t = section(key);
@@ -309,8 +310,8 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
   return {};
 }
 
-/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 is the stop, code n the
-/// 20th root of ten to the n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, is the machine's: its file may name it.
+/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 is the stop, code n the 20th
+/// root of ten to the n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, depends on the machine: its file may give it.
 std::map<std::int32_t, double> ControlLoader::coded_progression() {
   constexpr double r20[] = {1.00, 1.12, 1.25, 1.40, 1.60, 1.80, 2.00, 2.24, 2.50, 2.80,
                             3.15, 3.55, 4.00, 4.50, 5.00, 5.60, 6.30, 7.10, 8.00, 9.00};

@@ -1,4 +1,5 @@
-// encoding of a control file, and [convert]: which of its M functions are which of other controls' (config/machine_codes).
+// Reads `encoding` of a control file, and [convert]: which of its M functions correspond to which ones of other controls
+// (config/machine_codes).
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ using toml_tools::place;
 
 namespace {
 
-/// "M27" → 27; nothing: it is no M code.
+/// Converts "M27" to 27; returns nullopt if the text is no M code.
 std::optional<std::uint32_t> m_code(std::string_view text) {
   constexpr std::size_t most_digits = 8;
   if (text.size() < 2 || text.size() > most_digits + 1 || text[0] != 'M' ||
@@ -25,7 +26,7 @@ std::optional<std::uint32_t> m_code(std::string_view text) {
 
 }  // namespace
 
-/// What programs are written in that are made for it.
+/// Reads the encoding of programs that are written for the control.
 Done ControlLoader::encoding() {
   const toml::node* const node = file_.get("encoding");
   if (node == nullptr) return {};
@@ -35,7 +36,7 @@ Done ControlLoader::encoding() {
   return {};
 }
 
-/// M27 = "M8", or M27 = { fanuc = "M51", "*" = "M8" }.
+/// Reads M27 = "M8", or M27 = { fanuc = "M51", "*" = "M8" }.
 Done ControlLoader::machine_codes() {
   const toml::table* const t = section("convert");
   if (t == nullptr) return {};

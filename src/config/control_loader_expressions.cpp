@@ -1,5 +1,5 @@
-// The section [expressions] of a control file: operators, functions and relations as rows. For control_loader_words; docs/own-control.md,
-// tests/config/expression_rows_test.cpp.
+// Reads the section [expressions] of a control file: operators, functions and relations as rows (docs/own-control.md). Used by
+// control_loader_words; tested by tests/config/expression_rows_test.cpp.
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ using toml_tools::place;
 
 namespace {
 
-constexpr std::string_view signs = "*/+-^<>=!&|~";  // none of them begins an operand, closes a bracket or ends a block
+constexpr std::string_view signs = "*/+-^<>=!&|~";  // no operand begins with one of them, no bracket or block ends with one
 constexpr std::size_t longest_text = 16;
 constexpr std::uint32_t most_binding = 9;
 
@@ -21,7 +21,7 @@ bool is_of_letters(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// Letters, which must be a name, or signs.
+/// Returns true for a text of letters, or (if `only_letters` is false) of signs.
 bool can_be_written(std::string_view text, bool only_letters) {
   if (text.empty() || text.size() > longest_text) return false;
   return is_of_letters(text) || (!only_letters && text.find_first_not_of(signs) == std::string_view::npos);

@@ -1,6 +1,6 @@
-// What a row of [address], [g] or [m] may ask of the engine: its function, what that needs of the control, its `arg`. A row that the
-// engine could not carry out is refused here, by name, before a program runs. Tested by tests/config/control_rules_test.cpp,
-// tests/own_control.py and fuzz/own_control_fuzz.cpp.
+// Checks the rows of [address], [g] and [m]: their function, what the function needs of the control, their `arg`. A row that the engine
+// could not execute is rejected here, by name, before a program runs. Tested by tests/config/control_rules_test.cpp, tests/own_control.py
+// and fuzz/own_control_fuzz.cpp.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Numbers that a function's `arg` may be; one without a row has none.
+/// The permitted range of a function's `arg`. A function without a row here has no `arg`.
 struct ArgRow {
   Function function;
   int least, most;
@@ -82,7 +82,7 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
-/// Modes that no word belongs to: whoever has one take a word would only hide it.
+/// Modes that use no words. A word in their `takes` would only hide that the word has no effect in a program.
 constexpr Function wordless[] = {
     Function::plane_xy,
     Function::plane_zx,
@@ -114,7 +114,7 @@ constexpr Function wordless[] = {
     Function::tool_length_off,
 };
 
-/// Addresses whose letter the engine looks for; G and M alone are codes.
+/// Addresses whose letter is fixed in the engine. G and M are the only letters of codes.
 struct LetterRow {
   Function function;
   std::string_view letters;
@@ -128,7 +128,7 @@ constexpr LetterRow letters_of[] = {
     {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"}, {Function::speed_of_spindle, "S"},
 };
 
-/// The words that these look for in their block, by these letters and no others.
+/// Returns true for functions that search their block for words with exactly these letters.
 bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
 
 constexpr std::int32_t drilling_tenths[] = {73_g, 74_g, 76_g, 81_g, 82_g, 83_g, 84_g, 84.2_g, 84.3_g, 85_g, 86_g, 87_g, 88_g, 89_g};
@@ -189,7 +189,7 @@ std::string ControlLoader::nearest_function(std::string_view name, CalledBy by) 
   return std::string(toml_tools::nearest(name, names));
 }
 
-/// Letter, axis, unit and limits of an address.
+/// Checks letter, axis, unit and limits of an address.
 Done ControlLoader::check_address(char letter, const toml::table& row, const AddressRow& a) const {
   const std::string who = address_written(letter) + ": ";
   for (const LetterRow& fixed : letters_of)
@@ -227,7 +227,7 @@ Done ControlLoader::check_address(char letter, const toml::table& row, const Add
   return {};
 }
 
-/// `arg`, and what a row of [g], [m] asks of its words.
+/// Checks `arg`, and the words that a row of [g], [m] needs.
 Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
   const std::string who = c.code + ": ";
   const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };

@@ -1,4 +1,4 @@
-// What a control file says of the control's names: `aliases` and [guess]. Tested by tests/config/control_rules_test.cpp.
+// Reads the names of a control from its file: `aliases` and [guess]. Tested by tests/config/control_rules_test.cpp.
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Names that mean a built-in control, and which.
+/// Returns all names that mean a built-in control, each with the control's id.
 std::vector<std::pair<std::string, std::string>> taken_names() {
   std::vector<std::pair<std::string, std::string>> names = control_aliases();
   for (const std::string& id : built_in_controls()) names.emplace_back(id, id);
@@ -23,7 +23,7 @@ std::vector<std::pair<std::string, std::string>> taken_names() {
 
 }  // namespace
 
-/// How the control is named and known by: `aliases`, and what of a text speaks for it.
+/// Reads `aliases`, and [guess]: the marks by which a text is recognised.
 Done ControlLoader::names() {
   const auto is_name = [](const std::string& word) {
     return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-.") == std::string::npos &&
@@ -36,7 +36,7 @@ Done ControlLoader::names() {
       if (!is_name(*alias)) return Failed(place(name_, node) + say("aliases: '{}' is not a name: small letters, digits, - and .", *alias));
       if (std::find(def_.aliases.begin(), def_.aliases.end(), *alias) != def_.aliases.end())
         return Failed(place(name_, node) + say("aliases: '{}' stands twice", *alias));
-      if (node.source().path)  // of a built-in file that is read fast tests/controls_table.py has asked this
+      if (node.source().path)  // for a packed built-in file, tests/controls_table.py has checked this
         for (const auto& [other, id] : taken_names())
           if (other == *alias && id != def_.id)
             return Failed(place(name_, node) + say("aliases: '{}' is the name of another control: {}", *alias, id));

@@ -1,5 +1,5 @@
-// Settings of a control file that need or exclude each other. What the engine cannot do is refused whoever wrote it; a key that has no
-// effect beside the others is refused where the user's own file has it. Tested as control_loader_functions.cpp.
+// Checks settings of a control file that need or exclude each other. A setting that the engine cannot execute is always rejected; a key
+// without effect next to the others is rejected only in the user's own file. Tested by the same tests as control_loader_functions.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using toml_tools::place;
 
 namespace {
 
-/// A setting of [grammar] that only the machine of the NCT carries out.
+/// Settings of [grammar] that only the machine of the NCT supports.
 constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"file_names", &Grammar::file_names},
 };
 
-/// A key of [behaviour] and the functions that look at it: without one of them it has no effect.
+/// A key of [behaviour] and the functions that read it: without any of these functions the key has no effect.
 struct LooksAt {
   std::string_view key;
   std::vector<Function> functions;
@@ -46,18 +46,18 @@ const std::vector<LooksAt>& behaviour_of_functions() {
   return rows;
 }
 
-/// Keys of [behaviour] that the machine of the NCT does not look at: its parameters say such things.
+/// Keys of [behaviour] that the machine of the NCT ignores: its parameters replace them.
 constexpr std::string_view not_of_nct[] = {
     "arc_centers",        "reference_feed",        "return_chip_break",  "return_near",        "probe_least_distance",
     "tool_and_corrector", "speed_needs_direction", "compensation_entry", "delayed_assignment", "fixtures"};
 
-/// Keys of [behaviour] that only the machine of the NCT looks at.
+/// Keys of [behaviour] that only the machine of the NCT reads.
 constexpr std::string_view only_of_nct[] = {
     "later_word_counts",   "dwell_unit",         "repeats_in_program_number", "cycle_words", "machine_move_absolute",
     "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
     "repeats_keep_locals", "further_systems",    "m_codes_of_block"};
 
-/// Functions that work in a plane, or along the axis across it.
+/// Functions that work in a plane, or along the axis perpendicular to it.
 constexpr Function plane_functions[] = {
     Function::arc_cw,     Function::arc_ccw,     Function::cycle,        Function::circular_pocket,  Function::plane_xy,
     Function::plane_zx,   Function::plane_yz,    Function::polar_on,     Function::rotation_on,      Function::pole_rapid,
@@ -65,7 +65,7 @@ constexpr Function plane_functions[] = {
     Function::call_word,  Function::probe,
 };
 
-/// A function and the system variables that it works with.
+/// A function and the kind of system variables that it works with.
 struct Stores {
   Function function;
   int arg;  // -1: any
@@ -80,23 +80,23 @@ constexpr Stores stores[] = {
     {Function::set_position_restore, -1, VariableKind::set_position, "set_position"},
 };
 
-constexpr std::uint32_t stored_axes = 6;  // coordinates of a point in the system variables
+constexpr std::uint32_t stored_axes = 6;  // number of coordinates of a point in the system variables
 
 }  // namespace
 
-/// Some row calls one of them.
+/// Returns true if some row calls one of these functions.
 bool ControlLoader::does(std::initializer_list<Function> functions) const {
   const auto one_of = [&](Function f) { return std::find(functions.begin(), functions.end(), f) != functions.end(); };
   return std::any_of(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& row) { return one_of(row.function); }) ||
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// The machine of the NCT and its language belong together: neither works without the other.
+/// Checks that the machine of the NCT and its language are used together: neither works without the other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
-  const auto at = [&](std::string_view key) {  // the key of the user's own file, if it stands there
+  const auto at = [&](std::string_view key) {  // location of the key, or of `dialect` if the user's own file sets it
     const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);
@@ -120,7 +120,7 @@ Done ControlLoader::check_machine() {
       return Failed(at(key) + say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[grammar] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
-  // Its parameters and the set-up say which axes are diameters.
+  // The control's parameters and the set-up say which axes are diameters.
   KADR_LOAD(no_effect(*section("axes"), "diameter", say("{} has no effect with the machine of the NCT (dialect = \"nct\")", "diameter")));
   return {};
 }
@@ -189,7 +189,7 @@ Done ControlLoader::check_behaviour() {
   return {};
 }
 
-/// Every axis has its word; where something works in a plane there are three of them.
+/// Checks that every axis has a word, and that a control with functions of a plane has three axes.
 Done ControlLoader::check_axes() const {
   if (def_.machine_axes()) return {};
   const auto words = [&](Function function) {
@@ -216,7 +216,7 @@ Done ControlLoader::check_axes() const {
   return {};
 }
 
-/// What a function keeps in system variables, and whether some row can call what another begins.
+/// Checks that the system variables that the functions need are there, and that coded feeds and speeds have a word.
 Done ControlLoader::check_functions() {
   const auto kept = [&](VariableKind kind) {
     return std::any_of(def_.variables.begin(), def_.variables.end(), [&](const VariableRow& v) { return v.kind == kind; });
@@ -237,7 +237,7 @@ Done ControlLoader::check_functions() {
   return {};
 }
 
-/// A cycle that could never end, or never begin.
+/// Rejects a cycle that could never end or never start.
 Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const {
   const std::string who = say("cycle {}: ", c.name);
   const auto has = [&](CycleStep step) { return std::find(c.steps.begin(), c.steps.end(), step) != c.steps.end(); };
@@ -267,7 +267,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   return {};
 }
 
-/// A variable that the engine can keep.
+/// Rejects a variable that the engine cannot keep.
 Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v) const {
   if (def_.machine_axes()) return {};
   const std::string kind(row["is"].value_or(std::string()));
@@ -286,7 +286,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   } else {
     for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + say("{} has no effect: there is one", key)));
   }
-  constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
+  constexpr std::uint32_t first_system_variable = 1000;  // numbers below it are ordinary variables of the program
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)
     return Failed(place(name_, row, "from") + who + say("from must be 1000 or more"));
@@ -294,7 +294,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   return {};
 }
 
-/// The end of the program only sets modes: it must not move, call, stop or end.
+/// Checks that the end of the program only sets modes: it must not move, call, stop or end.
 Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) const {
   const FunctionTraits& traits = traits_of(c.function);
   const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;

@@ -1,4 +1,4 @@
-// The system variables of a control file: [[variables]].
+// Reads the system variables of a control file: [[variables]].
 
 #include <algorithm>
 
@@ -80,7 +80,7 @@ Done ControlLoader::variable(const toml::table& row) {
   return {};
 }
 
-/// `[from, count]` or `[from, count, stride, repeat]`.
+/// Reads `[from, count]` or `[from, count, stride, repeat]`.
 tl::expected<VariableRange, std::string> ControlLoader::variable_range(const toml::node& node) const {
   const auto wrong = [&] { return Failed(place(name_, node) + say("a range is [from, count] or [from, count, stride, repeat]")); };
   const toml::array* const parts = node.as_array();

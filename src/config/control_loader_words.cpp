@@ -1,4 +1,4 @@
-// Sections of a control file that say how its words are written and what they mean: grammar, behaviour, axes, addresses.
+// Reads the sections of a control file about the form and meaning of its words: grammar, behaviour, axes, addresses.
 
 #include <algorithm>
 #include <set>
@@ -16,7 +16,7 @@ using toml_tools::text_of;
 
 namespace {
 
-/// Keys of [grammar] that are true or false.
+/// Boolean keys of [grammar].
 constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"block_number_required", &Grammar::block_number_required},
     {"program_start_required", &Grammar::program_start_required},
@@ -52,7 +52,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"rounds_in_address", &Grammar::rounds_in_address},
 };
 
-/// What lang/block/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
+/// Translates an error of lang/block/format, such as `format "3G2X" is not understood: the address stands twice`, or the reason alone.
 std::string told_format(const std::string& fault) {
   constexpr std::string_view begin = "format \"", middle = "\" is not understood: ";
   const std::size_t at = fault.rfind(middle);
@@ -65,7 +65,7 @@ std::string told_format(const std::string& fault) {
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   const Done done = sections();
-  if (!bad_value_.empty()) return Failed(bad_value_);  // it came first
+  if (!bad_value_.empty()) return Failed(bad_value_);  // bad_value_ was found first
   if (!done) return Failed(done.error());
   return std::move(def_);
 }
@@ -107,7 +107,7 @@ Done ControlLoader::sections() {
   return check_functions();
 }
 
-/// Who does what no row can say.
+/// Reads `dialect`: the part of the engine that does what no row can express.
 Done ControlLoader::dialect() {
   const toml::node* const node = file_.get("dialect");
   if (node == nullptr) return {};
@@ -280,7 +280,7 @@ Done ControlLoader::order() {
   return {};
 }
 
-/// `phase` of the row, or the function's own; it must stand in the control's order.
+/// Returns `phase` of the row, or the function's own phase. The phase must be listed in the control's order.
 tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) {
   Phase phase = traits_of(function).phase;
   if (row.contains("phase")) phase = phase_named(text(row, "phase"));
@@ -309,7 +309,7 @@ Done ControlLoader::addresses() {
   return {};
 }
 
-/// An address that is no letter (spec/linuxcnc 7.1, 8) is one of the names.
+/// Adds an address that is not a letter (spec/linuxcnc 7.1, 8) to the named addresses.
 bool ControlLoader::sign_address(std::string_view text) {
   constexpr std::string_view signs = "$@^";
   if (text.size() != 1 || signs.find(text[0]) == std::string_view::npos) return false;
@@ -362,7 +362,7 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     if (!parsed) return Failed(place(name_, row, "format") + told_format(parsed.error()));
     w = *parsed;
   }
-  // A format string says which addresses there are; a row with a format of its own adds one.
+  // The format string lists the addresses that exist; a row with a format of its own adds one.
   w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
   if (!typed(row, "point", true)) w.point = false;
   w.parameter = parameter;

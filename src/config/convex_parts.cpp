@@ -1,4 +1,4 @@
-// Ears cut off a polygon, one after the other. For config/convex_parts.
+// Decomposes a polygon by ear clipping. Used by config/convex_parts.
 
 #include "config/convex_parts.h"
 
@@ -8,9 +8,9 @@
 namespace kadr {
 namespace {
 
-constexpr double same_line = 1e-9;  // mm²: twice the area of three points on a line
+constexpr double same_line = 1e-9;  // mm²: three points with less than this, twice their triangle's area, are collinear
 
-/// Twice the area of a triangle; above 0: counter-clockwise.
+/// Returns twice the area of a triangle, positive if counter-clockwise.
 double turn(const InsertPoint& a, const InsertPoint& b, const InsertPoint& c) {
   return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
 }
@@ -36,7 +36,7 @@ bool crosses_itself(const InsertOutline& p) {
   return false;
 }
 
-/// Corners on the line between their neighbours are none.
+/// Removes corners that lie on the line between their neighbours.
 void drop_straight_corners(InsertOutline& p) {
   for (std::size_t i = 0; p.size() >= 3 && i < p.size();) {
     const std::size_t n = p.size();
@@ -51,7 +51,7 @@ bool is_convex(const InsertOutline& p) {
   return true;
 }
 
-/// The triangle of a corner and its neighbours lies inside, and holds no other corner.
+/// Returns true if the triangle of a corner and its neighbours lies inside the polygon and contains no other corner.
 bool is_ear(const InsertOutline& p, std::size_t at) {
   const std::size_t n = p.size();
   const InsertPoint &a = p[(at + n - 1) % n], &b = p[at], &c = p[(at + 1) % n];

@@ -1,5 +1,5 @@
 #pragma once
-// A simple polygon as convex parts. For turning tools: config/insert_keys, stock/tool/insert_shape.
+// Decomposes a simple polygon into convex parts. For turning tools: used by config/insert_keys, stock/tool/insert_shape.
 
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace kadr {
 
 using InsertOutline = std::vector<InsertPoint>;
 
-/// Counter-clockwise; one part if the polygon is convex, else triangles. Two points are opposite corners of a rectangle.
-///   returns  none: it crosses itself or has no area
+/// Returns counter-clockwise parts: one if the polygon is convex, else triangles. Two points are opposite corners of a rectangle.
+///   returns  an empty list if the polygon crosses itself or has no area
 std::vector<InsertOutline> convex_parts(InsertOutline outline);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/fanuc carries it out, kadr explain tells it.
-// For control/fanuc/drilling/drilling_run, out/text/cycle_text.
+// The operations of each drilling cycle (spec/nct/18.1). DrillingRun of control/fanuc executes them, kadr explain prints them. Used by
+// control/fanuc/drilling/drilling_run, out/text/cycle_text.
 
 #include "config/drill_steps.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The built-in files (controls/, machines/, macros/), embedded by dev/embed.cpp.
+// The built-in files (controls/, machines/, macros/), which dev/embed.cpp embeds in the program.
 
 #include <span>
 #include <string_view>
@@ -9,12 +9,12 @@ namespace kadr {
 struct EmbeddedFile {
   std::string_view name;  // "controls/s2c42.toml"
   std::string_view text;
-  std::string_view table;  // of a TOML file: for unpacked()
+  std::string_view table;  // packed form of a TOML file, for unpacked()
 };
 
 std::span<const EmbeddedFile> embedded_files();
 
-/// The built-in file of that name, or null.
+/// Returns the built-in file with this name, or nullptr.
 inline const EmbeddedFile* embedded(std::string_view name) {
   for (const EmbeddedFile& file : embedded_files())
     if (file.name == name) return &file;

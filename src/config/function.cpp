@@ -1,4 +1,5 @@
-// The table of what the engine can do: names to functions and back. For config, control; tested by tests/config/function_test.cpp.
+// The table of the engine's functions: converts names to functions and back. Used by config, control; tested by
+// tests/config/function_test.cpp.
 
 #include "config/function.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the engine can do. A control's file says which code or address calls which function (design.md 3);
-// the phase is its place in the order of execution, which the control's file lists too.
+// The functions of the engine. A control's file says which code or address calls which function (design.md 3). The phase of a function is
+// its place in the order of execution, which the control's file lists too.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,17 +15,18 @@ namespace kadr {
   X(length) X(zero) X(corner) X(path_mode) X(distance) X(transform) X(retract) X(data) X(positioning) X(motion) \
   X(dwell_after) X(spindle_stop) X(coolant_off) X(machine) X(stop) X(flow) X(none)
 
-// One row a function: all that the engine knows of it but what it does.
-//   phase   in which it runs unless the row of the file says otherwise
-//   axes    own: the block's axis words are its own, no modal motion in that block
+// One row per function: everything the engine knows about it except what it does.
+//   phase   the phase in which it runs, unless its row in the file says otherwise
+//   axes    own: the axis words of the block belong to it, and the block has no modal motion
 //   by      what calls it: an address (word) or a code
-//   needs   what the control must have (Needs): in any other the loader refuses the row
-//   order   within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is opened,
-//           then a call made, then an end met
-//   facts   leaves_mode: beside it a motion code only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: the program, a subprogram
-//           or a repetition · stops: the program · calls: a subprogram, when the block's other words have acted · passes_control: calls or
-//           returns at once · plain_motion: G0 to G3 · breaks_contour: where radius compensation is on, the tool's centre goes to the
-//           programmed point before it (nct 15.5.2) · steady: given again while it is in force it changes nothing
+//   needs   what the control must have (see Needs); the loader rejects the row on any other control
+//   order   within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
+//           started first, then a call is made, then an end is processed
+//   facts   leaves_mode: a motion code in the same block only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: it ends the
+//           program, a subprogram or a repetition · stops: it stops the program · calls: it calls a subprogram after the block's other
+//           words have acted · passes_control: it calls or returns at once · plain_motion: G0 to G3 · breaks_contour: if cutter
+//           compensation is active, the tool's centre goes to the programmed point first (nct 15.5.2) · steady: it changes nothing if it
+//           is in force already
 #define KADR_FUNCTIONS(X) \
   /* addresses */ \
   X(block_number,         none,          none, word, nothing,    usual, nothing) \
@@ -241,7 +242,7 @@ namespace kadr {
   X(threading_cycle,      motion,        own,  code, rs274,      usual, nothing) \
   X(call_numbered,        flow,          none, code, rs274,      call,  calls) \
   X(return_numbered,      flow,          none, code, rs274,      usual, ends) \
-  /* what controls with custom macros have besides (spec/fanuc, spec/haas) */ \
+  /* further functions of controls with custom macros (spec/fanuc, spec/haas) */ \
   X(no_action,            none,          none, code, nothing,    usual, nothing) \
   X(look_ahead,           none,          none, code, nct,        usual, nothing) \
   X(reference_check,      data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
@@ -255,7 +256,7 @@ namespace kadr {
   X(single_direction,     motion,        own,  code, nct,        usual, leaves_mode | breaks_contour) \
   X(engraved_text,        motion,        own,  code, nct,        usual, nothing) \
   X(jump_by_input,        flow,          none, code, nct,        usual, nothing) \
-  /* each line by itself (spec/grbl) */ \
+  /* lines checked one by one (spec/grbl) */ \
   X(machine_block,        none,          none, code, lines,      usual, nothing) \
   X(stored_offsets,       data,          own,  code, lines,      usual, nothing) \
   X(stored_move,          data,          own,  code, lines,      usual, nothing) \
@@ -264,12 +265,12 @@ namespace kadr {
   X(length_by_word_off,   length,        own,  code, lines,      usual, nothing)
 // clang-format on
 
-/// What a function needs. The machine of the NCT (dialect = "nct") has axes, spindles, offsets and calls of its own: what works on it does
-/// not work beside it, and the other way round.
+/// What a function needs. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and calls: functions for it do not
+/// work on other machines, and vice versa.
 enum class Needs : std::uint8_t {
   nothing,
   nct,         // dialect = "nct"
-  no_nct,      // another one, or none
+  no_nct,      // any other dialect, or none
   correctors,  // dialect = "correctors"
   sections,    // [grammar] section
   labels,      // [grammar] label
@@ -294,10 +295,10 @@ enum class Function : std::uint8_t {
 enum class TakesAxes : std::uint8_t { none, own };
 enum class FunctionOrder : std::uint8_t { first, call, usual, last };
 
-/// What calls a function: a row of [address], or one of [g] and [m].
+/// What calls a function: a row of [address], or a row of [g] or [m].
 enum class CalledBy : std::uint8_t { word, code };
 
-/// Of KADR_FUNCTIONS, a bit each.
+/// The facts of KADR_FUNCTIONS, one bit each.
 namespace function_fact {
 inline constexpr std::uint8_t nothing = 0, leaves_mode = 1, ends = 2, stops = 4, calls = 8, passes_control = 16, plain_motion = 32,
                               breaks_contour = 64, steady = 128;
@@ -320,6 +321,6 @@ Function function_named(std::string_view name);  // Function::count if there is 
 Phase phase_named(std::string_view name);        // Phase::count if there is none
 std::string_view name_of(Phase phase);
 
-inline constexpr std::size_t most_groups = 48;  // of codes, the one that is none among them
+inline constexpr std::size_t most_groups = 48;  // groups of codes, including "no group"
 
 }  // namespace kadr

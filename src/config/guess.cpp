@@ -1,5 +1,5 @@
-// Which control a program was written for, guessed from its text: marks of the controls' files and what the text is like as a whole. For
-// session/folder_guess, cli/program_files; tested by tests/config/guess_test.cpp.
+// Guesses the control that a program was written for from its text: from the marks in the controls' files, and from the style of the text
+// as a whole. Used by session/folder_guess, cli/program_files; tested by tests/config/guess_test.cpp.
 
 #include "config/guess.h"
 
@@ -23,19 +23,19 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
-constexpr double near = 4;  // what lies further behind the best is not meant
+constexpr double near = 4;  // a control whose score is farther behind the best one is not considered
 
-/// Where nothing speaks for another: the most common of makers' machines.
+/// Chosen if no evidence points to another control: the most common one on machines of makers.
 constexpr std::string_view usual_control = "mach3";
 
-/// What speaks for a control: a piece of text and its first line, or (line 0) what the text is like as a whole, or what it is called.
+/// A piece of evidence: a text and its first line, or (line 0) the style of the text, the file's name or its folder's name.
 struct Found {
   double weight = 0;
   std::uint32_t line = 0;
   std::string en, ru;
 };
 
-/// A control, or a language, and what of its rows has been found so far.
+/// A control or a language, with the evidence found for it so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;
@@ -52,7 +52,7 @@ struct Candidate {
     for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkPlace::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
-        const std::size_t last = path.rfind('/');  // "/folder/part.nc"
+        const std::size_t last = path.rfind('/');  // path is "/folder/part.nc"
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
         found.push_back({weight, 0, (of_folder ? "its folder: " : "its name: ") + name, (of_folder ? "папка: " : "имя: ") + name});
         strongest_mark = std::max(strongest_mark, weight);
@@ -70,23 +70,24 @@ struct Candidate {
     return sum;
   }
 
-  /// The strongest of what speaks for it, in the order of the lines, then what the text is like: "line 3: M97P, line 12: G187".
+  /// Returns the strongest evidence in order of lines, then the style of the text: "line 3: M97P, line 12: G187".
   std::vector<Found> strongest() const {
     constexpr std::size_t most = 5;
     std::vector<Found> all;
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
-    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns that fit one word
+    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word
       all.erase(
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
     if (all.size() > most) all.resize(most);
-    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 is last
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 sorts last
     return all;
   }
 };
 
-/// The marks of all that have not been found yet: each lies under the rarest sign that it needs, so that most lines need not look at most.
+/// The marks not found yet, of all candidates. Each is filed under the rarest sign that it needs, so that most lines do not have to be
+/// compared with most marks.
 class OpenMarks {
  public:
   void add(Candidate& candidate) {
@@ -94,14 +95,14 @@ class OpenMarks {
       if (mark.place != MarkPlace::name) marks_[mark.rarest].push_back({&candidate, &mark});
   }
 
-  /// `signs`: of the line as it is written, with its comments. `only_against`: what speaks for a language that Kadr does not read does not
-  /// count there.
+  /// Searches a line for marks. `signs`: of the line as written, with its comments. `only_against`: ignore evidence for languages that
+  /// Kadr does not read.
   void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     hits_.clear();
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
       look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
     look(any_sign, line, signs, only_against);
-    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });  // as the rows stand
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });  // by row
     for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
   }
 
@@ -139,14 +140,14 @@ std::string reason_of(const std::vector<Found>& found, std::string Found::*langu
   return all;
 }
 
-/// Greater scores first; of equal ones the usual control.
+/// Orders by score, the greater first; among equal scores the usual control comes first.
 template <class Row>
 bool stands_before(const Row& a, const Row& b) {
   return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;
 }
 
-/// Decides by the scores alone: a mark that tells the control by itself needs little lead over the next one; weaker ones together need much
-/// of it, and mere hints decide nothing.
+/// Decides by the scores alone. A control with a mark that is conclusive by itself needs only a small lead over the next one; weaker
+/// marks need a large lead together, and mere hints decide nothing.
 void decide(Guess& guess) {
   constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
   auto ranked = guess.scores;
@@ -172,7 +173,7 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
   return guess;
 }
 
-/// The language that Kadr does not read, if one is found for sure.
+/// Returns the language that Kadr does not read, if one is found for certain; else nullptr.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
   const auto best =
       std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
@@ -204,7 +205,7 @@ Guess unknown(const KindOfText& text) {
   return guess;
 }
 
-/// LinuxCNC's names are of any letters: they are no words of another language.
+/// LinuxCNC's variable names may contain any letters, so they are no evidence for another language.
 bool has_names(const GuessLine& line) {
   return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }
@@ -291,8 +292,9 @@ std::vector<std::string> candidates_of(const Guess& guess) {
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
-  constexpr double of_faults = near + 1;  // a clean reading wins over one with faults
-  if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;  // it tells nothing
+  constexpr double of_faults = near + 1;  // a reading without faults wins over one with faults
+  // Without a faultless reading, the trial proves nothing.
+  if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;
   for (const auto& [id, count] : faults)
     for (auto& [control, score] : guess.scores)
       if (control == id && count > 0) score -= of_faults;

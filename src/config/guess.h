@@ -1,5 +1,5 @@
 #pragma once
-// Which control a program was written for, guessed from its text and its name; or which language that Kadr does not read it is in.
+// Guesses from a program's text and name which control it was written for, or in which language, unknown to Kadr, it is written.
 
 #include <map>
 #include <string>
@@ -12,59 +12,60 @@
 namespace kadr {
 
 struct Guess {
-  std::string control;                   // empty: none that Kadr knows
-  std::string dialect;                   // the language it is in instead, an id of controls/dialects.toml; empty: none
-  std::string language_en, language_ru;  // what that is called
-  std::vector<std::string> refused_by;   // controls that Kadr reads as something else than this language: a lathe's as a mill's
-  std::string reason_en;                 // what in the text speaks for it, and in which lines, in their order
+  std::string control;                   // empty: no control that Kadr supports
+  std::string dialect;                   // id in controls/dialects.toml of the program's language, if Kadr does not read it; else empty
+  std::string language_en, language_ru;  // name of that language
+  std::vector<std::string> refused_by;   // controls whose reading of such a text would be wrong: for a lathe program, the control as a mill
+  std::string reason_en;                 // the evidence in the text, with its lines, in order of lines
   std::string reason_ru;
-  bool decisive = false;                                     // what speaks for it suffices; else the guess is weak
+  bool decisive = false;                                     // the evidence suffices; if false, the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // of every control, in the order of their rows
-  std::vector<std::pair<std::string, std::string>> reasons;  // of each of them: English, Russian
+  std::vector<std::pair<std::string, std::string>> reasons;  // of every control: English, Russian
 
-  std::vector<std::pair<std::string, double>> dialect_scores;  // of the languages, where nothing is against them
+  std::vector<std::pair<std::string, double>> dialect_scores;  // of every language, if the guess is a control
 
-  std::map<std::string, double> strongest_marks;  // of every control
+  std::map<std::string, double> strongest_marks;  // greatest weight of a mark, of every control
 
-  /// Which control comes next; empty: nothing speaks for another.
+  /// Returns the control with the next best score; empty if no evidence points to another one.
   std::string runner_up() const;
 };
 
-/// `sample`: the beginning of the program, UTF-8. `path`: its name and the folder it lies in; empty: it has none.
-/// `own`: rows of controls of one's own beside the built-in ones.
+/// `sample`: the start of the program, UTF-8. `path`: its folder and name, may be empty. `own`: rows of the user's own controls, in
+/// addition to the built-in ones.
 Guess guess_control(std::string_view sample, std::string_view path = {}, const std::vector<GuessRows>& own = {});
 
-/// The same among the rows of these controls and languages alone.
+/// Like guess_control(), with only these controls and languages.
 Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
                   const std::vector<GuessRows>& dialects);
 
-/// The text is surely in a language that the named control is not read as: a lathe's program, where Kadr reads the mill. A control file
-/// of one's own is taken at its word.
+/// Checks whether the text is certainly in a language for which the named control must not be used: a lathe program, where Kadr reads the
+/// control as a mill. A control file of the user's own is never refused.
 ///   control  an id or alias
-///   returns  an error sentence; empty: it is not
+///   returns  an error sentence; empty if the control may be used
 std::string refused_by_control(std::string_view sample, std::string_view control, bool ru);
 
-/// Which controls of a weak guess may be meant, the best first: something speaks for each, and not more than a trial is worth.
+/// Returns the controls that a weak guess leaves possible, most likely first: each has some evidence, and there are few enough to try
+/// them all.
 std::vector<std::string> candidates_of(const Guess& guess);
 
-/// A control that finds faults in the program stands behind those that find none; where all do, nothing changes.
-///   faults  of each of candidates_of(), how many alarms the reading of its beginning gave
+/// Lowers the score of controls that find faults in the program. If all of them find faults, nothing changes.
+///   faults  for each of candidates_of(), the number of alarms in reading the program's start
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults);
 
-/// What guesses of programs lying together agree in.
+/// What the guesses for neighbouring programs have in common.
 struct CommonGuess {
-  std::string control;  // empty: none
-  std::string dialect;  // a language that Kadr does not read; empty: none
+  std::string control;  // empty if there is no common control
+  std::string dialect;  // a language that Kadr does not read; empty if there is none
 };
-/// What all the decisive ones name, or three quarters of three and more; a language only two and more name. Without any decisive one the
-/// control with the greatest sum of scores. Both empty: they do not agree.
+/// Returns what all decisive guesses name, or three quarters of at least three; a language must be named by at least two. Without a
+/// decisive guess, returns the control with the greatest sum of scores. Both fields are empty if the guesses disagree.
 CommonGuess common_guess(const std::vector<Guess>& guesses);
 
-/// A weak guess may be what its neighbours are: nothing much in it speaks against that.
-///   same_ending  the names of both end alike; else something in the text must speak for a language that Kadr does not read
+/// Returns true if a program with a weak guess may be of the same kind as its neighbours: its text has no strong evidence against it.
+///   same_ending  the file names have the same ending; if not, a language that Kadr does not read also needs some evidence in the text
 bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending);
 
-/// `bytes`: the beginning of a file. It reads like a part program of some control that Kadr knows.
+/// Returns true if `bytes`, the start of a file, reads like a part program of some control that Kadr supports.
 bool is_program_text(std::string_view bytes);
 
 }  // namespace kadr

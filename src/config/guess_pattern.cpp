@@ -1,4 +1,4 @@
-// For config/guess; tested by tests/config/guess_test.cpp.
+// Patterns of [guess]. Used by config/guess; tested by tests/config/guess_test.cpp.
 
 #include "config/guess_pattern.h"
 
@@ -20,7 +20,7 @@ std::size_t digits_at(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
 }
 
-/// How many characters a sign of a pattern takes there; nothing: it does not stand there.
+/// Returns how many characters a class of the pattern matches at this position, or nullopt if it does not match.
 std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t at) {
   if (sign == 'd') {
     const std::size_t digits = digits_at(line, at);
@@ -38,13 +38,13 @@ std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t a
 
 bool is_class(char sign) { return std::string_view("dcnal").find(sign) != std::string_view::npos; }
 
-/// Where what the pattern says ends, if it stands there; signs are taken one after the other.
+/// Returns the end of the match at this position, or nullopt. The pattern's signs are matched one after the other.
 std::optional<std::size_t> end_of_signs(std::string_view line, std::size_t at, std::string_view pattern) {
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern[i] == '$' && i + 1 == pattern.size()) return at == line.size() ? std::optional(at) : std::nullopt;
     const bool escaped = pattern[i] == '\\' && i + 1 < pattern.size();
     const char sign = escaped ? pattern[++i] : pattern[i];
-    if (escaped && sign == '*') {  // as little as will do
+    if (escaped && sign == '*') {  // shortest match first
       for (std::size_t behind = at; behind <= line.size(); ++behind)
         if (const auto end = end_of_signs(line, behind, pattern.substr(i + 1))) return end;
       return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<std::size_t> end_of(std::string_view line, std::size_t at, std::st
   return more_digits ? std::nullopt : end;
 }
 
-/// G05.1 → G5.1; what stands behind `/` and N10.
+/// Removes blanks, a leading `/` and N10, and leading zeros of G and M: "/ N10 G05.1" gives "G5.1".
 std::string squeezed(std::string_view written) {
   std::string text;
   for (const char c : written)
@@ -78,7 +78,7 @@ std::string squeezed(std::string_view written) {
   return text;
 }
 
-/// What stands in brackets and behind `;`; a blank between them.
+/// Returns the text in brackets and after `;`, separated by blanks.
 std::string comments_of(std::string_view raw) {
   const std::size_t first = std::min(raw.find_first_not_of(" \t"), raw.size());
   const std::string_view line = raw.substr(first);
@@ -93,9 +93,9 @@ std::string comments_of(std::string_view raw) {
   return text;
 }
 
-/// A word with a bracket, outside of comments.
+/// Finds a pattern that contains a bracket, outside of comments.
 std::string_view found_with_bracket(std::string_view raw, std::string_view pattern) {
-  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // behind the block number
+  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // after the block number
   const bool at_beginning = pattern[0] == '^';
   if (at_beginning) pattern.remove_prefix(1);
   int depth = 0;
@@ -111,7 +111,7 @@ std::string_view found_with_bracket(std::string_view raw, std::string_view patte
 
 GuessLine guess_line(std::string_view line) {
   GuessLine forms;
-  line = line.substr(0, 1000);  // patterns with \* look at each place of a line many times
+  line = line.substr(0, 1000);  // patterns with \* visit each position of a line many times
   for (const char c : bare_line(line))
     if (c != '\t' && (c != ' ' || forms.written.empty() || forms.written.back() != ' ')) forms.written += c;
   forms.squeezed = squeezed(forms.written);
@@ -124,7 +124,7 @@ GuessLine guess_line(std::string_view line) {
 std::string_view found_in(const GuessLine& line, std::string_view pattern) {
   const bool in_comments = pattern.starts_with('(') || pattern.starts_with(';');
   const bool as_written = pattern.find(' ') != std::string_view::npos;
-  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;  // CYCLE800(: what stands in it is no comment
+  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;  // CYCLE800(: not a comment
   if (has_bracket) return found_with_bracket(line.raw, pattern);
   const std::string_view text = in_comments ? line.raw : as_written ? line.written : line.squeezed;
   const bool at_beginning = pattern.size() > 1 && pattern[0] == '^';
@@ -158,7 +158,7 @@ LineSigns signs_needed(std::string_view pattern) {
   LineSigns signs = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const bool at_edge = (pattern[i] == '^' && i == 0) || (pattern[i] == '$' && i + 1 == pattern.size());
-    if (at_edge || pattern[i] == ' ') continue;  // a tab is a blank, too
+    if (at_edge || pattern[i] == ' ') continue;  // a tab counts as a blank, too
     if (pattern[i] != '\\') signs |= signs_of(pattern.substr(i, 1));
     else ++i;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A piece of text that speaks for a control, as a row of [guess] in its file writes it, and lines in which it is looked for.
+// Patterns of [guess] in a control's file (texts that point to the control), and the lines in which they are searched.
 
 #include <cstdint>
 #include <string>
@@ -7,38 +7,38 @@
 
 namespace kadr {
 
-/// A line in the forms that patterns are looked for in; all in capitals.
+/// A line in the forms in which patterns are searched; all in upper case.
 struct GuessLine {
-  std::string written;   // comments left out, blanks between words one
-  std::string squeezed;  // without blanks, block number and leading zeros of G, M
+  std::string written;   // without comments, one blank between words
+  std::string squeezed;  // without blanks, block number, and leading zeros of G, M
   std::string raw;       // with its comments
-  std::string comments;  // what stands in brackets and behind `;`, or all of a line behind `#` and a blank, `//`
+  std::string comments;  // text in brackets and after `;`, or all of a line that starts with `# ` or `//`
 };
 
-/// Empty forms where the line holds nothing.
+/// Returns the forms of a line; empty forms if the line is empty.
 GuessLine guess_line(std::string_view line);
 
-/// The first place of the pattern, as the text writes it; empty: it is not there.
-///   ^   the beginning of the line, behind `/` and the block number     $   its end
-///   \d  a digit or several     \c  one digit     \n  a number, with its sign or point     \a  a letter of an axis     \l  any letter
-///   \*  anything or nothing, as little as will do     \\  any of these signs itself
-/// A letter at the beginning stands behind no letter, a digit at the end before no digit or fraction.
-/// A pattern with `(` or `;` first is looked for in comments, too; one with a blank in the words as written; all others without blanks.
+/// Returns the first match of the pattern as the text has it; empty if there is none.
+///   ^   the start of the line, after `/` and the block number     $   its end
+///   \d  one or more digits     \c  one digit     \n  a number, with its sign or point     \a  the letter of an axis     \l  any letter
+///   \*  any text or none, as short as possible     \\  any of these signs itself
+/// A letter at the pattern's start matches only if no letter precedes it, a digit at its end only if no digit or fraction follows. A
+/// pattern that starts with `(` or `;` is searched in comments, too; one with a blank in the words as written; all others without blanks.
 std::string_view found_in(const GuessLine& line, std::string_view pattern);
 
-/// The same in a text of its own, such as the comments of a line; there a letter at the end stands before no letter.
+/// The same in a separate text, such as the comments of a line. A letter at the pattern's end then matches only if no letter follows.
 std::string_view found_in_words(std::string_view text, std::string_view pattern);
 
-/// Which signs stand in a text, a bit each (some share one): a pattern that needs others need not be looked for.
+/// The characters of a text, one bit each (some share a bit). A pattern that needs a missing one cannot match.
 using LineSigns = std::uint64_t;
 LineSigns signs_of(std::string_view text);
 LineSigns signs_needed(std::string_view pattern);
-/// Which of them, by its bit, the fewest lines of programs have; any_sign: there is none.
+/// Returns the bit of the character that the fewest lines of programs have; any_sign if `signs` is empty.
 inline constexpr std::size_t any_sign = 64;
 std::size_t rarest_sign(LineSigns signs);
 
-/// `*`, `?` of file names, in small letters.
-///   path  with `/`; a pattern without one is held against the last part of the path alone
+/// Matches a path with a pattern in lower case that may contain `*` and `?`.
+///   path  contains `/`; a pattern without `/` is compared with the path's last component only
 bool is_named_like(std::string_view path, std::string_view pattern);
 
 }  // namespace kadr

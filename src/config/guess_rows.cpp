@@ -1,4 +1,4 @@
-// For config/guess and config/control_loader_words; tested by tests/config/guess_test.cpp.
+// Reads [guess]. Used by config/guess and config/control_loader_words; tested by tests/config/guess_test.cpp.
 
 #include "config/guess_rows.h"
 
@@ -24,7 +24,7 @@ tl::expected<double, std::string> weight_of(const toml::node& node, std::string_
   return Failed(toml_tools::place(file, node) + say("[guess] {}: a weight is a number other than 0, {} at most", key, most));
 }
 
-/// The marks of one table; tables in it are left alone.
+/// Reads the marks of one table, without its inner tables.
 std::optional<std::string> take_marks(const toml::table& table, MarkPlace place, const std::string& file, GuessRows& rows) {
   for (const auto& [key, node] : table) {
     if (node.is_table() && place == MarkPlace::statement) continue;
@@ -78,7 +78,7 @@ const std::vector<GuessRows>& built_in_guess_rows() {
       const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
       if (guess == nullptr) continue;
       auto rows = guess_rows_of(*guess, file);
-      assert(rows);  // tests/controls_table.py loads each file
+      assert(rows);  // tests/controls_table.py loads every file
       rows->control = id;
       of.push_back(std::move(*rows));
     }
@@ -96,7 +96,7 @@ const std::vector<GuessRows>& dialect_rows() {
     for (const auto& [id, node] : *table) {
       const toml::table& dialect = *node.as_table();
       auto rows = guess_rows_of(*dialect["guess"].as_table(), file);
-      assert(rows);  // tests/config/guess_test.cpp
+      assert(rows);  // checked by tests/config/guess_test.cpp
       rows->control = std::string(id.str());
       rows->name_en = dialect["name"]["en"].value_or(std::string());
       rows->name_ru = dialect["name"]["ru"].value_or(std::string());

@@ -1,5 +1,5 @@
 #pragma once
-// What speaks for each control: the section [guess] of the controls' files; and for each language that Kadr does not read:
+// The evidence by which texts are recognised: of each control, the section [guess] of its file; of each language that Kadr does not read,
 // controls/dialects.toml.
 
 #include <toml++/toml.h>
@@ -18,37 +18,37 @@ namespace kadr {
 
 enum class MarkPlace : std::uint8_t {
   statement,  // [guess]: in the blocks
-  comment,    // [guess.comment]: words of the comments
-  name        // [guess.name]: what the file is called, and the folder it lies in
+  comment,    // [guess.comment]: in the words of the comments
+  name        // [guess.name]: in the names of the file and its folder
 };
 
 struct GuessMark {
-  std::string pattern;  // guess_pattern.h
-  double weight = 0;    // below 0: speaks against it
+  std::string pattern;  // see guess_pattern.h
+  double weight = 0;    // below 0: evidence against it
   MarkPlace place = MarkPlace::statement;
-  LineSigns needs = 0;            // of the pattern
-  std::size_t rarest = any_sign;  // of those
+  LineSigns needs = 0;            // signs that the pattern needs
+  std::size_t rarest = any_sign;  // the rarest of them
 };
 
-/// Of one control, or one language.
+/// The evidence for one control or language.
 struct GuessRows {
-  std::string control;                  // its id
-  std::string name_en, name_ru;         // of a language: for people
-  std::vector<std::string> refused_by;  // of a language: controls that it is taken for, and that Kadr reads as something else
+  std::string control;                  // id of the control or language
+  std::string name_en, name_ru;         // only for a language: its name for people
+  std::vector<std::string> refused_by;  // only for a language: controls that it is mistaken for, but that Kadr reads differently
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark of this weight tells the control by itself; what is found of a language must weigh as much.
+/// A mark with this weight identifies the control by itself. The evidence for a language must reach this sum.
 inline constexpr double decisive_weight = 10;
 
-/// Rows of a section [guess].
-///   returns  an error sentence: a weight that is no number from -20 to 20 or 0, a trait that nobody knows
+/// Reads a section [guess].
+///   returns  on failure, an error sentence: a weight that is not a number from -20 to 20 or is 0, or an unknown trait
 tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file);
 
-/// Of the built-in controls, read once.
+/// Returns the rows of the built-in controls, which are read once.
 const std::vector<GuessRows>& built_in_guess_rows();
-/// Of the languages that Kadr does not read, read once.
+/// Returns the rows of the languages that Kadr does not read; they are read once.
 const std::vector<GuessRows>& dialect_rows();
 
 }  // namespace kadr

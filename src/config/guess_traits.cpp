@@ -1,4 +1,4 @@
-// For config/guess; tested by tests/config/guess_test.cpp.
+// Traits of a text. Used by config/guess; tested by tests/config/guess_test.cpp.
 
 #include "config/guess_traits.h"
 
@@ -34,7 +34,7 @@ bool is_program_number(std::string_view line) {
   return line[0] == 'O' && line.size() > 1 && line.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-/// The letter stands there as an address: a number follows, no letter before.
+/// Returns true if the letter is an address: a number follows and no letter precedes it.
 bool is_address(std::string_view line, std::size_t i) {
   const char next = i + 1 < line.size() ? line[i + 1] : ' ';
   const bool alone = i == 0 || !is_capital(line[i - 1]);
@@ -128,7 +128,8 @@ void Traits::letter(std::string_view line, std::size_t i) {
   if (!argument && std::string_view("XYZIJKR").find(c) != std::string_view::npos) length(line, i + 1, c == 'X' || c == 'Y' || c == 'Z');
 }
 
-/// `X8000`: four digits or more and no point: increments of 0.001 mm. `X10` may be 10 mm, `X0` is the same on all controls.
+/// Counts a length. `X8000`, four or more digits and no point, suggests increments of 0.001 mm. `X10` may mean 10 mm, and `X0` is the
+/// same on all controls.
 void Traits::length(std::string_view line, std::size_t at, bool of_axis) {
   if (line[at] == '+' || line[at] == '-') ++at;
   const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());

@@ -1,5 +1,5 @@
 #pragma once
-// What a text is like as a whole, before anybody asks for which control: block numbers, decimal points, which letters are used.
+// Traits of a text as a whole, found before any control is considered: block numbers, decimal points, letters in use.
 
 #include <cstdint>
 #include <string>
@@ -8,32 +8,32 @@
 namespace kadr {
 
 enum class TextTrait : std::uint8_t {
-  all_numbered,     // every block has its number
-  few_numbered,     // less than half
-  decimal_points,   // some number has one
-  trailing_points,  // `X10.`: nothing behind the point
-  long_integers,    // coordinates of four digits and more, and no point anywhere
-  whole_lengths,    // X10, Y-5: of one to three digits, and no length has a point
+  all_numbered,     // every block has a number
+  few_numbered,     // less than half of the blocks have one
+  decimal_points,   // some number has a point
+  trailing_points,  // `X10.`: no digit after the point
+  long_integers,    // coordinates of four or more digits, and no point anywhere
+  whole_lengths,    // X10, Y-5: one to three digits, and no length has a point
   plus_signs,       // `X+10.`, and no code of one digit
-  two_digit_codes,  // G01, and no code of one digit; every block numbered
-  program_number,   // `%`, then O0001; not where every block is numbered, with codes of two digits only
-  percent,          // `%` stands at the beginning
+  two_digit_codes,  // G01, no code of one digit, every block numbered
+  program_number,   // `%`, then O0001; does not count if all blocks are numbered and all codes have two digits
+  percent,          // `%` is at the start
   no_percent,       // no `%` anywhere
   no_tools,         // no T, no M6, no H
-  without_y,        // X and Z are programmed, Y never
-  u_w_words,        // U or W, and no A, B, C, Y
-  changing_power,   // S by itself, three times and more, with neither M3, M4 nor T in its block
-  feed_everywhere,  // most feed motions name their F
+  without_y,        // X and Z are used, Y never
+  u_w_words,        // U or W is used, and A, B, C, Y are not
+  changing_power,   // S alone, without M3, M4 or T in its block, at least three times
+  feed_everywhere,  // most feed motions have an F
   count
 };
 
-/// As the keys of [guess.text] say it; and for people.
+/// The key of a trait in [guess.text], and its texts for people.
 struct TraitText {
   std::string_view key, en, ru;
 };
 const TraitText& text_of(TextTrait trait);
 
-/// Takes the lines of a text one by one, in capitals, without their comments.
+/// Collects the traits of a text, whose lines it receives one by one, in upper case and without comments.
 class Traits {
  public:
   void take(std::string_view line);

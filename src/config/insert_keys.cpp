@@ -1,4 +1,4 @@
-// Turning tools as a tools file says them. For config/tool_library; tested by tests/config/tool_library_test.cpp.
+// Reads turning tools from a tools file. Used by config/tool_library; tested by tests/config/tool_library_test.cpp.
 
 #include "config/insert_keys.h"
 
@@ -45,7 +45,7 @@ Done tip_of(const std::string& file, const toml::table& row, InsertGeometry& ins
                      "или centre"));
 }
 
-/// [[x, z], …]
+/// Reads [[x, z], …].
 Done polygon_of(const std::string& file, const toml::table& row, std::string_view key, std::size_t fewest, InsertOutline& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -70,7 +70,7 @@ std::string told_polygon(std::string_view key, const InsertOutline& outline) {
   return std::string(key) + told(" crosses itself or has no area", " пересекает сам себя или не имеет площади");
 }
 
-/// Edges that are too short for their nose radius.
+/// Returns what is wrong with the nose, such as cutting edges that are too short for their nose radius.
 std::string told_nose(const ToolGeometry& t) {
   const double nose = t.corner, width = t.insert.width;
   if (width > 0) {

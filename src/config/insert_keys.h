@@ -1,5 +1,6 @@
 #pragma once
-// The keys of a turning tool in tools files, and what an insert must be (docs/commands/cut.md). For config/tool_library.
+// The keys of a turning tool in tools files, and the conditions that an insert must meet (docs/commands/cut.md). Used by
+// config/tool_library.
 
 #include <toml++/toml.h>
 
@@ -13,19 +14,19 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t insert_points = 64;  // of a profile or holder of a turning tool
+inline constexpr std::size_t insert_points = 64;  // points of a profile or holder of a turning tool
 }
 
-/// points, lead, width, profile, holder.
+/// Reads points, lead, width, profile, holder.
 tl::expected<void, std::string> insert_of(const std::string& file, const toml::table& row, InsertGeometry& insert);
 
-/// What `points` says of it: "-x-z", "centre".
+/// Returns the value of `points` for the insert: "-x-z", "centre".
 std::string_view name_of_tip(const InsertGeometry& insert);
 
-/// What follows from the rest: a bisector straight behind the tip.
+/// Sets what follows from the other values: `lead`, so that the bisector of the nose points straight away from the tip.
 void complete_insert(ToolGeometry& tool);
 
-/// Why a turning tool has no shape, told; empty: it has one.
+/// Returns a message why the turning tool has no valid shape; empty if it has one.
 std::string told_insert_fault(const ToolGeometry& tool);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// JSON with the line of each key, for messages. For config/setup_check.
+// Parses JSON and records the line of each key, for messages. Used by config/setup_check.
 
 #include "config/json_lines.h"
 
@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_table = 64;  // tables in tables: far beyond any set-up
+constexpr int deepest_table = 64;  // nesting of tables, far beyond any set-up
 
-/// Hands the text out and counts its lines: what stands after the last byte handed out has not been looked at.
+/// Iterates over the text and counts the lines. The parser has not seen anything after the current byte.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -47,7 +47,7 @@ class CountingIterator {
 
 struct TooDeep {};
 
-/// Listens to the parser: where each key stands.
+/// Receives the parser's events and records the line of each key.
 class Listener {
  public:
   Listener(JsonLines& to, const std::uint32_t& line) : to_(to), line_(line) {}
@@ -123,7 +123,7 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
   } catch (const TooDeep&) {
     return tl::unexpected(JsonFault{line, "tables within tables, too deep", "слишком глубокая вложенность"});
   } catch (const Json::exception& error) {
-    std::string_view what = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    std::string_view what = error.what();  // for example "[json.exception.parse_error.101] parse error at line 1, column 2: …"
     if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)
       what.remove_prefix(colon + 2);

@@ -1,5 +1,5 @@
 #pragma once
-// JSON with the line of each key, for messages. Only setup*.cpp use it.
+// Parses JSON and records the line of each key, for messages. Only setup*.cpp use it.
 
 #include <cstdint>
 #include <map>
@@ -15,16 +15,16 @@ struct JsonLines {
   std::map<std::string, std::uint32_t> lines;  // "offsets.1.length", "events[0].when" → line, from 1
 };
 
-/// Why a text is no JSON, and where.
+/// Why a text is not JSON, and in which line.
 struct JsonFault {
   std::uint32_t line = 0;
   std::string en, ru;
 };
 
-/// law  value equals nlohmann::json::parse(text), where that is JSON no deeper than 64
+/// law  value equals nlohmann::json::parse(text) if the text is JSON, nested no deeper than 64
 tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text);
 
-/// "offsets" and "1": "offsets.1".
+/// Joins "offsets" and "1" to "offsets.1".
 inline std::string below(const std::string& inside, std::string_view key) {
   return inside.empty() ? std::string(key) : inside + "." + std::string(key);
 }

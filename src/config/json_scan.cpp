@@ -1,5 +1,5 @@
-// A look over JSON text before it is parsed: what is wrong is told in words, with line and column, and no text takes the stack or the
-// memory. For config/setup; tested by tests/config/json_scan_test.cpp.
+// Checks JSON text before it is parsed: faults are reported in words, with line and column, and no text can exhaust the stack or the
+// memory. Used by config/setup; tested by tests/config/json_scan_test.cpp.
 
 #include "config/json_scan.h"
 
@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-/// A character as UTF-8.
+/// Appends a character as UTF-8.
 void append(unsigned code, std::string& to) {
   const auto rest = [&](int shift) { to += static_cast<char>(0x80U | (code >> shift & 0x3FU)); };
   if (code < 0x80) to += static_cast<char>(code);
@@ -26,7 +26,7 @@ void append(unsigned code, std::string& to) {
   else to += static_cast<char>(0xF0U | code >> 18), rest(12), rest(6), rest(0);
 }
 
-/// Grammar of RFC 8259, one method a rule; false: a fault was found.
+/// The grammar of RFC 8259, one method per rule. A method returns false if it found a fault.
 class JsonScan {
  public:
   JsonScan(std::string_view text, const std::string& file) : text_(text), file_(file) {
@@ -54,7 +54,7 @@ class JsonScan {
     return fault(here() + " where " + en + " must stand", here() + " вместо: " + ru);
   }
 
-  /// The character that is looked at, for people.
+  /// Returns the current character, for messages.
   std::string here() const {
     const std::string_view rest = text_.substr(at_);
     const std::size_t size = rest.empty() ? 0 : first_character(rest).size;
@@ -172,7 +172,7 @@ class JsonScan {
     return fault_at(begin, written + " is too great for a number", written + ": слишком большое число");
   }
 
-  /// Its characters, those of escapes decoded.
+  /// Returns the characters of a string, with escapes decoded.
   std::optional<std::string> string() {
     std::string content;
     const std::size_t begin = at_++;
@@ -223,7 +223,7 @@ class JsonScan {
     return true;
   }
 
-  /// One \uXXXX; -1: it is none.
+  /// Reads one \uXXXX; returns -1 if there is none.
   int unit() {
     int value = 0;
     if (text_.substr(at_, 2) != "\\u" || at_ + 6 > text_.size()) return -1;

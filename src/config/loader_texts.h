@@ -1,6 +1,6 @@
 #pragma once
-// What the loader of control files may have to say, in both languages: one table, English beside Russian. A sentence is named by its
-// English; one that has no row does not compile.
+// All messages of the loader of control files in both languages: one table, English next to Russian. The English text identifies a
+// sentence; a text without a row does not compile.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ struct Row {
   std::string_view en, ru;
 };
 
-// {} are keys, codes and values as they stand in the file, in the same order in both.
+// Each {} stands for a key, code or value of the file, in the same order in both languages.
 inline constexpr Row rows[] = {
     // ---- values
     {"{}: id is missing", "{}: нет id"},
@@ -226,7 +226,7 @@ inline constexpr Row rows[] = {
     {"no alarm '{}'", "ошибки «{}» нет"},
 };
 
-/// A row of the table, found when this is compiled.
+/// A row of the table, found at compile time.
 struct Sentence {
   consteval Sentence(const char* en) {  // NOLINT(google-explicit-constructor): a sentence is written where it is said
     while (row < std::size(rows) && rows[row].en != en) ++row;
@@ -235,7 +235,7 @@ struct Sentence {
   std::size_t row = 0;
 };
 
-/// The sentence in the language spoken, its {} filled in.
+/// Returns the sentence in the current language, with its {} filled in.
 template <class... Args>
 std::string say(Sentence sentence, const Args&... args) {
   const std::string form = told(std::string(rows[sentence.row].en), std::string(rows[sentence.row].ru));
@@ -243,7 +243,7 @@ std::string say(Sentence sentence, const Args&... args) {
   else return fmt::format(fmt::runtime(form), args...);
 }
 
-/// A sentence that comes from elsewhere, in English (lang/block/format).
+/// Translates a sentence that arrives in English (from lang/block/format).
 inline std::string say_found(std::string_view en) {
   for (const Row& row : rows)
     if (row.en == en) return told(std::string(row.en), std::string(row.ru));

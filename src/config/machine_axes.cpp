@@ -1,5 +1,5 @@
-// A control whose axes the machine decides (behaviour.machine_axes) made fit for one channel of a machine: addresses of axes, spindles and
-// auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2). For config, control.
+// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: takes the addresses of
+// axes, spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2). Used by config, control.
 
 #include "config/machine_axes.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view axis_letters = "XYZUVWABC";
 
-/// Makes addresses one after the other and finds names that are used twice.
+/// Creates the addresses one after the other and detects names that are used twice.
 class Fitter {
  public:
   Fitter(ControlDef& def, const Setup& setup) : def_(def), setup_(setup) {}
@@ -36,7 +36,7 @@ class Fitter {
   }
 
  private:
-  /// [grammar] least_increments, unless a parameter switches to pocket calculator data (spec/fanuc 1.3).
+  /// Applies [grammar] least_increments, unless a parameter selects pocket calculator input (spec/fanuc 1.3).
   void least_increments() {
     constexpr std::uint8_t decimals = 3;
     if (is_set("calculator")) return;
@@ -46,7 +46,7 @@ class Fitter {
     }
   }
 
-  /// The set-up gives a parameter of that meaning another value than 0.
+  /// Returns true if the set-up gives a parameter with this meaning a value other than 0.
   bool is_set(std::string_view meaning) const {
     for (const ParameterRow& row : def_.parameters)
       for (std::size_t k = 0; k < row.means.size(); ++k) {
@@ -71,7 +71,7 @@ class Fitter {
     format(letter);
   }
 
-  /// Signed, any number of digits, the operator I, may stand bare; several in a block (macro arguments).
+  /// Sets a format with sign, any number of digits and decimal point, any number of times in a block (macro arguments).
   WordFormat& format(char at) {
     WordFormat& w = def_.grammar.word(at);
     w = {};
@@ -82,7 +82,7 @@ class Fitter {
 
   AddressRow& address(char at) { return def_.addresses[static_cast<std::size_t>(at - 'A')]; }
 
-  /// The address of a name: its letter, or a new code.
+  /// Returns the address of a name: its letter, or a new code for a longer name.
   char address_of(const std::string& name) {
     if (name.size() == 1) return name[0];
     for (const AddressName& row : def_.grammar.names)
@@ -137,7 +137,7 @@ class Fitter {
     def_.grammar.axis_numbers[static_cast<std::size_t>(code - 'A')] = def_.axis_numbers[a];
   }
 
-  /// N1333 … N1335: A, B, C, U, V, W as auxiliary functions (13.2).
+  /// N1333 … N1335: A, B, C, U, V, W can be auxiliary functions (13.2).
   void auxiliary() {
     constexpr const char* names[] = {"1333", "1334", "1335"};
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -155,7 +155,8 @@ class Fitter {
     }
   }
 
-  /// U, V, W that are neither: incremental X, Y, Z (5.1), as I makes single words incremental.
+  /// U, V, W that are neither axes nor auxiliary functions are incremental X, Y, Z (5.1), as the operator I makes single words
+  /// incremental.
   void increments() {
     if (!def_.grammar.operator_i) return;
     for (int i = 0; i < 3; ++i) {
@@ -165,7 +166,7 @@ class Fitter {
       row.function = Function::increment_axis;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter).increment = true;  // I beside U, V, W is redundant (1.1)
+      format(row.letter).increment = true;  // I together with U, V, W is redundant (1.1)
     }
   }
 
@@ -194,7 +195,7 @@ class Fitter {
     format(code).increment = function == Function::spindle_axis_word;
   }
 
-  /// A parameter that holds a character: as text, or its code.
+  /// Returns a parameter that holds a character, given as text or as character code.
   std::string letter_of(const std::string& name, const std::string& index) const {
     const auto found = setup_.parameters.find({name, index, ""});
     if (found == setup_.parameters.end()) return {};
@@ -212,7 +213,7 @@ class Fitter {
       if (row.takes_all_axes) row.takes |= mask | letter_bit(indirect_axis);
   }
 
-  /// Names of system variables, families (#_WZP1 … #_WZP99) one by one.
+  /// Collects the names of system variables; families (#_WZP1 … #_WZP99) are listed one by one.
   void symbols() {
     std::vector<VariableName>& all = def_.grammar.symbols;
     all.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// A control whose axes the machine decides (behaviour.machine_axes) made fit for one channel of a machine: addresses of
+// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: takes the addresses of
 // axes, spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2).
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// Makes the rows of the axis, spindle and auxiliary addresses. Where the control's own file names its axes: takes the figures of the
-/// machine that the set-up gives as parameters.
-///   returns  an error sentence: two names alike, too many names; empty if all is well
+/// Creates the rows of the axis, spindle and auxiliary addresses. For a control whose own file names its axes, only takes the machine's
+/// values that the set-up gives as parameters.
+///   returns  an error sentence (duplicate name, too many names); empty if all is well
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
-/// Figures of the machine that a table of parameters may hold: what the engine calls them (`as`), where they stand.
+/// Values of the machine that a parameter table may contain: the engine's name (`as`), and the field.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {
     {"feed_most", &Behaviour::feed_most},
     {"reference_feed", &Behaviour::reference_feed},
@@ -24,7 +24,7 @@ inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_mac
     {"probe_retract", &Behaviour::probe_retract},
 };
 
-/// A parameter of the set-up as a number; 0 if it is not given. `index`: axis name, or a number as text.
+/// Returns a parameter of the set-up as a number; 0 if it is not given. `index`: an axis name, or a number as text.
 double setup_number(const Setup& setup, const std::string& name, const std::string& index = "", const std::string& bit = "");
 bool setup_gives(const Setup& setup, const std::string& name, const std::string& index, const std::string& bit);
 

@@ -1,6 +1,6 @@
 #pragma once
-// [[bodies]] of machines/*.toml: what a machine is made of, as solid bodies that its axes carry. Only said here: stock/bodies makes solids
-// of it, and reads the files.
+// [[bodies]] of machines/*.toml: the solid bodies that a machine consists of and its axes carry. This is only the description;
+// stock/bodies creates the solids and reads the mesh files.
 
 #include <cstdint>
 #include <string>
@@ -14,17 +14,17 @@ namespace kadr {
 struct BodyShape {
   enum class Form : std::uint8_t { box, cylinder, file };
   Form form = Form::box;
-  Vec3 least, most;            // of a box
-  Vec2 centre;                 // of a cylinder, its axis along Z
+  Vec3 least, most;            // only for a box
+  Vec2 centre;                 // only for a cylinder, whose axis is parallel to Z
   double bottom = 0, top = 0;  //
   double diameter = 0;         //
   std::string file;            // a closed mesh, STL or 3MF
 };
 
-/// In machine coordinates as all axes stand at 0, where the gauge point of the spindle is {}.
+/// A body in machine coordinates, with all axes at 0; the gauge point of the spindle is then {}.
 struct MachineBody {
   std::string name;
-  std::string on;  // axis that carries it; empty: it stands on the bed
+  std::string on;  // axis that carries it; empty: the bed
   BodyShape shape;
 };
 

@@ -1,4 +1,4 @@
-// [[bodies]] of machines/*.toml. For config/machine_profile; tested by tests/config/machine_bodies_test.cpp.
+// Reads [[bodies]] of machines/*.toml. Used by config/machine_profile; tested by tests/config/machine_bodies_test.cpp.
 
 #include "config/machine_bodies_file.h"
 
@@ -23,7 +23,7 @@ constexpr std::size_t longest_name = 100;  // bytes
 constexpr std::string_view body_keys[] = {"name", "on", "box", "cylinder", "file"};
 constexpr std::string_view body_forms[] = {"box", "cylinder", "file"};
 
-/// So many numbers of a list; nothing: it is none such.
+/// Returns a list of exactly `count` numbers; nullopt if the node is anything else.
 std::optional<std::vector<double>> numbers_of_list(const toml::node& node, std::size_t count) {
   const toml::array* const list = node.as_array();
   if (list == nullptr || list->size() != count) return std::nullopt;
@@ -62,7 +62,7 @@ Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape
   return {};
 }
 
-/// Named from where the machine's file lies.
+/// The path is relative to the machine's file.
 Done file_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const std::string name = node.value_or(std::string());
   const std::string small = in_small_letters(name);
@@ -84,7 +84,7 @@ Done shape_of_body(const std::string& file, const toml::table& row, BodyShape& s
   return file_of_body(file, *row.get("file"), shape);
 }
 
-/// Axes that may carry a body: those of [kinematics]; without it X, Y, Z carry the tool.
+/// Returns the axes that may carry a body: those of [kinematics]; without it X, Y, Z, which carry the tool.
 std::vector<std::string> carriers_of(const MachineProfile& profile) {
   if (!profile.chains.given()) return {"X", "Y", "Z"};
   std::vector<std::string> all = profile.chains.tool;

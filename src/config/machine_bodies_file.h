@@ -1,5 +1,5 @@
 #pragma once
-// The reader of [[bodies]]. For config/machine_profile.
+// Reads [[bodies]]. Used by config/machine_profile.
 
 #include <toml++/toml.h>
 
@@ -10,8 +10,8 @@
 
 namespace kadr {
 
-/// Puts the bodies of a machine's file into the profile, whose axes and chains stand already.
-///   returns  an error sentence with file and line
+/// Adds the bodies in a machine's file to the profile, whose axes and chains must be set already.
+///   returns  on failure, an error sentence with file and line
 tl::expected<void, std::string> bodies_of(const std::string& file, const toml::table& table, MachineProfile& profile);
 
 }  // namespace kadr

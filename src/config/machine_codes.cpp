@@ -1,4 +1,4 @@
-// M functions of two controls. For convert/code_match, compare/comparison; tested by tests/config/machine_codes_test.cpp.
+// Maps M functions between two controls. Used by convert/code_match, compare/comparison; tested by tests/config/machine_codes_test.cpp.
 
 #include "config/machine_codes.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t tenths = 10;
 
-/// How near a row is to that control: 0 it is not for it at all.
+/// Returns how specific a row is to the other control; 0 if it does not apply to it.
 std::size_t nearness(const MachineCodeRow& row, const ControlDef& other) {
   if (row.control == other.id) return other.lineage.size() + 2;
   const auto found = std::find(other.lineage.begin(), other.lineage.end(), row.control);
@@ -44,7 +44,7 @@ void MachineCodes::take(const ControlDef& own, const ControlDef& other, bool own
     const CodeRow* const there = machine_row(other, row.there);
     if (there == nullptr || !is_of_machine(*there)) {
       if (near > 1 && !fault_) fault_ = Fault{own.id, row.code, other.id, row.there};
-      continue;  // "*": not every control has it
+      continue;  // "*": not every control has this code
     }
     const Pair pair = own_is_from ? Pair{row.code, row.there} : Pair{row.there, row.code};
     if (!this->there(pair.here) && !here(pair.there)) pairs_.push_back(pair);

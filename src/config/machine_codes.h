@@ -1,5 +1,5 @@
 #pragma once
-// MachineCodes: which M function of one control's machine is which of another's, by the tables [convert] of both files.
+// MachineCodes: maps the M functions of one control's machine to those of another's, by the tables [convert] of both files.
 
 #include <cstdint>
 #include <optional>
@@ -12,20 +12,22 @@ namespace kadr {
 
 class MachineCodes {
  public:
-  /// Rows for another control come first by its id, then by what it extends, then "*"; the table of `from` before that of `to`.
+  /// Rows with the id of the other control have priority over rows with an id that it extends, those over "*"; the table of `from` has
+  /// priority over the table of `to`.
   MachineCodes(const ControlDef& from, const ControlDef& to);
 
-  /// What an M function of `from` is on the other one, what one of `to` is on this one; nothing: no table says so.
+  /// there(): the M function of `to` for one of `from`; here(): the reverse. Both return nullopt if no table has it.
   std::optional<std::uint32_t> there(std::uint32_t code) const;
   std::optional<std::uint32_t> here(std::uint32_t code) const;
-  /// Pairs of codes, of `from` and of `to`.
+  /// Corresponding codes: `here` of `from`, `there` of `to`.
   struct Pair {
     std::uint32_t here = 0, there = 0;
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
-  /// A row that names the other control, but a code that is no M function of its machine and no coolant; nothing: all do.
+  /// A row that names the other control, but with a code that is neither an M function of its machine nor coolant; nullopt if there is
+  /// none.
   struct Fault {
-    std::string control;  // whose table
+    std::string control;  // the control whose table has the row
     std::uint32_t code = 0;
     std::string other;
     std::uint32_t there = 0;
@@ -39,9 +41,9 @@ class MachineCodes {
   std::optional<Fault> fault_;
 };
 
-/// The row of an M code; nullptr: the control has none that works.
+/// Returns the row of an M code; nullptr if the control has none, or none that Kadr implements.
 const CodeRow* machine_row(const ControlDef& def, std::uint32_t code);
-/// It is a function of the machine, or switches coolant.
+/// Returns true for a function of the machine, and for switching coolant.
 bool is_of_machine(const CodeRow& row);
 bool switches_coolant(Function function);
 

@@ -1,4 +1,4 @@
-// machines/*.toml: what a machine can do. For cli, machine, motion; tested by tests/config/machine_profile_test.cpp.
+// Reads machines/*.toml: the capabilities of a machine. Used by cli, machine, motion; tested by tests/config/machine_profile_test.cpp.
 
 #include "config/machine_profile.h"
 
@@ -31,7 +31,7 @@ Done known_keys(const std::string& file, const toml::table& table, std::initiali
   return {};
 }
 
-/// `planner`, if the key is there.
+/// Reads `planner`, if the key is present.
 Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to) {
   const toml::node* const node = table.get("planner");
   if (node == nullptr) return {};
@@ -44,7 +44,7 @@ Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to)
   return {};
 }
 
-/// Three numbers of a key, if it is there.
+/// Reads a key with three numbers, if it is present.
 Done vector_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -63,7 +63,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
   return {};
 }
 
-/// The same of a direction: then of length 1.
+/// Reads a direction like vector_of() and normalises it.
 Done direction_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   if (auto done = vector_of(file, row, key, to); !done) return done;
   const double l = length(to);
@@ -81,7 +81,7 @@ Done flag_of(const std::string& file, const toml::table& row, std::string_view k
   return {};
 }
 
-/// `along` of a linear axis, `turns` and `through` of a rotary one, `reversed`, `roll_over`.
+/// Reads `along` of a linear axis, `turns` and `through` of a rotary one, `reversed`, `roll_over`.
 Done joint_of(const std::string& file, const std::string& name, const toml::table& row, AxisJoint& joint) {
   constexpr std::string_view letters = "XYZUVWABC";
   const auto letter = name.empty() ? std::string_view::npos : letters.find(name[0]);
@@ -107,7 +107,7 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   return {};
 }
 
-/// Names of axes from the bed outwards; `seen`: those of the other side.
+/// Reads axis names from the bed outwards. `seen`: names of both chains so far.
 Done chain_of(const std::string& file, const toml::table& table, std::string_view key, const MachineProfile& profile,
               std::vector<std::string>& to, std::vector<std::string>& seen) {
   const toml::node* const node = table.get(key);

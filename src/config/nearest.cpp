@@ -1,4 +1,4 @@
-// "Did you mean …": the name that a mistyped one is nearest to. For cli, config, out.
+// "Did you mean …": finds the name closest to a mistyped one. Used by cli, config, out.
 
 #include "config/nearest.h"
 
@@ -26,14 +26,15 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 64;  // a longer name is no mistyped one
+  constexpr std::size_t longest = 64;  // no mistyped name is longer
   if (name.size() > longest) return std::nullopt;
   const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && to_lower(name[0]) == to_lower(one[0]); };
   const std::string* best = nullptr;
   std::size_t fewest = 0;
   for (const std::string& one : known) {
     const std::size_t n = edits(name, one);
-    const bool likelier = best != nullptr && n == fewest && begins_alike(one) && !begins_alike(*best);  // few mistype the first letter
+    // The first letter is rarely mistyped.
+    const bool likelier = best != nullptr && n == fewest && begins_alike(one) && !begins_alike(*best);
     if (best == nullptr || n < fewest || likelier) best = &one, fewest = n;
   }
   if (best == nullptr || 2 * fewest > std::max(name.size(), best->size())) return std::nullopt;

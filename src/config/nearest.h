@@ -1,5 +1,5 @@
 #pragma once
-// "Did you mean …": the name that a mistyped one is nearest to.
+// "Did you mean …": finds the name closest to a mistyped one.
 
 #include <optional>
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace kadr {
 
-/// Number of edits that turn one word into the other: a character put in, taken out, replaced, or two neighbours swapped; small and capital
-/// letters alike.
+/// Returns the number of edits that turn one word into the other: insert, delete or replace a character, or swap two neighbours. Upper
+/// and lower case count as equal.
 std::size_t edits(std::string_view a, std::string_view b);
 
-/// The nearest of `known`, of several one that begins alike, the first; nothing, if none is like it: more than half of its letters would
-/// change.
+/// Returns the closest of `known`; among equals the first one with the same first letter. Returns nullopt if even that would change more
+/// than half of the letters.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known);
 
-/// What an error may end in: "; did you mean 'x'?", in Russian if that is spoken (told.h); empty, if none is like it.
+/// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (told.h); empty if no name is close.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
-/// Equal but for capitals, of Latin letters.
+/// Compares ignoring the case of Latin letters.
 bool same_letters(std::string_view a, std::string_view b);
 
-/// In small letters, of the Latin ones.
+/// Converts Latin letters to lower case.
 std::string in_small_letters(std::string_view text);
 
 }  // namespace kadr

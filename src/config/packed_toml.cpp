@@ -1,5 +1,6 @@
-// A node is one byte for its kind and then: text: length, bytes; whole: value as two's complement; real: its 8 bytes; list: number of
-// nodes, nodes; table: number of pairs, each a key (length, bytes) and a node. Numbers take 7 bits a byte, low ones first.
+// Packs TOML tables as bytes. A node is one byte for its kind, followed by: text: length, bytes; whole: value in two's complement; real:
+// its 8 bytes; list: number of nodes, nodes; table: number of pairs, each a key (length, bytes) and a node. Numbers take 7 bits per byte,
+// low bits first.
 
 #include "config/packed_toml.h"
 
@@ -120,7 +121,7 @@ class Unpacker {
     return bytes_.substr(at_ - size, size);
   }
 
-  /// Goes behind the next node.
+  /// Skips the next node.
   void pass() {
     switch (static_cast<Kind>(byte())) {
       case Kind::text: text(); return;
@@ -140,7 +141,7 @@ class Unpacker {
     }
   }
 
-  /// Hands the value of the next node, in its own type, to `take`.
+  /// Passes the value of the next node, in its own type, to `take`.
   template <class Take>
   void node(const Take& take) {
     switch (static_cast<Kind>(byte())) {

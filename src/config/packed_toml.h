@@ -1,6 +1,6 @@
 #pragma once
-// The built-in TOML files are parsed when Kadr is built (dev/embed.cpp). The program holds their tables in this short form, which is
-// read ten times as fast as the text: half of the time of a small command was the parsing of controls/.
+// Packed TOML tables. The built-in TOML files are parsed when Kadr is built (dev/embed.cpp), and the program contains their tables in
+// this compact form, which is read ten times as fast as the text: parsing controls/ took half of the time of a small command.
 
 #include <toml++/toml.h>
 
@@ -11,17 +11,18 @@
 
 namespace kadr {
 
-/// A table as bytes, and back. Places in the text, comments and formats of numbers are lost; the order of keys is that of toml::table.
-///   throws  std::invalid_argument for a date or a time: no file of ours has them
+/// Converts a table to bytes. Positions in the text, comments and number formats are lost; the order of keys is the order of toml::table.
+///   throws  std::invalid_argument for a date or a time, which none of our files has
 std::string packed(const toml::table& table);
 
-/// `bytes` must come from packed().
+/// Converts bytes back to a table. `bytes` must come from packed().
 toml::table unpacked(std::string_view bytes);
 
-/// The texts of the list that stands under `key`, without making the rest; none where there is no such list.
+/// Returns the texts of the list under `key` without unpacking the rest; empty if there is no such list.
 std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key);
 
-/// Of a table of tables: each text, with the key of its table and its own, without making tables. Texts stay where `bytes` are.
+/// For a table of tables: calls `take` for each text with the key of its table and its own key, without creating tables. The texts point
+/// into `bytes`.
 void each_text(std::string_view bytes,
                const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take);
 

@@ -1,4 +1,5 @@
-// controls/NAME-parameters.toml → rows of parameters (nct 24). For the rest of config; tested by tests/config/parameter_table_test.cpp.
+// Reads controls/NAME-parameters.toml as rows of parameters (nct 24). Used by the rest of config; tested by
+// tests/config/parameter_table_test.cpp.
 
 #include "config/parameter_table.h"
 
@@ -24,12 +25,12 @@ constexpr std::array<std::string_view, 4> types = {"bits", "whole", "real", "tex
 constexpr std::array<std::string_view, 3> classes = {"run_time", "restart", "emergency"};
 constexpr std::array<std::string_view, 12> keys_of_row = {"scope", "type", "when", "least", "most",   "initial",
                                                           "bits",  "used", "en",   "ru",    "manual", "as"};
-constexpr std::size_t bits_with_number = 8;   // of one parameter (24.0)
-constexpr std::size_t most_bits = 48;         // a value is a double: whole to 2^53
-constexpr double whole_least = -2147483648.;  // 24.0: signed or unsigned, 32 bits
+constexpr std::size_t bits_with_number = 8;   // bits with a number per parameter (24.0)
+constexpr std::size_t most_bits = 48;         // a value is a double, which holds whole numbers to 2^53
+constexpr double whole_least = -2147483648.;  // 24.0: 32 bits, signed or unsigned
 constexpr double whole_most = 4294967295.;
 
-/// One row; the first fault stays in `fault`.
+/// Reads one row and keeps the first fault.
 class RowReader {
  public:
   RowReader(const std::string& file, const toml::table& table) : file_(file), table_(table) {}
@@ -83,7 +84,7 @@ class RowReader {
     return otherwise;
   }
 
-  /// "0107" → 107; letters: -1, the manual gives no number.
+  /// Converts "0107" to 107; returns -1 for letters, because the manual gives no number.
   std::int32_t number_of(std::string_view key) {
     const bool digits = key.find_first_not_of("0123456789") == std::string_view::npos;
     const bool letters = key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
@@ -92,7 +93,7 @@ class RowReader {
     return digits && key.size() == 4 ? std::stoi(std::string(key)) : -1;
   }
 
-  /// Index of the word that the key holds.
+  /// Returns the index of the key's value in `words`.
   template <std::size_t N>
   std::size_t one_of(std::string_view key, const std::array<std::string_view, N>& words, std::size_t otherwise) {
     const toml::node* const node = table_.get(key);
@@ -105,7 +106,7 @@ class RowReader {
     return 0;
   }
 
-  /// "REN ASH - ABS | cut": names from bit 0 on; after the bar those whose number is unknown stand from the ninth on.
+  /// Reads "REN ASH - ABS | cut": names from bit 0 on. Names after the bar, whose bit number is unknown, are stored from the ninth on.
   void bits(ParameterRow& row) {
     const std::string text = value("bits", std::string(), "a text");
     if (!text.empty() && row.type != ParameterType::bits) fault_at("bits", "bits, but the type is not bits");
@@ -141,7 +142,7 @@ Rows rows_of(const toml::table& table, const std::string& file) {
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
   }
-  const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };  // -1: the last
+  const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };  // -1 sorts last
   std::stable_sort(rows.begin(), rows.end(), [&](const ParameterRow& a, const ParameterRow& b) { return rank(a) < rank(b); });
   return rows;
 }
@@ -160,7 +161,7 @@ Rows load_parameters(const std::string& name) {
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
   if (!text) return Failed(say("no table of parameters '{}'", name));
   auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
-  return rows ? rows : parse_parameters(*text, file);  // the text knows the line of the fault
+  return rows ? rows : parse_parameters(*text, file);  // parsed from the text, the fault has a line number
 }
 
 }  // namespace kadr

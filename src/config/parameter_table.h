@@ -1,6 +1,6 @@
 #pragma once
-// controls/NAME-parameters.toml → rows of parameters (nct 24). Such a table belongs to a control (`parameters = "NAME-parameters"` of its
-// file) and is none itself.
+// Reads controls/NAME-parameters.toml as rows of parameters (nct 24). Such a table belongs to a control (`parameters = "NAME-parameters"`
+// in its file) and is no control itself.
 
 #include <string>
 #include <string_view>
@@ -11,15 +11,15 @@
 
 namespace kadr {
 
-/// Whether a file of controls/ is by its name a table of parameters.
+/// Returns true if a file of controls/ with this name is a parameter table.
 bool is_parameter_table(std::string_view name);
 
-/// The built-in table of that name.
-///   returns  rows by number, those without one last; an error sentence with file and line: no such table, unknown key,
-///            wrong scope, type, class or range, a bit twice
+/// Returns the built-in table with this name.
+///   returns  rows sorted by number, those without a number last; on failure, an error sentence with file and line: no such table,
+///            unknown key, wrong scope, type, class or range, duplicate bit
 tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::string& name);
 
-/// The same from TOML text; `file` names it in messages.
+/// Like load_parameters(), from TOML text; `file` is the name used in messages.
 tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::string_view toml, const std::string& file);
 
 }  // namespace kadr

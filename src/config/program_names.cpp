@@ -1,4 +1,4 @@
-// Which files are part programs by their names. For cli/program_files, view/served_folder; tested by tests/run_check.py and
+// Recognises part programs by their file names. Used by cli/program_files, view/served_folder; tested by tests/run_check.py and
 // tests/view/served_folder_test.cpp.
 
 #include "config/program_names.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view program_endings[] = {"nc",  "ngc", "tap", "txt", "iso",  "prg", "nct", "gcode", "gc",  "g",   "cnc", "mpf",
                                                 "spf", "up",  "eia", "ptp", "tape", "min", "pim", "fnc",   "sub", "mac", "fan", "hnc"};
 
-/// Without the dot, in small letters; empty: none.
+/// Returns the ending without the dot, in lower case; empty if there is none.
 std::string ending_of(std::string_view name) {
   name = name.substr(name.find_last_of('/') + 1);  // npos + 1 is 0
   const std::size_t dot = name.rfind('.');

@@ -1,5 +1,4 @@
-// What a number of a file may be: a range a kind of number, one for set-ups, machine files and control files alike. For the rest of
-// config.
+// Permitted ranges of numbers in files, the same for set-ups, machine files and control files. Used by the rest of config.
 
 #include "config/range.h"
 

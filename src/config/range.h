@@ -1,6 +1,6 @@
 #pragma once
-// What a number of a file may be: a range a kind of number, one for set-ups, machine files and control files alike. They keep a slip of
-// the pen (a minus, 1e-300, NaN) from becoming a motion that never ends; no machine comes near them.
+// Permitted ranges of numbers in files, one per kind of number, the same for set-ups, machine files and control files. They prevent a
+// slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends; no machine comes near these limits.
 
 #include <string>
 
@@ -13,26 +13,25 @@ struct NumberRange {
 };
 
 namespace ranges {
-inline constexpr NumberRange position = {-1e7, 1e7, "mm or degrees",
-                                         "мм или градусов"};  // ten kilometres, as for a program's own positions
+inline constexpr NumberRange position = {-1e7, 1e7, "mm or degrees", "мм или градусов"};  // 10 km, as for positions in a program
 inline constexpr NumberRange distance = {0, 1e7, "mm", "мм"};
 inline constexpr NumberRange diameter = {1e-6, 1e7, "mm", "мм"};
-inline constexpr NumberRange rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate: never zero
+inline constexpr NumberRange rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate is never zero
 inline constexpr NumberRange feed = {0, 1e9, "mm/min", "мм/мин"};
 inline constexpr NumberRange acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
 inline constexpr NumberRange jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
 inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // a day
 inline constexpr NumberRange speed = {0, 1e6, "rev/min", "об/мин"};
-inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // by which a direction may be missed
+inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // permitted deviation of a direction
 inline constexpr NumberRange percent = {0, 1000, "%", "%"};
 inline constexpr NumberRange scale = {1e-9, 1e9};
 inline constexpr NumberRange any = {-1e300, 1e300};
 }  // namespace ranges
 
-/// Whether a number is one, and in the range.
+/// Returns true if the value is a number (not NaN) within the range.
 constexpr bool is_within(double value, const NumberRange& range) { return value >= range.least && value <= range.most; }
 
-/// What must be: "a number, 0 to 86400 s", in the language of messages.
+/// Returns the form of the number, such as "a number, 0 to 86400 s", in the language of messages.
 std::string told(const NumberRange& range);
 
 }  // namespace kadr

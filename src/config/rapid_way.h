@@ -1,6 +1,7 @@
 #pragma once
-// How the axes of a rapid motion go: together along a line, or each at its own rate until it is there. A parameter of the set-up says it:
-// Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL; of a control without one its file (`rapids_apart` of [behaviour]).
+// How the axes move in a rapid: together along a straight line, or each at its own rate until it arrives. A parameter of the set-up
+// decides: Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL; for a control without such a parameter, its file does (`rapids_apart` of
+// [behaviour]).
 
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace kadr {
 
-/// `axes`: of the channel.
+/// Returns true if each axis moves at its own rate. `axes`: names of the channel's axes.
 bool rapids_apart(const ControlDef& def, const Setup& setup, const std::vector<std::string>& axes);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A small file of ours, whole: set-up, control, machine, contour. For cli, config, out; tested by tests/config/read_file_test.cpp.
+// Reads small files as a whole: set-up, control, machine, contour. Used by cli, config, out; tested by tests/config/read_file_test.cpp.
 
 #include "config/read_file.h"
 
@@ -80,9 +80,9 @@ std::string told_errno(int error) {
 }
 
 tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most, const FileDoor* door) {
-  const Descriptor file(
-      door != nullptr ? door->open_for_reading(path)
-                      : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));  // a FIFO's open would wait for its writer
+  // O_NONBLOCK: opening a FIFO would block until a writer opens it.
+  const Descriptor file(door != nullptr ? door->open_for_reading(path)
+                                        : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat there = {};
   if (file.number < 0 || ::fstat(file.number, &there) != 0) {
     const int error = errno;
@@ -101,7 +101,7 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
   std::string text;
   text.reserve(static_cast<std::size_t>(there.st_size));
   char piece[1 << 16];
-  for (;;) {  // not by its size: it may grow meanwhile, files of /proc say 0
+  for (;;) {  // does not rely on the size: the file may grow meanwhile, and files of /proc have size 0
     const ssize_t got = ::read(file.number, piece, sizeof piece);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return unreadable(path, errno);

@@ -1,4 +1,4 @@
-// For cli/guessed_control and view/opening; tests/guess.py, tests/serve.py.
+// Reads and writes .kadr.toml. Used by cli/guessed_control and view/opening; tested by tests/guess.py, tests/serve.py.
 
 #include "config/remembered_control.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A control file is named as it lies beside the .kadr.toml.
+/// Converts the path of a control file, which is relative to the .kadr.toml, to one relative to the current folder.
 std::string seen_from_here(const fs::path& folder, const std::string& control) {
   if (!control.ends_with(".toml") || fs::path(control).is_absolute()) return control;
   return (folder / control).lexically_normal().string();

@@ -1,11 +1,11 @@
 #pragma once
-// The control that a folder's .kadr.toml remembers for its programs, and for those of folders below it:
+// The control that .kadr.toml in a folder remembers for the programs of this folder and the folders below it:
 //
-//   control = "haas"              # an id of `kadr controls`, or a control file, beside this one
+//   control = "haas"              # an id of `kadr controls`, or a control file, relative to this one
 //   [control_for]
 //   "*.ngc" = "linuxcnc"          # as --control-for
 //
-// It is written by --remember alone.
+// Only --remember writes it.
 
 #include <functional>
 #include <map>
@@ -23,13 +23,13 @@ inline constexpr const char* remembering_file = ".kadr.toml";
 /// Reads the .kadr.toml of each folder once.
 class RememberedControls {
  public:
-  ///   complain  gets a sentence for each thing that is wrong in one
-  ///   door      opens them; nullptr: the file system. It outlives this
+  ///   complain  is called with a sentence for each fault in a .kadr.toml
+  ///   door      opens the files; nullptr: the file system. It must outlive this object
   explicit RememberedControls(std::function<void(const std::string&)> complain, const FileDoor* door = nullptr)
       : complain_(std::move(complain)), door_(door) {}
 
-  /// The nearest .kadr.toml decides, in the folder of the program or above.
-  ///   returns  empty: nothing is remembered
+  /// Returns the control for a program. The nearest .kadr.toml decides, in the program's folder or above.
+  ///   returns  empty if nothing is remembered
   std::string of(const std::string& program);
 
  private:
@@ -44,8 +44,8 @@ class RememberedControls {
   std::map<std::string, std::optional<Remembered>> folders_;
 };
 
-/// Writes `control` to the .kadr.toml of the folder the program lies in; other lines stay.
-///   returns  an error sentence; empty: it is written
+/// Writes `control` to the .kadr.toml in the program's folder. Other lines of the file are kept.
+///   returns  an error sentence; empty on success
 std::string remember_control(const std::string& control, const std::string& program);
 
 }  // namespace kadr

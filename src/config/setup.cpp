@@ -1,5 +1,4 @@
-// The state before the start (--setup FILE.json), and the state after it. For config, control, machine, motion, session; tested by
-// tests/config/setup_test.cpp.
+// Reads set-ups (--setup FILE.json). Used by config, control, machine, motion, session; tested by tests/config/setup_test.cpp.
 
 #include "config/setup.h"
 
@@ -16,7 +15,7 @@ namespace kadr {
 namespace setup_reader {
 namespace {
 
-/// "XC": two axes of up to three characters each.
+/// Reads "XC": two axes of up to three characters each.
 void plane(const Json& value, const std::string& key, Setup& setup) {
   constexpr std::size_t longest = 6;
   setup.plane = word(value, key);
@@ -27,7 +26,7 @@ void plane(const Json& value, const std::string& key, Setup& setup) {
   if (!known) wrong(key, "the names of its two axes, \"XY\"");
 }
 
-/// What a run starts with.
+/// Returns readers for what a run starts with.
 Readers readers_of_state(Setup& s) {
   return {
       {"axes", [&](const Json& v, const std::string& k) { s.axes = list(v, k, word); }},
@@ -54,13 +53,14 @@ Readers readers_of_state(Setup& s) {
   };
 }
 
-/// Every key of tests/golden/README.md, of the set-up and of the state.
+/// Returns readers for every key of tests/golden/README.md, of the set-up and of the state.
 Readers readers_of(Setup& setup) {
   Readers readers = readers_of_state(setup);
   readers.merge(readers_of_tables(setup));
   readers.merge(readers_of_machine(setup));
   readers.merge(readers_of_events(setup));
-  const Reader nothing = [](const Json&, const std::string&) {};  // for others: the referee of the golden cases, people; or not served yet
+  // Keys for others than Kadr: the runner of the golden cases, people; or keys that are not supported yet.
+  const Reader nothing = [](const Json&, const std::string&) {};
   for (const char* key : {"frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
   return readers;
 }
@@ -78,14 +78,15 @@ namespace {
 
 using setup_reader::Json;
 
-/// "shop.json:3: …", "--zero G54=X1: …"; a text without a name: "line 3: …" where it has several.
+/// Prefixes the place: "shop.json:3: …", "--zero G54=X1: …"; for a text without a name, nothing.
 std::string placed(const std::string& place, std::uint32_t line, const std::string& sentence) {
   std::string text = place;
   if (line != 0 && !place.empty() && !place.starts_with("--")) text += ":" + std::to_string(line);
   return text.empty() ? sentence : text + ": " + sentence;
 }
 
-/// What is not a table goes before what was there; null too, for it may mean something (an acceleration without limit).
+/// Merges `from` into `to`: tables are merged key by key, anything else replaces the old value. Even null replaces it, for it may have a
+/// meaning (an acceleration without limit).
 void lay_over(Json& to, const Json& from) {
   for (const auto& [key, value] : from.items()) {
     if (value.is_object() && to.contains(key) && to[key].is_object()) lay_over(to[key], value);
@@ -121,7 +122,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each is right by itself, together they are not
+  } catch (const setup_reader::Wrong& error) {  // each source is valid, but not all of them together
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

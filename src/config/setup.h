@@ -1,7 +1,8 @@
 #pragma once
-// The state before the start (--setup FILE.json), and the state after it; the keys are defined in tests/golden/README.md.
-// Ours besides: of offsets `length_x`, `length_x_wear`, `length_y`, `length_y_wear`, `tip_position`; of tool rows `G`, `W`, `user_bits` and
-// `user` (a list); and what a printed state has: `form_table`, `shifts`, of a spindle `loop`, `surface_speed`, `css_axis`, `master`.
+// Setup: the state before the start (--setup FILE.json). RunState: the state after a run. tests/golden/README.md defines the keys. Kadr
+// has some more: for offsets `length_x`, `length_x_wear`, `length_y`, `length_y_wear`, `tip_position`; for tool rows `G`, `W`,
+// `user_bits` and `user` (a list); and the keys of a printed state: `form_table`, `shifts`, and for a spindle `loop`, `surface_speed`,
+// `css_axis`, `master`.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace kadr {
 
 using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
 
-/// One row of the offset table, mm; what counts is geometry plus wear.
+/// A row of the offset table, mm. The sum of geometry and wear is used.
 struct ToolOffset {
   double length = 0;
   double radius = 0;
@@ -30,7 +31,7 @@ struct ToolOffset {
   double corner = 0;  // rounding radius of the corner
   double corner_wear = 0;
   double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
-  double tip_position = 0;                                                  // code of the tip's orientation
+  double tip_position = 0;                                                  // code of the tip's orientation (turning)
   double whole_length() const { return length + length_wear; }
   double whole_radius() const { return radius + radius_wear; }
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
@@ -38,22 +39,22 @@ struct ToolOffset {
 
 struct AxisLimits {
   std::optional<double> rapid;                        // mm/min
-  std::optional<std::pair<double, double>> limits;    // machine mm
-  std::optional<std::pair<double, double>> zone3;     // machine mm, forbidden inside (nct 22.3)
-  std::optional<std::pair<double, double>> switches;  // machine mm: where the end-position switches are hit (nct 22.1)
-  std::optional<double> apart;                        // mm: how far a gantry axis may be from its master (nct 20.6)
-  bool no_acceleration = false;                       // `"acceleration": null`: motions take no time to speed up
+  std::optional<std::pair<double, double>> limits;    // mm, machine coordinates
+  std::optional<std::pair<double, double>> zone3;     // mm, machine coordinates; forbidden inside (nct 22.3)
+  std::optional<std::pair<double, double>> switches;  // mm, machine coordinates: positions of the end-position switches (nct 22.1)
+  std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
+  bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
   std::optional<double> acceleration;                 // mm/s²
-  std::optional<double> jerk_time;                    // s, 0: linear
-  double position_error = 0;                          // mm; the axis stays that far from the command
+  std::optional<double> jerk_time;                    // s; 0: the acceleration changes at once (linear)
+  double position_error = 0;                          // mm; the axis stays short of its commanded position by this much
 };
 
-/// Rotary axes of a five-axis machine in words (nct 25.1).
+/// The rotary axes of a five-axis machine, in words (nct 25.1).
 struct KinematicsSetup {
-  std::string type;                                    // head-head, table-table, head-table; empty: none is given
-  std::string axes, reversed;                          // letters
+  std::string type;                                    // head-head, table-table, head-table; empty: not given
+  std::string axes, reversed;                          // letters of the axes
   std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
-  double singular = 0.01;  // degrees: a direction so near to one that it can have with an axis where that stands is taken for it
+  double singular = 0.01;  // degrees: a direction this close to one that needs no motion of an axis is replaced by it
 };
 
 struct SpindleSetup {
@@ -62,15 +63,15 @@ struct SpindleSetup {
   double rpm = 0;
   std::string dir = "stop";
   std::optional<double> angle;                    // degrees
-  std::vector<std::pair<double, double>> ranges;  // rev/min, least and most of each gear
-  // Only where a set-up is the state that an earlier run printed:
+  std::vector<std::pair<double, double>> ranges;  // least and greatest speed of each gear, rev/min
+  // Used only if the set-up is the state that an earlier run printed:
   std::string loop = "open";  // or closed
   double surface_speed = 0;   // m/min
   int css_axis = 0;
   int master = 0;  // 0: none
 };
 
-/// Letters of a tool's info bits, by bit: the letter for 0, the letter for 1 (nct 12.3.1); printed from the highest bit down, "SENCV".
+/// Letters of a tool's info bits, by bit: for 0, for 1 (nct 12.3.1). They are printed from the highest bit down: "SENCV".
 inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT", "NL", "ED", "US"};
 
 /// A row of the tool management table (nct 12.3.1).
@@ -90,30 +91,30 @@ struct ToolForm {
   friend bool operator==(const ToolForm&, const ToolForm&) = default;
 };
 
-using PlaceTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} → row of the tool table, 0: empty
+using PlaceTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} → row of the tool table; 0: empty
 
-/// Name of a parameter: "N0107.4#0" → 107, index 4, bit "0".
+/// The name of a parameter: "N0107.4#0" is name "0107", index "4", bit "0".
 struct ParameterKey {
-  std::string name;   // "0107": the four digits after the N; or "CLRG", which has no N
-  std::string index;  // axis name or number, channel, spindle; empty: none
+  std::string name;   // "0107": the four digits after N; or "CLRG", a name without N
+  std::string index;  // axis name or number, channel, or spindle; empty: none
   std::string bit;    // number or name; empty: none
   friend bool operator==(const ParameterKey&, const ParameterKey&) = default;
   friend bool operator<(const ParameterKey& a, const ParameterKey& b) {
     return std::tie(a.name, a.index, a.bit) < std::tie(b.name, b.index, b.bit);
   }
 };
-/// From "N0107.4#0" or "N107.4#0" (the same parameter), "CLRG#C03"; nothing if it is of another form.
+/// Reads "N0107.4#0" or "N107.4#0" (the same parameter), or "CLRG#C03". Returns nullopt for a text of another form.
 std::optional<ParameterKey> parameter_key(std::string_view text);
-/// "N0107.4#0": the one form in which a parameter is printed.
+/// Returns the form in which a parameter is printed: "N0107.4#0".
 std::string text_of(const ParameterKey& key);
 
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::map<ParameterKey, ParameterValue>;
 
-/// What the machine's logic makes of an axis (nct 20.2 to 20.4).
+/// What the machine's logic can do with an axis (nct 20.2 to 20.4).
 enum class AxisLink : std::uint8_t { follows, exchanged, reversed, parked };
 
-/// What the machine's logic does, and when (nct: PLC).
+/// An action of the machine's logic (nct: PLC) or of the operator, and when it takes place.
 struct SetupEvent {
   enum class When : std::uint8_t { block_start, block_end, code, stop, message, program_end };
   enum class Do : std::uint8_t {
@@ -133,7 +134,7 @@ struct SetupEvent {
   When when = When::program_end;
   std::string block;  // "N30"
   std::string code;   // "M90"
-  int count = 0;      // n-th time; 0: each time
+  int count = 0;      // only the n-th time; 0: each time
   Do what = Do::start;
   std::string signal;
   double value = 0;
@@ -145,7 +146,7 @@ struct SetupEvent {
 };
 
 struct ChannelSetup {
-  std::string program;  // its text
+  std::string program;  // text of the program
   std::vector<std::string> axes;
 };
 
@@ -156,56 +157,56 @@ struct ProbeHole {
 };
 
 struct Setup {
-  std::vector<std::string> axes;  // empty: the control's own
+  std::vector<std::string> axes;  // empty: the axes of the control
   AxisValues start;
   bool start_in_work = false;
   std::vector<std::string> modal;  // code words
   std::optional<double> feed;      // mm/min
   std::map<int, ToolOffset> offsets;
-  std::map<std::string, AxisValues>
-      work_offsets;  // "G54", "G59 P7", "common"; a basic rotation other than 0 is "G17", "G18", "G19", degrees
+  // By code: "G54", "G59 P7", "common". A basic rotation other than 0 has the key "G17", "G18", "G19"; degrees.
+  std::map<std::string, AxisValues> work_offsets;
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
-  std::map<std::string, std::optional<double>> variables;        // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant
-  std::map<std::string, AxisLimits> machine;                     // axis or "*"
-  std::map<std::string, std::pair<double, double>> axis_limits;  // no key: of the set-up and the machine file together (session)
-  KinematicsSetup kinematics;                                    // given as parameters too, where these say nothing
+  std::map<std::string, std::optional<double>> variables;        // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
+  std::map<std::string, AxisLimits> machine;                     // by axis name, or "*" for all
+  std::map<std::string, std::pair<double, double>> axis_limits;  // no key of the file: limits of set-up and machine file combined (session)
+  KinematicsSetup kinematics;                                    // may also be given as parameters, which take precedence
   std::map<int, SpindleSetup> spindles;
   int tool = 0;
   std::map<int, ToolRow> tool_table;
   PlaceTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // "XC": axes of the plane in order
-  std::map<std::string, bool> diameter;  // axes in diameter programming
+  std::string plane;                     // "XC": the axes of the plane, in order
+  std::map<std::string, bool> diameter;  // axes programmed as diameters
   bool single_block = false;
-  std::string search;                     // "N50": the run begins by a block search for that block (nct 13.1); empty: at the start
-  std::map<std::string, double> signals;  // of the PLC
+  std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
+  std::map<std::string, double> signals;  // signals of the PLC
   std::vector<SetupEvent> events;
-  std::string clock;  // "2014-05-18T15:32:41", a date there is; empty: a fixed day, so that the same input gives the same output
-  std::string ini;    // name of the control's ini file, from the folder of the program memory; empty: none
+  std::string clock;  // "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
+  std::string ini;    // name of the control's ini file, relative to the folder of the program memory; empty: none
   int channel = 1;
-  std::map<int, ChannelSetup> channels;  // the others
-  std::vector<int> skip;                 // switches that are on
-  std::vector<bool> skip_answers;        // the operator is asked before a block is skipped, and says yes or no; the last one counts on
+  std::map<int, ChannelSetup> channels;  // the other channels
+  std::vector<int> skip;                 // skip switches that are on
+  std::vector<bool> skip_answers;        // the operator's answers when asked whether to skip a block; the last one stays; empty: not asked
   bool optional_stop = false;
-  std::vector<AlarmId> disabled;                   // warnings and notes that are not told
-  std::vector<std::string> mirror;                 // axes
-  std::map<int, AxisValues> reference_points;      // machine
-  std::map<int, std::optional<AxisValues>> probe;  // input → work position of the signal
+  std::vector<AlarmId> disabled;                   // warnings and notes that are not reported
+  std::vector<std::string> mirror;                 // mirrored axes
+  std::map<int, AxisValues> reference_points;      // machine coordinates
+  std::map<int, std::optional<AxisValues>> probe;  // by input: position of the signal in the work system; nullopt: never
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
-  std::map<std::string, AxisValues> shifts;                                  // "G92", "G52"; only of a state that an earlier run printed
+  std::map<std::string, AxisValues> shifts;                                  // "G92", "G52"; only if the set-up is a printed state
   double feed_override = 100, rapid_override = 100, spindle_override = 100;  // %
 
-  /// Of spindle 1 (controls that know only one).
+  /// Returns spindle 1, for controls that have a single spindle.
   const SpindleSetup& spindle() const;
 };
 
-/// Shifts and switches that a set-up cannot give, but the end of a run shows.
+/// The state at the end of a run: the tables, and also what a set-up cannot set.
 struct RunState {
-  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, as a next set-up would give them
+  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, in the form of a next set-up
   std::map<std::string, AxisValues> shifts;  // "G92", "G52"
   struct SpindleState {
     std::string loop = "open";  // or closed
@@ -213,15 +214,15 @@ struct RunState {
     std::string dir = "stop";
     double surface_speed = 0;  // m/min
     int css_axis = 0;
-    int master = 0;  // 0: none
+    int master = 0;  // number of the master spindle; 0: none
     std::optional<double> angle;
   };
   std::map<int, SpindleState> spindles;
-  std::map<std::string, AxisValues> frame{};  // of G68.1, G68.2 in work coordinates: "origin", "x", "y", "z"; empty: none
+  std::map<std::string, AxisValues> frame{};  // frame of G68.1, G68.2 in work coordinates: "origin", "x", "y", "z"; empty: none
 };
 
-/// From JSON text.
-///   returns  an error sentence naming the key that is unknown, of the wrong form, or not served yet
+/// Reads a set-up from JSON text.
+///   returns  on failure, an error sentence with the key that is unknown, of the wrong form, or not supported yet
 tl::expected<Setup, std::string> parse_setup(std::string_view json);
 tl::expected<Setup, std::string> load_setup(const std::string& file);
 

@@ -1,4 +1,4 @@
-// Whether a set-up names only what there is: each key against the table of keys (config/setup_keys) and the control. For config/setup,
+// Checks that each key of a set-up is in the table of keys (config/setup_keys) and exists on the control. Used by config/setup,
 // out/text/setup_page.
 
 #include "config/setup_check.h"
@@ -27,7 +27,7 @@ std::string joined(const std::vector<std::string>& names) {
   return names.size() > most ? text + ", …" : text;
 }
 
-/// null, false, 0, "" and what holds nothing else: says what is so anyway.
+/// Returns true for null, false, 0, "", and for tables and lists of such values: they state nothing that is not the default.
 bool is_neutral(const Json& value) {
   if (value.is_null() || (value.is_boolean() && !value.get<bool>()) || (value.is_number() && value.get<double>() == 0)) return true;
   if (value.is_string()) return value.get_ref<const std::string&>().empty();
@@ -83,7 +83,7 @@ class Checker {
     check(item, *row, key);
   }
 
-  /// Nearest of the keys that this control knows there.
+  /// Suggests the nearest of the keys that this control has in this table.
   [[noreturn]] void unknown(const std::string& name, const std::string& path, const std::string& key) const {
     std::vector<std::string> known;
     for (const SetupKey& row : setup_keys()) {
@@ -200,7 +200,7 @@ class Checker {
   const SetupNamesOf& names_;
 };
 
-/// Axes that the set-up names, or those of the control.
+/// Returns the axes that the set-up names, else the axes of the control.
 std::vector<std::string> axes_in(const Json& table, const ControlDef& def) {
   std::vector<std::string> axes;
   if (def.machine_axes() && table.is_object() && table.contains("axes") && table["axes"].is_array())

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a set-up names only what there is: each key against the table of keys (config/setup_keys) and the control.
+// Checks that each key of a set-up is in the table of keys (config/setup_keys) and exists on the control.
 
 #include <optional>
 #include <set>
@@ -11,16 +11,16 @@
 
 namespace kadr {
 
-/// The first fault, in the order of the text's keys; nothing: all is well.
-///   def      nullptr: what any control knows
-///   context  the whole set-up, where `value` is laid over another one: its axes count
+/// Returns the first fault in the order of the text's keys; nullopt if there is none.
+///   def      nullptr: accept the keys of every control
+///   context  the whole set-up, if `value` is one of several sources: its axes count
 std::optional<SetupFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def);
 
-/// What a key must be: "a number, 0 to 1"; «число, от 0 до 1».
+/// Returns the form that a key needs, in words: "a number, 0 to 1"; «число, от 0 до 1».
 SetupNamesOf::Words form_of(const SetupKey& row, SetupRange range);
 
-/// Keys of tool offsets, work zeros and correctors that state something: "offsets.1.length", "work_offsets.G54", "zeros.1",
-/// "correctors.17". What is null is not stated.
+/// Returns the keys of tool offsets, work offsets and correctors that have a value: "offsets.1.length", "work_offsets.G54", "zeros.1",
+/// "correctors.17". A key with null does not count.
 std::set<std::string> stated_in(const nlohmann::json& setup);
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// The keys of a set-up (--setup FILE.json): one table, a row a key. For config/setup_names; tested by tests/config/setup_keys_test.cpp.
+// The keys of a set-up (--setup FILE.json): one table, one row per key. Used by config/setup_names; tested by
+// tests/config/setup_keys_test.cpp.
 
 #include "config/setup_keys.h"
 
@@ -32,7 +33,8 @@ constexpr SetupRange spindles{1, 16};
 constexpr bool null = true, stated = false;
 
 // clang-format off
-// Order: as a person fills it in; the rows of a table after it. Columns: path, form, names, range, unit, null, needs, words, example, instead, en, ru.
+// Order: as a person fills in the file; the rows of a table follow it. Columns: path, form, names, range, unit, null, needs, words,
+// example, instead, en, ru.
 constexpr SetupKey keys[] = {
   {"axes", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["X", "Y", "Z"])", "", "names of the axes in the order of their numbers; default those of the control. Names in A, B, C are rotary", "имена осей в порядке номеров; по умолчанию оси УЧПУ. Оси A, B, C поворотные"},
   {"start", F::table, N::axis, any, U::none, stated, H::nothing, "", R"({"X": 0, "Y": 150, "Z": -20})", "", "position of the axes before the start", "положение осей перед пуском"},
@@ -207,7 +209,7 @@ constexpr SetupSignal signals[] = {
 };
 // clang-format on
 
-/// Each path once, and after the table it stands in.
+/// Checks that each path occurs once, and after the table that contains it.
 constexpr bool paths_in_order() {
   for (std::size_t i = 0; i < std::size(keys); ++i) {
     const std::string_view path = keys[i].path;

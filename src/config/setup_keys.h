@@ -1,6 +1,7 @@
 #pragma once
-// The keys of a set-up (--setup FILE.json): one table, a row a key. The check of a file (config/setup_check), its documentation
-// (docs/setup.md) and `kadr explain ID setup` (out/text/setup_page) are made from it; their meaning is that of tests/golden/README.md.
+// The keys of a set-up (--setup FILE.json): one table, one row per key. The check of a file (config/setup_check), its documentation
+// (docs/setup.md) and `kadr explain ID setup` (out/text/setup_page) are generated from it. tests/golden/README.md defines what the keys
+// mean.
 
 #include <cstdint>
 #include <span>
@@ -10,17 +11,17 @@
 
 namespace kadr {
 
-/// What the value of a key is.
+/// The form of a key's value.
 enum class SetupForm : std::uint8_t {
-  table,           // { … }; below stand fixed keys, or names (SetupNames)
+  table,           // { … }, with fixed keys or names (SetupNames)
   tables,          // [ { … }, … ]
   number,          //
   whole,           // a whole number
   flag,            // true, false
   text,            //
   one_of,          // one of the words in `words`
-  number_or_text,  // of a parameter
-  info,            // bits of a tool, as five letters or a number
+  number_or_text,  // number or text of a parameter
+  info,            // info bits of a tool, as five letters or a number
   span,            // [least, most]
   numbers,         // [1, 2]
   wholes,          //
@@ -28,15 +29,15 @@ enum class SetupForm : std::uint8_t {
   spans,           // [[50, 1000], …]
 };
 
-/// Which names may stand below a table, or as the text of a value.
+/// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // the keys that have rows of their own
+  fixed,  // only the keys that have rows of their own
   any,
   axis,
-  axis_of_any,    // of the channels
-  axis_or_all,    // or "*"
-  axis_or_plane,  // or "G17", "G18", "G19": a basic rotation
-  offset,         // numbers of rows …
+  axis_of_any,    // axis of any channel
+  axis_or_all,    // axis or "*"
+  axis_or_plane,  // axis, or "G17", "G18", "G19": a basic rotation
+  offset,         // from here on: numbers of rows …
   corrector,
   zero,
   reference_point,
@@ -49,71 +50,71 @@ enum class SetupNames : std::uint8_t {
   variable,     // "#100", "#_ALM", "R2"
   parameter,    // "N0106.X#1"
   place,        // "10/1"
-  signal,       // of the machine's logic
+  signal,       // signal of the machine's logic
   shift,        // "G92", "G52"
 };
 
-/// What a control must have to know the key; its file says whether it has it (config/setup_names).
+/// What a control must have so that the key applies to it; its file decides (config/setup_names).
 enum class SetupNeeds : std::uint8_t {
   nothing,
   work_offsets,   // G54 … by their codes
-  zeros,          // work zeros by number: a code need not have the number's order (2С42: G55 is zero 3)
+  zeros,          // work offsets by number, in an order that the codes need not have (2С42: G55 is zero 3)
   correctors,     // axis correctors
   variables,      // #n or R0 … R9
-  parameters,     // a table of parameters
-  corner_radius,  // variables of the offsets' corner radius
+  parameters,     // a parameter table
+  corner_radius,  // variables for the corner radius of offsets
   turning_lengths,
   tool_management,
   clock,
-  ini,  // settings of the control stand in an ini file (spec/linuxcnc 10.1)
+  ini,  // an ini file with settings of the control (spec/linuxcnc 10.1)
   probe,
-  diameters,      // axes may be programmed in diameters
+  diameters,      // axes may be programmed as diameters
   skip_question,  // the operator may be asked before a block is skipped
-  machine_axes,   // axes, channels, spindles and logic are the machine's
+  machine_axes,   // axes, channels, spindles and logic depend on the machine
 };
 
 enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };
 
-/// Numbers that are allowed.
+/// The permitted range of a number.
 struct SetupRange {
   double least = -1e300, most = 1e300;
-  bool by_reader = false;  // a kind of config/range.h: the reader of the key says it, with its unit
+  bool by_reader = false;  // the range is one of config/range.h: the reader of the key checks it, with its unit
 };
 
 struct SetupKey {
-  std::string_view path;  // "offsets.*.length": `*` is a name
+  std::string_view path;  // "offsets.*.length"; `*` stands for a name
   SetupForm form;
-  SetupNames names;  // below, or of the texts
-  SetupRange range;  // of the numbers
+  SetupNames names;  // names of the keys in a table, or of the texts
+  SetupRange range;  // range of the numbers
   SetupUnit unit;
-  bool null;  // null is allowed: as without the key
+  bool null;  // null is allowed and means the same as a missing key
   SetupNeeds needs;
-  std::string_view words;    // of one_of, with blanks between
+  std::string_view words;    // only for one_of: the words, separated by blanks
   std::string_view example;  // JSON
-  std::string_view instead;  // what a control without it may have for the same purpose: a key
+  std::string_view instead;  // key that another kind of control has for the same purpose
   std::string_view en, ru;
 };
 
 std::span<const SetupKey> setup_keys();
 
-/// The row of a path written with `*` for names; nullptr: there is none.
+/// Returns the row of a path, written with `*` for names; nullptr if there is none.
 const SetupKey* setup_key(std::string_view path);
 
-/// A signal of the machine's logic that the control or the machine obeys (nct).
+/// A signal of the machine's logic that has an effect on the control or the machine (nct).
 struct SetupSignal {
   std::string_view name, en, ru, manual;
-  bool of_axis = false;  // each axis has one: AP_SYNCR.Z
+  bool of_axis = false;  // each axis has such a signal: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
 
-/// What the signal asks of an axis (nct 20.2 to 20.4): "AP_SYNCR.Z". The axis is empty where it is none of these.
+/// The effect of a signal such as "AP_SYNCR.Z" on an axis (nct 20.2 to 20.4). `axis` is empty for any other signal.
 struct AxisSignal {
   AxisLink link = AxisLink::follows;
   std::string_view axis;
 };
 AxisSignal axis_signal(std::string_view name);
 
-/// How a number must be: "zero or above", "0 to 100", "above zero"; empty: any.
+/// A text in both languages.
 struct SetupWords {
   std::string_view en, ru;
 };

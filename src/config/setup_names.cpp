@@ -1,4 +1,4 @@
-// What one control knows of a set-up: by what its file has. For cli, config, control, out.
+// Decides which keys and names of a set-up exist on a control, from the control's file. Used by cli, config, control, out.
 
 #include "config/setup_names.h"
 
@@ -16,12 +16,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_row = 999'999'999;                              // as the name of a row
-constexpr int turning_zeros = 9;                                   // G92 /A/ of the 2С42's turning machines
+constexpr int most_row = 999'999'999;                              // greatest number as the name of a row
+constexpr int turning_zeros = 9;                                   // G92 /A/ of the 2С42 on turning machines
 constexpr int dynamic_systems = 8;                                 // G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // tenths: G54 … G59, G59.3
 
-/// "N5114, N5200#1 or N1006.X".
+/// Returns "N5114, N5200#1 or N1006.X".
 std::string alternatives(const std::vector<std::string>& all, std::string_view or_word) {
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -31,7 +31,7 @@ std::string alternatives(const std::vector<std::string>& all, std::string_view o
   return text;
 }
 
-/// "#100", "#_ALM", "#_FOFS1[1]".
+/// Returns true for "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
   constexpr std::size_t longest_number = 7, longest_symbol = 31;
   if (name.size() < 2 || name[0] != '#') return false;
@@ -47,7 +47,7 @@ bool names_macro_variable(std::string_view name) {
 
 bool names_formal_parameter(std::string_view name) { return name.size() == 2 && name[0] == 'R' && is_digit(name[1]); }
 
-/// "10/1".
+/// Returns true for "10/1".
 bool names_place(std::string_view name) {
   constexpr std::size_t most_digits = 9;
   const std::size_t slash = name.find('/');
@@ -56,7 +56,7 @@ bool names_place(std::string_view name) {
   return all_are(magazine, is_digit) && all_are(pocket, is_digit) && std::max(magazine.size(), pocket.size()) <= most_digits;
 }
 
-/// "common", "G54", "G54.1 P2": of any control.
+/// Returns true for "common", "G54", "G54.1 P2": the names of work offsets on any control.
 bool is_like_work_offset(std::string_view name) {
   if (name == "common") return true;
   if (!name.starts_with("G")) return false;
@@ -66,7 +66,7 @@ bool is_like_work_offset(std::string_view name) {
   return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_are(name.substr(blank + 2), is_digit));
 }
 
-/// The 2С42 numbers its zeros otherwise than its codes: G55 is zero 3.
+/// Returns true if the numbers of the work offsets do not follow their codes. 2С42: G55 is zero 3.
 bool numbers_zeros_itself(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) {
     return row.function == Function::work_zero && row.arg > 0 && row.arg != row.tenth / 10 - first_system / 10 + 1;
@@ -116,7 +116,7 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
-    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;  // G110 of the Haas
+    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;  // also G110 of the Haas
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;
@@ -182,7 +182,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
-      if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;  // the control itself knows which of them it has
+      if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;  // the control checks which variables exist
       const int number = name[1] == '_' ? 0 : std::atoi(std::string(name.substr(1)).c_str());
       return number >= 1 && static_cast<std::uint32_t>(number) <= def_->grammar.variables;
     }
@@ -309,7 +309,7 @@ std::optional<SetupNamesOf::Words> SetupNamesOf::parameter_fault(std::string_vie
   const bool whole = value == std::floor(value);
   if (text) {
     if (row->type != ParameterType::text) return Words{"a number", "число"};
-    return std::nullopt;  // the control looks at its letters
+    return std::nullopt;  // the control checks the characters
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';

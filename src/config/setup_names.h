@@ -1,5 +1,6 @@
 #pragma once
-// What one control knows of a set-up: by what its file has. And the names that may stand in its tables: axes, work systems, numbers.
+// Decides which keys of a set-up exist on a control, and which names its tables may have: axes, work systems, numbers. The control's file
+// is the source.
 
 #include <optional>
 #include <string>
@@ -11,42 +12,42 @@
 
 namespace kadr {
 
-/// Whether the control's file has what the key is for.
+/// Returns true if the control's file has what the key needs.
 bool has(const ControlDef& def, SetupNeeds needs);
 
-/// A work system of the control, as a set-up names it.
+/// A work system of the control, by its name in a set-up.
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
-  std::uint32_t row;  // of the table of zeros or fixtures
-  bool works = true;  // Kadr does it
+  std::uint32_t row;  // row in the table of work offsets or fixtures
+  bool works = true;  // Kadr implements it
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
-/// Their names by `row`; that of 0: of no work system, the code that says so ("G53") or nothing.
+/// Returns the names of the work systems by `row`. Name 0 is the code that selects no work system ("G53"), or empty.
 std::vector<std::string> system_names(const ControlDef& def);
 
 class SetupNamesOf {
  public:
-  /// `def` nullptr: of all controls. `axes`: of the program's channel; `all_axes`: of all channels.
+  /// `def`: nullptr for all controls. `axes`: of the program's channel; `all_axes`: of all channels.
   SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes);
 
   bool knows(const SetupKey& row) const { return def_ == nullptr || has(*def_, row.needs); }
   bool allows(SetupNames kind, std::string_view name) const;
-  /// Those that there are, to choose the nearest from; empty where they are numbers or of a form.
+  /// Returns all names of this kind, from which a suggestion is chosen; empty if the names are numbers or have a fixed form.
   std::vector<std::string> all(SetupNames kind) const;
-  /// "named by a whole number, 1 to 9"; "named common, G54 or …".
+  /// A text in both languages. form(): "named by a whole number, 1 to 9"; "named common, G54 or …".
   struct Words {
     std::string en, ru;
   };
   Words form(SetupNames kind) const;
-  /// A parameter's name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
+  /// Returns one parameter name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
   std::vector<std::string> forms_of_parameters() const;
-  /// "axis", «оси».
+  /// Returns "axis", «оси».
   static SetupWords kind_name(SetupNames kind);
-  /// A work system that the control has and Kadr does not do yet.
+  /// Returns true for a work system that the control has, but that Kadr does not support yet.
   bool unserved(SetupNames kind, std::string_view name) const;
-  /// What the value of a parameter must be, if it is not; `text`: given as a text.
+  /// Returns the form that the value of a parameter needs, if it is not valid. `text`: the value is given as text.
   std::optional<Words> parameter_fault(std::string_view name, double value, bool text) const;
-  /// Numbers of the row for this control.
+  /// Returns the range of the row's numbers on this control.
   SetupRange range(const SetupKey& row) const;
   const ControlDef* control() const { return def_; }
 

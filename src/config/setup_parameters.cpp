@@ -1,5 +1,5 @@
-// Parameters of the set-up as the rooms after the control read them: by axis of the channel or of the channel itself. For machine,
-// motion.
+// Parameters of the set-up, as the rooms after the control read them: for an axis of the channel, or for the channel itself. Used by
+// machine, motion.
 
 #include "config/setup_parameters.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Parameters of the set-up as the rooms after the control read them: by axis of the channel or of the channel itself. A value
-// with an index goes before one without, a bit before the whole value (as ParameterStore). Not given: 0.
+// Parameters of the set-up, as the rooms after the control read them: for an axis of the channel, or for the channel itself. A value with
+// an index takes precedence over one without, and a bit over the whole value (as in ParameterStore). A parameter that is not given is 0.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// A bit by its number and its name.
+/// A bit, by its number and its name.
 struct ParameterBit {
   int number;
   const char* name;
@@ -17,10 +17,10 @@ struct ParameterBit {
 
 class SetupParameters {
  public:
-  /// `axes`: names of the channel's axes; numbers of axes run on through the channels (nct 1.2). The set-up must outlive it.
+  /// `axes`: names of the channel's axes. Axis numbers continue through the channels (nct 1.2). The set-up must outlive this object.
   SetupParameters(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// Number of the channel's first axis.
+  /// Returns the number of the channel's first axis.
   std::size_t first_axis() const { return first_; }
   double of_channel(const char* parameter) const { return value(parameter, channel_); }
   bool of_channel(const char* parameter, ParameterBit bit) const { return value(parameter, channel_, bit); }
@@ -28,7 +28,7 @@ class SetupParameters {
   bool of_axis(const char* parameter, std::size_t axis, ParameterBit bit) const { return value(parameter, axes_[axis], bit); }
 
  private:
-  using Indices = std::vector<std::string>;  // the ways to write an index, from the most particular on
+  using Indices = std::vector<std::string>;  // the forms of an index, the most specific one first
   double value(const char* parameter, const Indices& indices) const;
   bool value(const char* parameter, const Indices& indices, ParameterBit bit) const;
 

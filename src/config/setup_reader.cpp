@@ -1,4 +1,4 @@
-// Values of the set-up file, each read or refused by the name of its key. For the rest of config.
+// Reads values of the set-up file; errors name the key. Used by the rest of config.
 
 #include "config/setup_reader.h"
 
@@ -58,7 +58,7 @@ const Json& table(const Json& value, const std::string& key) {
 }
 
 AxisValues axis_values(const Json& value, const std::string& key) {
-  constexpr double farthest = 1e7;  // mm: ten kilometres, as for a program's own positions
+  constexpr double farthest = 1e7;  // mm: 10 km, as for positions in a program
   AxisValues axes;
   for (const auto& [axis, position] : table(value, key).items()) {
     axes[axis] = number(position, key + "." + axis);

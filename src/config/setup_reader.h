@@ -1,5 +1,5 @@
 #pragma once
-// Values of the set-up file, each read or refused by the name of its key. Only setup*.cpp use it.
+// Reads values of the set-up file; errors name the key. Only setup*.cpp use it.
 
 #include <algorithm>
 #include <functional>
@@ -19,12 +19,12 @@ namespace kadr::setup_reader {
 
 using Json = nlohmann::json;
 
-inline constexpr int most_number = 999'999'999;  // as the name of a row
+inline constexpr int most_number = 999'999'999;  // greatest number as the name of a row
 inline constexpr int most_channels = 8;
 inline constexpr int most_spindles = 16;
-inline constexpr int most_inputs = 8;  // of probes
+inline constexpr int most_inputs = 8;  // inputs for probes
 
-/// Inside the reader a wrong key or form leaves by this; parse_setup turns it into its error sentence.
+/// Thrown inside the reader for a wrong key or form; read_setup() converts it to its error sentence.
 struct Wrong {
   std::string key;
   std::string sentence;
@@ -32,7 +32,7 @@ struct Wrong {
 
 [[noreturn]] void wrong(const std::string& key, const std::string& form);
 
-/// Readers of one value; `key` is its full name, "machine.X.rapid", for the sentence if the value is of the wrong form.
+/// Readers of one value. `key` is its full name, "machine.X.rapid", for the error sentence.
 double number(const Json& value, const std::string& key);
 double within(const Json& value, const std::string& key, const NumberRange& range);
 int whole(const Json& value, const std::string& key);
@@ -47,7 +47,7 @@ std::optional<double> number_or_vacant(const Json& value, const std::string& key
 
 inline constexpr std::pair<int, int> any_number = {0, most_number};
 
-/// "3" as the name of a row.
+/// Reads the number of a row: "3".
 int row_number(const std::string& name, const std::string& key, std::pair<int, int> range = any_number);
 
 template <class T>
@@ -67,8 +67,8 @@ void numbered(const Json& value, const std::string& key, std::map<int, T>& to, T
 using Reader = std::function<void(const Json&, const std::string&)>;
 using Readers = std::map<std::string, Reader>;
 
-/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself. Its keys are those of
-/// config/setup_keys, which has been asked before: one without a reader is a bug.
+/// Passes each key of a table to its reader; `inside` is the table's name, empty for the set-up itself. The keys have been checked
+/// against config/setup_keys already, so a key without a reader is a bug.
 void read_table(const Json& value, const std::string& inside, const Readers& readers);
 
 Reader to_number(double& to);
@@ -78,9 +78,9 @@ Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);
 Reader to_word(std::string& to);
 Reader to_one_of(std::string& to, std::initializer_list<std::string_view> words);
-Reader or_null(Reader reader);  // null: as without the key
+Reader or_null(Reader reader);  // null means the same as a missing key
 
-/// The keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
+/// Readers for the keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
 Readers readers_of_tables(Setup& setup);
 Readers readers_of_machine(Setup& setup);
 void give_kinematics(Setup& setup);

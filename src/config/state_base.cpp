@@ -1,4 +1,4 @@
-// The SQLite database that a state file is: its connection, its marks, its errors in words. For config/state_content.
+// The SQLite database behind a state file: connection, marks, errors in words. Used by config/state_content.
 
 #include "config/state_base.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Small pages: a save writes those that it changes. A merge flushes the disk, so it comes seldom (state_file.cpp).
+// Small pages: a save writes only the pages that it changes. A merge of the log flushes the disk, so it is rare (state_file.cpp).
 constexpr const char* before_opening = "PRAGMA page_size = 1024; PRAGMA locking_mode = EXCLUSIVE; PRAGMA trusted_schema = OFF";
 
 }  // namespace
@@ -30,7 +30,7 @@ std::string_view text_at(sqlite3_stmt* statement, int column) {
 Base::~Base() {
   sqlite3_close(connection_);
   if (merges_ || had_log_) return;
-  std::error_code none;  // the opening alone makes an empty log
+  std::error_code none;  // opening alone creates an empty log
   const std::string log = path_ + "-wal";
   if (fs::exists(log, none) && fs::file_size(log, none) == 0) fs::remove(log, none);
 }
@@ -38,7 +38,7 @@ Base::~Base() {
 Done Base::connect() {
   std::error_code none;
   had_log_ = fs::exists(path_ + "-wal", none);
-  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // or SQLite would take ":memory:" and "file:…" for something else
+  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // else SQLite would interpret ":memory:" and "file:…"
   constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
   merges(false);
@@ -100,7 +100,7 @@ Done vetted(const std::string& path) {
   const auto error = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
   if (path.empty()) return tl::unexpected(told("the state file has no name", "не задано имя файла состояния"));
   if (const std::string kind = told_kind(path); !kind.empty()) return error("is " + kind + ", not a file", "— это " + kind + ", а не файл");
-  std::error_code none;  // not opened: closing it would take away the locks of this process
+  std::error_code none;  // the file is not opened: closing it would release the locks of this process
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0)
     return error("is empty: no state file of Kadr. A new one is made where there is none: remove it, if nobody else needs it",

@@ -1,4 +1,4 @@
-// kadr state: is a state file sound, and what can be read of a damaged one. For cli/state, cli/state_command.
+// kadr state: checks a state file, and recovers what is readable in a damaged one. Used by cli/state, cli/state_command.
 
 #include "config/state_check.h"
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t page_bytes = 1024;
 
-/// A folder of its own, gone with its owner.
+/// A temporary folder, removed with its owner.
 class Folder {
  public:
   Folder() {
@@ -44,7 +44,7 @@ class Folder {
   fs::path path_;
 };
 
-/// Whether a run has the file open: it holds SQLite's lock.
+/// Returns true if a run has the file open, that is, holds SQLite's lock.
 bool in_use(const std::string& path) {
   constexpr off_t lock_bytes = 0x40000000, lock_count = 512;  // sqlite.org/fileformat, "the lock-byte page"
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -59,7 +59,7 @@ bool in_use(const std::string& path) {
   return asked && lock.l_type != F_UNLCK;
 }
 
-/// The file and its log, copied.
+/// Copies the file and its log.
 tl::expected<std::string, std::string> copied(const std::string& path, const Folder& folder) {
   const auto failed = [&] {
     return tl::unexpected(path + " " + told("cannot be copied to look at it", "не удалось скопировать для проверки"));
@@ -85,13 +85,13 @@ tl::expected<Content, std::string> content_of(const std::string& copy, const std
   return content;
 }
 
-/// Lays the first page of a new state over that of the copy: our tables, in the places where a new file has them.
+/// Overwrites the first page of the copy by the first page of a new state file, which has our tables at the same positions.
 bool lay_new_head(const std::string& copy, const Folder& folder) {
   const std::string made = folder.path() / "new";
   if (!make_state(made, "", {})) return false;
   std::array<char, page_bytes> head{};
   std::ifstream(made, std::ios::binary).read(head.data(), head.size());
-  constexpr std::size_t change_counter = 24, valid_for = 92;  // unlike: the number of pages is that of the file
+  constexpr std::size_t change_counter = 24, valid_for = 92;  // if these differ, SQLite takes the page count from the file's size
   head[change_counter] = 1, head[valid_for] = 2;
   std::error_code none;
   fs::remove(copy + "-wal", none);
@@ -100,7 +100,7 @@ bool lay_new_head(const std::string& copy, const Folder& folder) {
   return static_cast<bool>(file);
 }
 
-/// The file as it is, and where its head is damaged, with a new head: whichever gives more rows.
+/// Reads the file as it is; if its first page is damaged, also with a new first page. Returns the result with more rows.
 tl::expected<Content, std::string> best_content(const std::string& path) {
   const Folder folder;
   const auto copy = copied(path, folder);
@@ -152,7 +152,7 @@ tl::expected<StateReport, std::string> recover_state(const std::string& path, co
 }
 
 bool state_is_unchecked(const std::string& path) {
-  constexpr std::streamoff user_version = 60;  // big-endian, of SQLite's header
+  constexpr std::streamoff user_version = 60;  // big-endian, in SQLite's header
   std::array<unsigned char, 4> bytes{};
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return false;

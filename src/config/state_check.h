@@ -1,5 +1,5 @@
 #pragma once
-// kadr state: is a state file sound, and what can be read of a damaged one.
+// kadr state: checks a state file, and recovers what is readable in a damaged one.
 
 #include <optional>
 #include <string>
@@ -9,22 +9,23 @@
 namespace kadr {
 
 struct StateReport {
-  std::string control;              // empty: it cannot be read
-  bool checked = true;              // with checksums; false: of an older Kadr, its values cannot be checked
-  std::size_t rows = 0;             // sound ones
-  std::vector<std::string> faults;  // told; none: the file is sound
+  std::string control;              // empty if it cannot be read
+  bool checked = true;              // has checksums; false: written by an older Kadr, so its values cannot be checked
+  std::size_t rows = 0;             // number of valid rows
+  std::vector<std::string> faults;  // in words; empty: the file is valid
 };
 
-/// Looks at a copy: the file and its log stay as they are.
-///   returns  an error sentence if it is no state, in use by a run, of a newer Kadr, or cannot be read
+/// Checks a copy, so that the file and its log are not changed.
+///   returns  on failure, an error sentence: not a state file, in use by a run, written by a newer Kadr, or unreadable
 tl::expected<StateReport, std::string> check_state(const std::string& path);
 
-/// Writes the sound rows into a new file; the old one stays as it is, and so does whatever has the new name.
-///   control  whose state it is, if the file no longer says, or wrongly; empty: what the file says
+/// Writes the valid rows to a new file. The old file is not changed, and an existing file is not replaced.
+///   control  the control of the state, if the file does not say it any more, or wrongly; empty: as the file says
 ///   returns  what was found, with the number of rows written; an error sentence if nothing was written
 tl::expected<StateReport, std::string> recover_state(const std::string& path, const std::string& to, const std::string& control);
 
-/// Whether the file was written without checksums. To be asked before it is opened: closing it takes away the locks of this process.
+/// Returns true if the file was written without checksums. Call it before the file is opened: closing the file here releases the locks of
+/// this process.
 bool state_is_unchecked(const std::string& path);
 
 }  // namespace kadr

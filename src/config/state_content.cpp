@@ -1,4 +1,4 @@
-// What a state file holds, read with its checksums: the good rows, and each thing that is wrong. For the rest of config.
+// Reads a state file with its checksums: the valid rows, and all faults. Used by the rest of config.
 
 #include "config/state_content.h"
 
@@ -32,9 +32,9 @@ class Fnv {
   std::uint64_t hash_ = 0xCBF29CE484222325;
 };
 
-constexpr std::size_t most_faults = 1000;  // told of one file
+constexpr std::size_t most_faults = 1000;  // limit of faults reported per file
 
-/// Kinds and keys of a damaged file may hold anything.
+/// Replaces characters that are not printable: kinds and keys of a damaged file may contain anything.
 std::string printable(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string shown;
@@ -61,10 +61,10 @@ class Reader {
     if (content_.faults.size() < most_faults) content_.faults.push_back(told(std::move(en), std::move(ru)));
   }
 
-  /// The mark, the version, and exactly the tables that we make: no others, no triggers.
+  /// Checks the mark, the version, and that there are exactly our tables: no others, no triggers.
   void tables() {
     const bool marked = base_.answer("PRAGMA application_id") == std::to_string(application_id);
-    int about = 0, state = 0, others = 0;  // version of the table
+    int about = 0, state = 0, others = 0;  // version of each table; 0: missing
     const SqlStatement all = base_.prepared("SELECT sql FROM sqlite_master");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
       const std::string_view sql = text_at(all.get(), 0);
@@ -96,7 +96,7 @@ class Reader {
     else fault("the checksum of the whole does not fit", "общая контрольная сумма не сходится");
   }
 
-  /// What SQLite itself finds.
+  /// Reports what SQLite's own check finds.
   void order() {
     const SqlStatement check = base_.prepared("PRAGMA integrity_check(20)");
     if (!check) return fault("its order is broken", "внутренний порядок нарушен");
@@ -110,7 +110,7 @@ class Reader {
     if (code != SQLITE_DONE) fault("its order is broken", "внутренний порядок нарушен");
   }
 
-  /// From the first row on; where a page in between cannot be read, from the last row back too.
+  /// Reads the rows forwards; if a page in between is unreadable, also backwards from the last row.
   void rows() {
     const bool checked = content_.checked;
     const auto read = [&](const char* order) {
@@ -130,7 +130,7 @@ class Reader {
     sort();
   }
 
-  /// False: the row is there already, in reading back.
+  /// Returns false if the row was already read forwards.
   bool take(sqlite3_stmt* row) {
     const std::string kind(text_at(row, 0)), key(text_at(row, 1));
     if (back_ && seen_ && std::pair(kind, key) <= *seen_) return false;
@@ -187,8 +187,8 @@ class Reader {
 
   const Base& base_;
   Content content_;
-  Whole last_;                                               // of the last turn seen
-  std::optional<std::pair<std::string, std::string>> seen_;  // the last row read forward
+  Whole last_;                                               // as recorded by the latest turn
+  std::optional<std::pair<std::string, std::string>> seen_;  // last row read forwards
   bool back_ = false;
 };
 

@@ -1,4 +1,4 @@
-// The state file (--state FILE): what survives power-off. For cli, config, control; tested by tests/config/state_file_test.cpp.
+// The state file (--state FILE): keeps what survives power-off. Used by cli, config, control; tested by tests/config/state_file_test.cpp.
 
 #include "config/state_file.h"
 
@@ -18,7 +18,7 @@ using namespace state;
 
 namespace {
 
-// A merge of the log into the file flushes the disk, so it comes seldom; 4000 pages are 4 MB.
+// Merging the log into the file flushes the disk, so it is done rarely; 4000 pages are 4 MB.
 constexpr const char* after_opening = "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000";
 
 }  // namespace
@@ -53,18 +53,18 @@ class StateFile::Database {
   std::string path_;
   Base base_;
   SqlStatement begin_, commit_, put_, remove_, whole_row_;
-  Sums sums_;  // of the rows in the file, by table and key
+  Sums sums_;  // checksums of the rows in the file, by table and key
   Whole whole_;
-  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // of the rows of a save, until it is through
-  std::vector<StateRow> unchecked_;                                           // all rows, of a file without checksums
-  bool old_ = false;                                                          // it has none yet
-  std::optional<FileId> file_, log_;                                          // as they were opened; nothing: not yet
+  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // previous checksums of the rows in a save, until it succeeds
+  std::vector<StateRow> unchecked_;                                           // all rows of a file without checksums
+  bool old_ = false;                                                          // the file has no checksums yet
+  std::optional<FileId> file_, log_;                                          // identity of file and log when opened; nullopt: not yet
 };
 
-/// The file and its log are still what their names mean: what is written into others, or into none, is lost.
+/// Returns true if the paths of file and log still mean the opened files. Otherwise, whatever is written is lost.
 bool StateFile::Database::stands() const { return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_); }
 
-/// What is wrong, and what can be done: the file is left as it is.
+/// Returns the message for a damaged file, with advice. The file is left as it is.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
   const std::size_t more = faults.size() - 1;
   const std::string en = more == 0 ? "" : " (" + std::to_string(more) + " more)",
@@ -73,7 +73,7 @@ tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::
                      "повреждён: " + faults[0] + ru + ". Все ошибки: kadr state check; спасти уцелевшее: kadr state recover");
 }
 
-/// Is it a sound state of this control, of a version that can be read?
+/// Checks that the file is a valid state of this control, in a readable version.
 Done StateFile::Database::check(const std::string& control_id) {
   if (const std::string newer = told_newer(base_, path_); !newer.empty()) return tl::unexpected(newer);
   Content content = read_content(base_);
@@ -130,10 +130,10 @@ tl::expected<StoredState, std::string> StateFile::Database::load() {
 
 int StateFile::Database::step(const SqlStatement& statement) {
   sqlite3_step(statement.get());
-  return sqlite3_reset(statement.get());  // gives the error of the step
+  return sqlite3_reset(statement.get());  // returns the error of the step
 }
 
-/// The checksum of a row in the file from now on; nothing: the row is gone.
+/// Updates the checksum of a row in the file; nullopt: the row is removed.
 void StateFile::Database::sum_is(const std::string& row, std::optional<std::uint64_t> sum) {
   const auto old = sums_.find(row);
   before_.emplace_back(row, old == sums_.end() ? std::nullopt : std::optional(old->second));
@@ -157,10 +157,11 @@ int StateFile::Database::step(const StateRow& row) {
   sum_is(name, sum);
   bind_row(put_.get(), row, sum, whole_);
   const int code = step(put_);
-  return code == SQLITE_OK && is_new ? put_whole() : code;  // were it lost again, the row before it would tell the whole without it
+  // For a new row also the whole is recorded: if the row were lost, the row of the turn before would describe a whole without it.
+  return code == SQLITE_OK && is_new ? put_whole() : code;
 }
 
-/// A turn without a row.
+/// Records a turn without a row.
 int StateFile::Database::put_whole() {
   ++whole_.turn;
   const std::string text = whole_.text();
@@ -168,7 +169,7 @@ int StateFile::Database::put_whole() {
   return step(whole_row_);
 }
 
-/// Of a file without checksums: the tables anew, within the transaction of its first save.
+/// Converts a file without checksums: creates the tables again, within the transaction of its first save.
 int StateFile::Database::upgrade() {
   put_.reset(), remove_.reset(), whole_row_.reset();
   const std::string make = std::string("ALTER TABLE about RENAME TO about_1; DROP TABLE state;") + about_table + ";" + state_table +
@@ -200,7 +201,7 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
-  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction of its own
+  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction by itself
   if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);

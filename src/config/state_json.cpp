@@ -1,5 +1,5 @@
-// What a run leaves behind, as JSON: `state` of the trace's last line (tests/golden/README.md). For cli/run, config/state_rows; tested by
-// tests/config/state_json_test.cpp.
+// Prints the state after a run as JSON: `state` of the trace's last line (tests/golden/README.md). Used by cli/run, config/state_rows;
+// tested by tests/config/state_json_test.cpp.
 
 #include "config/state_json.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr double most_exact = 9007199254740992;  // 2^53: below it a whole double is printed as a whole number
+constexpr double most_exact = 9007199254740992;  // 2^53: a whole number below it is printed without decimal point
 
 OrderedJson json_number(double value) {
   if (!std::isfinite(value)) return nullptr;
@@ -29,7 +29,7 @@ OrderedJson axes(const AxisValues& values) {
   return to;
 }
 
-/// {"name": row} of each row; nothing where there is none.
+/// Adds {"name": row} for each row; adds nothing if there are none.
 template <class Map, class Name, class Row>
 void put_table(OrderedJson& to, const char* key, const Map& rows, Name name, Row row) {
   for (const auto& [number_or_name, value] : rows) to[key][name(number_or_name)] = row(value);
@@ -92,7 +92,7 @@ OrderedJson parameter_value(const ParameterValue& value) {
   return json_number(std::get<double>(value));
 }
 
-/// What is fixed from the set-up, what turns from the run.
+/// Combines the constant data of the set-up with the present state of the run.
 OrderedJson spindle(const SpindleSetup& fixed, const RunState::SpindleState& now) {
   OrderedJson to = OrderedJson::object();
   if (!fixed.name.empty()) to["name"] = fixed.name;

@@ -1,5 +1,5 @@
-// A new state file with rows: made beside, whole, and given its name only where there is nothing of that name. For config/state_check,
-// config/state_file.
+// Creates a new state file with rows: it is written completely under a temporary name, then renamed if the name is free. Used by
+// config/state_check, config/state_file.
 
 #include "config/state_new.h"
 
@@ -35,7 +35,7 @@ bool put_about(sqlite3* base, const char* name, const std::string& value) {
   return sqlite3_step(put.get()) == SQLITE_DONE;
 }
 
-/// The bytes of the file: a database in memory is filled and written out.
+/// Returns the bytes of the file: fills a database in memory and serialises it.
 Image image_of(const std::string& control, const std::vector<StateRow>& rows, sqlite3_int64& size) {
   sqlite3* opened = nullptr;
   if (sqlite3_open(":memory:", &opened) != SQLITE_OK) return {};
@@ -61,7 +61,7 @@ Image image_of(const std::string& control, const std::vector<StateRow>& rows, sq
   return Image(sqlite3_serialize(base.get(), "main", &size, 0));
 }
 
-/// errno of what failed; 0: written and flushed.
+/// Writes and flushes the file. Returns 0, or the errno of the failure.
 int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64 size) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file < 0) return errno;
@@ -76,11 +76,11 @@ int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64
   return error;
 }
 
-/// Gives a file its name, if nothing has it; errno, or 0.
+/// Renames a file if the new name is free. Returns 0 or errno.
 int name_anew(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  if (::link(from.c_str(), to.c_str()) == 0) {  // a file system without the call above
+  if (::link(from.c_str(), to.c_str()) == 0) {  // for a file system without renameat2
     ::unlink(from.c_str());
     return 0;
   }
@@ -103,7 +103,7 @@ void bind_row(sqlite3_stmt* put, const StateRow& row, std::uint64_t sum, Whole& 
 Done make_state(const std::string& path, const std::string& control, const std::vector<StateRow>& rows) {
   const auto failed = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
   std::error_code none;
-  for (const char* const log : {"-wal", "-journal"})  // SQLite would lay the log of a file that is gone over the new one
+  for (const char* const log : {"-wal", "-journal"})  // SQLite would apply the log of a deleted file to the new one
     if (fs::exists(path + log, none))
       return failed("cannot be made: the log of an earlier one, " + path + log + ", is still there; put it away first",
                     "не создаётся: остался журнал прежнего файла, " + path + log + "; сначала уберите его");

@@ -1,4 +1,5 @@
-// Rows of the state file ↔ tables of a set-up. The keys of both are the same words, so that the set-up's reader checks the rows too.
+// Converts rows of the state file to tables of a set-up and back. The keys of both are the same, so the reader of set-ups also checks the
+// rows.
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Is a row of the set-up a table of values itself, "5/length", or one value?
+/// Returns true if a row of the set-up is a table of values ("5/length"), not a single value.
 constexpr bool has_columns(StateTable table) {
   return table == StateTable::offsets || table == StateTable::work_offsets || table == StateTable::tool_table ||
          table == StateTable::form_table;
@@ -37,7 +38,7 @@ Json to_json(const StateValue& value) {
   return nullptr;
 }
 
-/// "5/length" → the place of the value in the set-up; "2/user/3" → the third of the list "user".
+/// Stores a value under its key in the set-up: "5/length" is table[5].length, "2/user/3" the third item of the list table[2].user.
 void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t first = key.find('/');
   const std::string row = key.substr(0, first), rest = first == std::string::npos ? "" : key.substr(first + 1);
@@ -49,7 +50,7 @@ void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t number = rest.size() < 8 ? std::strtoul(rest.c_str() + 5, nullptr, 10) : 0;
   while (list.size() < std::min(number, ToolRow{}.user.size())) list.push_back(0);
   if (number > 0 && number <= list.size()) list[number - 1] = value;
-  else table[row][rest] = value;  // the reader refuses it by its name
+  else table[row][rest] = value;  // the reader rejects it by its name
 }
 
 }  // namespace

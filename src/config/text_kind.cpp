@@ -1,4 +1,4 @@
-// For config/guess and cli/program_files; tests/config/guess_test.cpp.
+// Classifies text files. Used by config/guess and cli/program_files; tested by tests/config/guess_test.cpp.
 
 #include "config/text_kind.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int lines_looked_at = 500;
 
-/// Words of letters that stand in programs of our controls.
+/// Words of several letters that occur in programs of the supported controls.
 constexpr std::array<std::string_view, 54> statement_words = {
     "IF",     "THEN",  "ELSE",  "ELSEIF", "ENDIF", "GOTO",  "WHILE", "ENDWHILE", "DO",     "END",  "EQ",     "NE",     "GT", "LT",
     "GE",     "LE",    "SIN",   "COS",    "TAN",   "ATAN",  "SQRT",  "ABS",      "FIX",    "FUP",  "ROUND",  "AND",    "OR", "XOR",
@@ -20,13 +20,13 @@ constexpr std::array<std::string_view, 54> statement_words = {
     "EXISTS", "MSG",   "ASIN",  "ACOS",   "BCD",   "BIN",   "LN",    "EXP",      "POW",    "ADP",  "AXNUM",  "SETVN"};
 
 bool letter(char c) { return c >= 'A' && c <= 'Z'; }
-/// The beginning of a character that is no ASCII.
+/// Returns true for the first byte of a character outside ASCII.
 bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0xC0; }
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 bool begins_value(char c) { return is_digit(c) || std::string_view("+-.#[<=(").find(c) != std::string_view::npos; }
 
-/// Addresses with values, and words of letters, of a line in capitals.
+/// The number of addresses with values, and of other words, in a line in upper case.
 struct WordCount {
   int addresses = 0, words = 0;
 };
@@ -60,7 +60,8 @@ WordCount words_of(std::string_view line) {
   return count;
 }
 
-/// Commas before numbers: of a table, `M2 x 0.4, 2.5, 1.886`. Blocks have them before letters (`,R5`) and in brackets.
+/// Returns true if commas stand before numbers, as in a table: `M2 x 0.4, 2.5, 1.886`. In blocks they stand before letters (`,R5`) and in
+/// brackets.
 bool is_like_row(std::string_view line) {
   int commas = 0, depth = 0;
   for (std::size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
@@ -79,7 +80,7 @@ bool is_like_block(const std::string& line) {
   return count.addresses > count.words && !is_like_row(line);
 }
 
-/// For people: what the line begins with, whole characters.
+/// Returns the start of the line for people, cut at a character boundary.
 std::string beginning_of(std::string_view line) {
   constexpr std::size_t most = 40;  // bytes
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -90,7 +91,7 @@ std::string beginning_of(std::string_view line) {
 }
 
 bool is_binary(std::string_view sample) {
-  constexpr double most = 0.02;  // of the bytes: a damaged program has fewer
+  constexpr double most = 0.02;  // part of the bytes; a damaged program has fewer
   const auto odd = std::count_if(sample.begin(), sample.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && byte != 0x1A) || byte == 0x7F;

@@ -1,5 +1,5 @@
 #pragma once
-// What kind of text a file holds, before anybody asks for which control: blocks, prose, or no text at all.
+// Classifies the text of a file before any control is considered: blocks, prose, or no text at all.
 
 #include <cstdint>
 #include <string>
@@ -11,14 +11,14 @@ enum class TextKind : std::uint8_t { program, prose, binary, empty };
 
 struct KindOfText {
   TextKind kind = TextKind::program;
-  std::string found;       // of prose: its first line that is no block
-  std::uint32_t line = 0;  // where, from 1; 0: nowhere in particular
+  std::string found;       // for prose: its first line that is not a block
+  std::uint32_t line = 0;  // number of this line, from 1; 0: no particular line
 };
 
-/// `sample`: the beginning of a file, UTF-8. INFERRED: a text of which less than half of the lines begin like blocks is prose.
+/// `sample`: the start of a file, UTF-8. INFERRED: a text is prose if less than half of its lines start like blocks.
 KindOfText kind_of_text(std::string_view sample);
 
-/// A line without its comments in brackets and the blanks around it, in capitals.
+/// Returns a line in upper case, without comments in brackets and surrounding blanks.
 std::string bare_line(std::string_view line);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The language in which the readers of files tell what is wrong. For cli, config, machine, out.
+// The language in which the readers of files report faults. Used by cli, config, machine, out.
 
 #include "config/told.h"
 

@@ -1,4 +1,4 @@
-// A look over TOML text before it is parsed. For config/toml_tools; tested by tests/config/toml_scan_test.cpp.
+// Checks the limits of TOML text before it is parsed. Used by config/toml_tools; tested by tests/config/toml_scan_test.cpp.
 
 #include "config/toml_scan.h"
 
@@ -37,7 +37,7 @@ class TomlScan {
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') begins_ = false;
   }
 
-  /// A bracket at the beginning of a line, outside of a value, is a heading: [a] and [[a]] end with their line.
+  /// Counts a bracket. At the start of a line, outside of a value, it is a heading: [a] and [[a]] end with their line.
   void open(char c) {
     value();
     if (begins_ && c == '[') {
@@ -49,7 +49,7 @@ class TomlScan {
                  "скобки вложены более чем на " + told_count(limits::toml_depth, "уровень", "уровня", "уровней")));
   }
 
-  /// A point in a number counts too: no harm.
+  /// Counts a part of a key. Points in numbers count too, which does no harm.
   void part() {
     value();
     if (++parts_ > limits::toml_key_parts)
@@ -63,7 +63,7 @@ class TomlScan {
                  "более " + std::to_string(limits::toml_values) + " значений"));
   }
 
-  /// To the end of a string, of several lines too. One that does not end its line is the parser's to refuse.
+  /// Skips a string, also one of several lines. A single-line string that does not end in its line is left to the parser to reject.
   void string(char quote) {
     begins_ = false;
     const std::string three(3, quote);
@@ -78,7 +78,8 @@ class TomlScan {
       if (text_[at_] != quote) continue;
       if (lines && text_.substr(at_, 3) != three) continue;
       at_ += lines ? 3 : 1;
-      for (int more = 0; lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;  // """a""""": two of its own
+      // In """a"""", up to two quotes before the closing three belong to the string.
+      for (int more = 0; lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
       return;
     }
   }
@@ -88,7 +89,7 @@ class TomlScan {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0, depth_ = 0, parts_ = 1, values_ = 0;
-  bool begins_ = true;  // of a line: nothing but blanks so far
+  bool begins_ = true;  // at the start of a line: only blanks so far
   std::string fault_;
 };
 

@@ -1,4 +1,5 @@
-// What the readers of our TOML files share: the file's text, merging of `extends`, messages with a place. For the rest of config.
+// Common functions of the readers of TOML files: built-in texts, merging for `extends`, messages with a location. Used by the rest of
+// config.
 
 #include "config/toml_tools.h"
 
@@ -29,7 +30,7 @@ std::optional<toml::table> embedded_table(std::string_view name) {
 
 namespace {
 
-/// toml++ says "Error while parsing array: …" in English; in Russian it is told what was being read there.
+/// Translates the error of toml++, such as "Error while parsing array: …". In Russian it only says what was being read.
 std::string told_parse_error(std::string_view description) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> what = {{
       {"key-value pair", "неверно записано «ключ = значение»"},
@@ -72,12 +73,12 @@ void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
     if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
-    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved: a copy forgets its place
+    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved: a copy has no position
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;  // of the file it extends, it may be
+  const toml::source_path_ptr& path = node.source().path;  // possibly the path of the file that it extends
   const auto line = node.source().begin.line;
   return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }
@@ -94,14 +95,14 @@ namespace {
 std::optional<double> within(const toml::node* node, const NumberRange& range) {
   if (node == nullptr || !node->is_number()) return std::nullopt;
   const double value = node->value<double>().value_or(0);
-  return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is within nothing
+  return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is within no range
 }
 
 tl::unexpected<std::string> must_be(const std::string& file, const toml::node& node, std::string_view key, const std::string& form) {
   return tl::unexpected(place(file, node) + std::string(key) + told(" must be ", ": должно быть ") + form);
 }
 
-/// Letters to be changed, added or left out (Levenshtein).
+/// Returns the number of letters to change, add or remove (Levenshtein distance).
 std::size_t changes(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -145,7 +146,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t longest = 64;  // no key of ours is longer
+  constexpr std::size_t longest = 64;  // no key is longer
   if (word.size() > longest) return {};
   std::string_view best;
   std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;

@@ -1,4 +1,5 @@
-// LinuxCNC's tool table, and which form a file has. For config/tool_library; tested by tests/config/tool_formats_test.cpp.
+// Reads LinuxCNC's tool table, and recognises the format of a tools file. Used by config/tool_library; tested by
+// tests/config/tool_formats_test.cpp.
 
 #include "config/tool_formats.h"
 
@@ -14,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm: a table of offsets says nothing of it
-constexpr double assumed_edge = 10;     // mm, of an insert
+constexpr double assumed_length = 100;  // mm; a table of offsets does not contain lengths
+constexpr double assumed_edge = 10;     // mm, length of an insert's edge
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
@@ -34,7 +35,7 @@ std::optional<double> number_behind(std::string_view line, char letter) {
   return std::nullopt;
 }
 
-/// What the comment of a table says of the form: "6mm ball nose", "drill 118 deg".
+/// Derives the kind of tool from the comment of a table: "6mm ball nose", "drill 118 deg".
 ToolKind kind_in_words(std::string_view comment) {
   const std::string words = in_small_letters(comment);
   const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
@@ -43,10 +44,10 @@ ToolKind kind_in_words(std::string_view comment) {
   return ToolKind::flat;
 }
 
-/// Q: where the tip lies from the nose's centre, along x and z, as LinuxCNC's picture of the tool (rs274/glcanon.py) has it.
+/// Position of the tip relative to the nose's centre, along x and z, by Q; as LinuxCNC's drawing of the tool (rs274/glcanon.py) has it.
 constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
-/// From the feed along z that the tip points to, 0 to 360, of an edge whose direction is given from +z towards +x.
+/// Converts the direction of an edge, in degrees from +z towards +x, to its angle from the feed along z that the tip points to; 0 to 360.
 double from_feed(double direction, int tip_x, int tip_z) {
   const double turned = tip_x > 0 ? -direction : direction, angle = std::fmod(tip_z > 0 ? turned : 180 - turned, 360);
   return angle < 0 ? angle + 360 : angle;
@@ -54,7 +55,8 @@ double from_feed(double direction, int tip_x, int tip_z) {
 
 double edge_of(const ToolGeometry& insert) { return std::max(assumed_edge, 3 * insert.corner / std::sin(insert.angle * rad_per_deg)); }
 
-/// A tool with an orientation Q and both edges I, J is an insert; Q9 a round one. Q, I, J of another form: none.
+/// Returns the insert of a row, which needs an orientation Q and the angles I, J of both edges; Q9 is a round insert. Returns nullopt for
+/// any other row.
 std::optional<ToolGeometry> insert_of_table(std::string_view line) {
   const auto q = number_behind(line, 'Q'), front = number_behind(line, 'I'), back = number_behind(line, 'J');
   if (!q || !front || !back || !(*q >= 1 && *q <= 9) || *q != std::floor(*q)) return std::nullopt;
@@ -97,7 +99,7 @@ void take_unit(double mm, ToolLibrary& library) {
   }
 }
 
-/// T, P, D and what stands behind ; (LinuxCNC, tool table). Lengths in the machine's units.
+/// Reads T, P, D and the comment after ; (LinuxCNC, tool table). Lengths are in the machine's units.
 tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, const std::string& file) {
   ToolLibrary library;
   library.in_machine_units = true;

@@ -1,5 +1,5 @@
 #pragma once
-// ToolGeometry: what a tool looks like, as tools files and libraries say it (design.md 10). Lengths mm, angles degrees.
+// ToolGeometry: the shape of a tool, from tools files and libraries (design.md 10). Lengths are in mm, angles in degrees.
 
 #include <cstdint>
 #include <optional>
@@ -8,32 +8,32 @@
 
 namespace kadr {
 
-/// flat, ball, bull: end mills; taper: of half angle `angle`, of its diameter where the flutes end; chamfer: of full point angle `angle`,
-/// as a drill; form: by its profile; turning: an insert that does not spin, see InsertGeometry.
+/// The kind of a tool. flat, ball, bull: end mills. taper: half angle `angle`, with its diameter at the upper end of the flutes. chamfer:
+/// full point angle `angle`, as for a drill. form: shape given by a profile. turning: an insert that does not rotate, see InsertGeometry.
 enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, chamfer, tslot, form, turning };
 
-/// Of the outline of a body of revolution.
+/// A point on the outline of a body of revolution.
 struct ProfilePoint {
   double diameter = 0;
-  double height = 0;  // above the tip; of a holder above its own face
+  double height = 0;  // above the tip; for a holder, above its own face
   friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
 };
 
-/// In the half plane of a turning tool, from the programmed point: x along the radius (machine X, or Y where that is the radius), z along
-/// Z.
+/// A point in the half plane of a turning tool, relative to the programmed point: x along the radius (machine X, or Y if that is the
+/// radius), z along Z.
 struct InsertPoint {
   double x = 0, z = 0;
   friend bool operator==(const InsertPoint&, const InsertPoint&) = default;
 };
 
-/// Of a turning tool. Its `corner` is the nose radius, `angle` the nose's included angle (0: a round insert), `flutes` the length of its
-/// cutting edges from the sharp corner, `length` that of the insert's sides.
+/// The insert of a turning tool. ToolGeometry::corner is its nose radius, `angle` the included angle of the nose (0: a round insert),
+/// `flutes` the length of its cutting edges from the sharp corner, `length` the length of the insert's sides.
 struct InsertGeometry {
-  /// Where the programmed point lies, seen from the centre of the nose: -1, 0, 1 along x and z. Both 0: there.
+  /// Direction from the nose's centre to the programmed point: -1, 0, 1 along x and z. Both 0: the programmed point is the centre.
   int tip_x = 0, tip_z = 0;
-  std::optional<double> lead;        // entering angle: of the leading edge with the feed along z that the tip points to, degrees
-  double width = 0;                  // of a grooving insert; 0: none
-  std::vector<InsertPoint> profile;  // of the cutting part, instead of all this; a simple polygon
+  std::optional<double> lead;        // entering angle, degrees: between the leading edge and the feed along z that the tip points to
+  double width = 0;                  // width of a grooving insert; 0: not a grooving insert
+  std::vector<InsertPoint> profile;  // a simple polygon for the cutting part, instead of the above
   std::vector<InsertPoint> holder;   // a simple polygon; two points: opposite corners of a rectangle
 };
 
@@ -42,17 +42,17 @@ struct ToolGeometry {
   std::string name;
   ToolKind kind = ToolKind::flat;
   double diameter = 0;
-  double corner = 0;                  // radius at the end of a bull nose
+  double corner = 0;                  // radius at the end of a bull nose mill
   double angle = 0;                   // see ToolKind
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill
-  double flutes = 0;                  // height of the cutting part
-  double length = 0;                  // stick-out: where the holder's face stands
-  std::vector<ProfilePoint> profile;  // of the cutting part of a form tool
-  std::vector<ProfilePoint> shank;    // empty: `diameter` from `flutes` to `length`
-  std::vector<ProfilePoint> holder;   // empty: none is known
-  bool plunges = true;                // may cut straight down
-  int teeth = 0;                      // 0: not known
-  InsertGeometry insert;              // of a turning tool
+  double flutes = 0;                  // height of the cutting part (flute length)
+  double length = 0;                  // stick-out: height of the holder's face
+  std::vector<ProfilePoint> profile;  // cutting part of a form tool
+  std::vector<ProfilePoint> shank;    // empty: a cylinder of `diameter` from `flutes` to `length`
+  std::vector<ProfilePoint> holder;   // empty: not known
+  bool plunges = true;                // the tool may cut straight down
+  int teeth = 0;                      // number of cutting edges; 0: not known
+  InsertGeometry insert;              // only for a turning tool
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Tool libraries in JSON: CAMotics, FreeCAD, Fusion. For config/tool_library; tested by tests/config/tool_formats_test.cpp.
+// Reads tool libraries in JSON: CAMotics, FreeCAD, Fusion. Used by config/tool_library; tested by tests/config/tool_formats_test.cpp.
 
 #include <algorithm>
 #include <charconv>
@@ -26,7 +26,7 @@ tl::expected<json, std::string> parsed_json(std::string_view text, const std::st
   return value;
 }
 
-/// Of an object, or an empty value.
+/// Returns a member of an object, or an empty value.
 const json& part(const json& of, const char* key) {
   static const json none;
   if (!of.is_object()) return none;
@@ -36,7 +36,7 @@ const json& part(const json& of, const char* key) {
 
 std::string word_of(const json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
 
-/// A number, or one with its unit: "5.000 mm", "0.25 in", "60.00 °".
+/// Returns a number, or a number with its unit: "5.000 mm", "0.25 in", "60.00 °".
 double amount(const json& value, double unit) {
   if (value.is_number()) return value.get<double>() * unit;
   if (!value.is_string()) return 0;
@@ -48,7 +48,7 @@ double amount(const json& value, double unit) {
   return number * (rest.find("in") != std::string_view::npos || rest.find('"') != std::string_view::npos ? mm_per_inch : 1);
 }
 
-/// The tool has a shape: it is taken; else it is said why not.
+/// Adds the tool if its shape is valid; else adds a note why not.
 void take(ToolLibrary& library, ToolGeometry tool, const std::string& file, const std::string& shape) {
   complete(tool);
   const std::string fault = told_fault(tool);
@@ -68,7 +68,7 @@ tl::expected<ToolLibrary, std::string> not_empty(ToolLibrary library, const std:
   return Failed(library.notes.empty() ? file + ": " + told("no tools in it", "в нём нет инструментов") : library.notes.front());
 }
 
-/// Teeth, where it is a number of them that a tool may have: also as text, "2".
+/// Returns the number of teeth, also from a text such as "2"; 0 if the value is no valid number of teeth.
 int teeth_in(const json& value) {
   const double teeth = amount(value, 1);
   return teeth >= 1 && teeth <= limits::teeth && teeth == std::floor(teeth) ? int(teeth) : 0;
@@ -76,7 +76,7 @@ int teeth_in(const json& value) {
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// Half of an ellipsoid as an outline.
+/// Returns the outline of an ellipsoid of revolution.
 std::vector<ProfilePoint> spheroid(double diameter, double length) {
   constexpr int steps = 64;
   std::vector<ProfilePoint> outline;
@@ -108,7 +108,7 @@ bool says_any(const std::string& text, std::initializer_list<std::string_view> w
   return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return text.find(w) != std::string::npos; });
 }
 
-/// FreeCAD's names of shapes: endmill.fcstd, or endmill.
+/// Recognises FreeCAD's names of shapes: endmill.fcstd, or endmill.
 bool freecad_shape(ToolGeometry& tool, const std::string& shape, const json& sizes) {
   const double full = amount(part(sizes, "CuttingEdgeAngle"), 1);
   if (says_any(shape, {"ballend"})) tool.kind = ToolKind::ball;
@@ -144,7 +144,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
-  } else if (says_any(type, {"tapered mill"})) {  // DC is at its tip, which Kadr knows without a corner only
+  } else if (says_any(type, {"tapered mill"})) {  // DC is measured at the tip; Kadr supports this kind only without corner radius
     if (length("RE") > 0) return false;
     tool.kind = ToolKind::taper;
     tool.angle = amount(part(sizes, "TA"), 1);
@@ -155,7 +155,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
   return true;
 }
 
-/// From below: {"height", "lower-diameter", "upper-diameter"}.
+/// Reads segments from below upwards: {"height", "lower-diameter", "upper-diameter"}.
 std::vector<ProfilePoint> segments_of(const json& body, double unit, double from) {
   std::vector<ProfilePoint> outline;
   double height = from;
@@ -199,7 +199,7 @@ tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, 
   return not_empty(std::move(library), file);
 }
 
-/// One tool, which has no number: it is whatever tool the program calls.
+/// Reads a single tool without a number: it stands for whatever tool the program calls.
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file) {
   const auto root = parsed_json(text, file);
   if (!root) return Failed(root.error());

@@ -1,4 +1,4 @@
-// tools.toml: what the tools look like. For session and cli; tested by tests/config/tool_library_test.cpp.
+// Reads tools.toml: the shapes of the tools. Used by session and cli; tested by tests/config/tool_library_test.cpp.
 
 #include "config/tool_library.h"
 
@@ -34,7 +34,7 @@ constexpr std::string_view tool_keys[] = {"number",  "name",         "kind",   "
                                           "tip",     "flute_length", "length", "profile",  "shank",  "holder",
                                           "plunges", "flute_count",  "points", "lead",     "width"};
 
-/// Keys of older files, which say something else to the field (`flutes` is a length there). They are read still.
+/// Keys of older files, which mean something else in the trade (`flutes` was a length here). They are still read.
 struct OldKey {
   std::string_view old, now;
 };
@@ -59,7 +59,7 @@ std::string told_assumed(const std::vector<std::uint32_t>& tools) {
              ": не указаны ни flute_length, ни length; взяты 3 и 5 диаметров, у сверла 8 и 10: за хвостовиком и патроном следят плохо");
 }
 
-/// The key under which the row has it.
+/// Returns the key, new or old, that the row uses.
 std::string_view key_in(const toml::table& row, std::string_view now) {
   for (const OldKey& k : old_keys)
     if (k.now == now && row.contains(k.old)) return k.old;
@@ -119,7 +119,7 @@ Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool
                                                 "kind: flat, ball, bull, drill, taper, chamfer, tslot, form или turning"));
 }
 
-/// [[diameter, height], …]
+/// Reads [[diameter, height], …].
 Done outline_of(const std::string& file, const toml::table& row, std::string_view key, std::vector<ProfilePoint>& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -139,7 +139,7 @@ Done outline_of(const std::string& file, const toml::table& row, std::string_vie
                 told(size_range));
 }
 
-/// What is wrong with an outline.
+/// Returns what is wrong with an outline; empty if it is valid.
 std::string told_outline(std::string_view key, const std::vector<ProfilePoint>& outline) {
   double widest = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -190,7 +190,8 @@ const ToolGeometry* ToolLibrary::find(std::uint32_t number) const {
 }
 
 bool assume_heights(ToolGeometry& t) {
-  constexpr double flutes_share = 3, length_share = 5, drill_flutes_share = 8, drill_length_share = 10;  // what most catalogues have
+  // Factors of the diameter, as in most catalogues.
+  constexpr double flutes_share = 3, length_share = 5, drill_flutes_share = 8, drill_length_share = 10;
   const bool is_known = t.flutes != 0 || t.length != 0 || !t.profile.empty() || !t.shank.empty() || t.kind == ToolKind::turning;
   if (is_known || !(t.diameter > 0)) return false;
   const bool drills = t.kind == ToolKind::drill;

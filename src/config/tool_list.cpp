@@ -1,5 +1,5 @@
-// Tools as a list of JSON: turned into the tables of a tools file, so that the same is asked of both. For view/page_part; tested by
-// tests/config/tool_list_test.cpp.
+// Reads tools from a JSON list: converts them to the tables of a tools file, so that the same checks apply. Used by view/page_part;
+// tested by tests/config/tool_list_test.cpp.
 
 #include "config/tool_list.h"
 
@@ -19,7 +19,7 @@ using Failed = tl::unexpected<std::string>;
 toml::table table_of(const json& object);
 toml::array array_of(const json& list);
 
-/// Gives it to `take` as toml++ has it; null is nothing.
+/// Passes the value to `take` in the form of toml++; null is skipped.
 template <class Take>
 void each_kind(const json& value, const Take& take) {
   if (value.is_object()) take(table_of(value));
@@ -42,7 +42,7 @@ toml::array array_of(const json& list) {
   return array;
 }
 
-/// "T5", or which one of the list it is.
+/// Returns "T5", or the position in the list.
 std::string called_in_list(const json& row, std::size_t i) {
   const auto number = row.find("number");
   if (number != row.end() && number->is_number_integer()) return "T" + number->dump();

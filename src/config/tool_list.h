@@ -1,5 +1,5 @@
 #pragma once
-// Tools ↔ JSON, the keys those of a tools file: what a page and a session tell each other of tools.
+// Converts tools to JSON and back, with the keys of a tools file; a page and a session exchange tools in this form.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace kadr {
 
-/// [{"number": 1, "kind": "flat", …}, …]
-///   returns  an error sentence that names the tool
+/// Reads [{"number": 1, "kind": "flat", …}, …].
+///   returns  on failure, an error sentence that names the tool
 tl::expected<ToolLibrary, std::string> tools_of_list(std::string_view json);
 
-/// law  tools_of_list() makes the same tool of it
+/// law  tools_of_list() reads the same tool from the result
 nlohmann::ordered_json tool_json(const ToolGeometry& tool);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// A tool as a table of TOML. For config/tool_library and config/tool_list.
+// Reads a tool from a TOML table. Used by config/tool_library and config/tool_list.
 
 #include <toml++/toml.h>
 
@@ -10,10 +10,10 @@
 
 namespace kadr {
 
-/// returns  an error sentence with its place
+/// returns  on failure, an error sentence with its location
 tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row);
 
-/// Each number once; else an error sentence.
+/// Adds a tool. Returns an error sentence if its number occurs already.
 tl::expected<void, std::string> add_tool(const std::string& file, const toml::table& row, ToolGeometry tool, ToolLibrary& to);
 
 }  // namespace kadr
