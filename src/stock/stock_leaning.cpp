@@ -15,7 +15,7 @@ namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
 constexpr double greatest_bend = 2.5e-3;     // mm
-constexpr float upright_agree = 5e-4f;       // mm: twice the limit that is the law of stock/cut/sweep_rows.h
+constexpr float upright_agree = 5e-4f;       // mm: a little over twice the 2e-4 of the law in stock/cut/upright_rows.h and level_rows.h
 constexpr float leaning_agree_cell = 2e-3f;  // of the cell: what a bend and a guessed position may add
 
 struct BodyHeights {
