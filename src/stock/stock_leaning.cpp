@@ -153,7 +153,7 @@ void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here,
   const std::uint16_t tool = sweeps_[number].tool;
   const LeanBody& body = leaning_[tool][i];
   if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
-  // Lines that turn over during a part of the path are cut by its halves, where more of the line lies safely between its ends.
+  // Lines that turn over in a part are cut by its halves, which permit a gap twice as long (LeanOver::apart).
   const std::function<void(const LeanWay&, const LeanSweep&, const LocalSweep&, const LineSet*)> cut =
       [&](const LeanWay& way, const LeanSweep& sweep, const LocalSweep& tip, const LineSet* only) {
         const LineSet later = cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
-// The first is for the program's folder; the next two are for libkadr.so; the last is for the tests of a build.
+// The first two are relative to the program's folder, the next two to that of libkadr.so, the last to that of a build's tests.
 constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
 /// Returns the folder of this binary with a final `/`; empty if unknown.
