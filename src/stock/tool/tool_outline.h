@@ -1,5 +1,5 @@
 #pragma once
-// The outline of a tool for drawings, which is what the cutter assumes it to be.
+// The outline of a tool for drawings: the shape that the cutting simulation uses.
 
 #include <vector>
 
