@@ -1,4 +1,4 @@
-// From a place of the tool back to the axes; tests/kinematics/chain_test.cpp.
+// Computes the axis positions from a pose of the tool. Tested by tests/kinematics/chain_test.cpp.
 
 #include "kinematics/chain.h"
 

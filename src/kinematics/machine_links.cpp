@@ -1,4 +1,4 @@
-// The links of a machine: where they are, how far they can move. For stock/bodies; tested by tests/kinematics/machine_links_test.cpp.
+// The poses of a machine's links and bounds of their motion. Used by stock/bodies; tested by tests/kinematics/machine_links_test.cpp.
 
 #include "kinematics/machine_links.h"
 
@@ -13,7 +13,8 @@ MachineLinks::MachineLinks(const MachineTree& tree) : links_(1) {
   part_ = tree.part().empty() ? bed : links_.size() - 1;
 }
 
-/// An axis of the part moves it against the way that the tool goes, seen from the part; one that turns, turns it.
+/// A linear axis on the part side moves the part opposite to the tool's motion as seen from the part. A rotary axis has the part's
+/// own sense.
 void MachineLinks::add(const std::vector<MachineJoint>& chain, bool of_part) {
   std::size_t carrier = bed;
   for (const MachineJoint& joint : chain) {
@@ -46,8 +47,8 @@ void MachineLinks::poses(const Axes& axes, std::vector<LinkPose>& poses) const {
   }
 }
 
-/// From the body outwards. A straight axis moves all of it; one that turns moves a place by at most its arm times the angle, and the arm is
-/// no longer than now and by what the axes within have moved the place.
+/// Works from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at most arm times angle,
+/// and the arm is at most its present length plus the distance by which the inner axes have moved the point.
 Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses,
                             const Axes& by) const {
   Travel travel;
@@ -70,7 +71,7 @@ Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& 
 }
 
 std::size_t MachineLinks::carrier(std::size_t a, std::size_t b) const {
-  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;  // a link stands after what carries it
+  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;  // a link has a greater number than its carrier
   return a;
 }
 

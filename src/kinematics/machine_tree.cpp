@@ -1,4 +1,5 @@
-// From a machine's file to places of its tool, and back. For session, cli/machines; tests/kinematics/machine_tree_test.cpp.
+// Forward and inverse kinematics of a machine file. Used by session and cli/machines; tested by
+// tests/kinematics/machine_tree_test.cpp.
 
 #include "kinematics/machine_tree.h"
 
@@ -10,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr double same_way = 1e-11;  // of directions of length 1
+constexpr double same_way = 1e-11;  // for the difference of unit vectors
 
-/// By which the joint turns or moves, with its sense.
+/// The joint's angle or distance with its sign.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
-/// v of m·v = b by Cramer's rule; nothing: m is singular, its determinant no greater than `least`.
+/// Solves m·v = b by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
 std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
   const double whole = dot(x, cross(y, z));
@@ -23,7 +24,7 @@ std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   return 1 / whole * Vec3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
 }
 
-/// Sum of v·vᵀ.
+/// The sum of v·vᵀ.
 Mat3 sum_of_squares(const std::vector<Vec3>& all) {
   Mat3 sum{{Vec3{}, Vec3{}, Vec3{}}};
   for (const Vec3& v : all) {
@@ -70,7 +71,7 @@ Pose MachineTree::forward(const Axes& axes, double tool_length) const {
     if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
     else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
   }
-  for (const MachineJoint& joint : part_) {  // seen from what it carries
+  for (const MachineJoint& joint : part_) {  // seen from the part that the joint carries
     if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
     else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
   }
@@ -85,7 +86,7 @@ std::vector<const MachineJoint*> MachineTree::joints(bool rotary) const {
   return all;
 }
 
-/// The directions of a machine with two rotary axes are those of a FiveAxis, wherever the linear ones stand.
+/// The directions of a machine with two rotary axes equal those of a FiveAxis, whatever the positions of the linear axes.
 FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary) const {
   const auto on_tool = std::count_if(tool_.begin(), tool_.end(), [](const MachineJoint& j) { return j.moves.turns; });
   FiveAxis five;
@@ -99,7 +100,7 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
   return five;
 }
 
-/// Any number of rotary axes: the least change of their positions, step by step (Gauss and Newton, damped).
+/// Solves for any number of rotary axes by damped Gauss-Newton steps, each with the least change of the positions.
 bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
   constexpr int most_steps = 100;
@@ -144,7 +145,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
     return true;
   }
   const Axes start = axes;
-  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from there, where the first way ends in a corner
+  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from the present position, if the first attempt gets stuck
   for (const double first : starts)
     for (std::size_t which = 0; which < rotary.size(); ++which) {
       axes = start;
@@ -157,7 +158,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// The linear axes, by the least change: the tip depends on them evenly.
+/// Moves the linear axes by the least change; the tip depends on them linearly.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

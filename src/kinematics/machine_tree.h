@@ -1,7 +1,7 @@
 #pragma once
-// MachineTree: a machine as its file describes it: from the bed a chain of axes to the tool and one to the part, linear and rotary in any
-// order and number ([kinematics] of machines/*.toml). Where the tool is in the part, and the axes for a place and a direction. What
-// NCT 25.1 can say of such a machine is a FiveAxis. mm, degrees; positions are those of the machine.
+// MachineTree: a machine as its file describes it ([kinematics] of machines/*.toml): two chains of linear and rotary axes, in any
+// order and number, from the bed to the tool and from the bed to the part. It computes the tool's pose in the part, and the axis
+// positions for a pose. A machine that fits NCT 25.1 converts to a FiveAxis. mm, degrees; positions are machine positions.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -15,7 +15,7 @@ namespace kadr {
 
 struct MachineJoint {
   std::string name;
-  int axis = -1;  // by index in the channel; -1: the channel has it not, it stands at 0
+  int axis = -1;  // index in the channel; -1 if the channel lacks the axis, which then is at 0
   AxisJoint moves;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -23,23 +23,24 @@ struct MachineJoint {
 
 class MachineTree {
  public:
-  /// `axes`: names of the channel, in their order.
+  /// `axes` holds the channel's axis names in order.
   MachineTree(const MachineProfile& profile, const std::vector<std::string>& axes);
 
   bool empty() const { return tool_.empty() && part_.empty(); }
   const std::vector<MachineJoint>& tool() const { return tool_; }
   const std::vector<MachineJoint>& part() const { return part_; }
 
-  /// Where the tool is in the part, seen from the part as it lies where all axes stand at 0, whose zero is that of the machine.
+  /// Returns the pose of the tool in the part, with the part as it lies when all axes are at 0, and with the machine's origin.
   ///   tool_length  from the tip to the gauge point
   Pose forward(const Axes& axes, double tool_length) const;
-  /// The positions at which the tool is there; of several the one nearest to `near`, within the limits. Axes that are not needed stay.
+  /// Returns the axis positions that give the pose, within the limits; if there are several, those nearest to `near`. Axes that are
+  /// not needed stay.
   ///   law      forward(*inverse(pose, near, l), l) == pose
-  ///   returns  nothing: not to be reached
+  ///   returns  nullopt if the pose cannot be reached
   std::optional<Axes> inverse(const Pose& pose, const Axes& near, double tool_length) const;
 
-  /// The machine in the terms of NCT 25.1.
-  ///   returns  a sentence: why it is none of that kind
+  /// Describes the machine in the terms of NCT 25.1.
+  ///   returns  on failure a sentence that says why the machine does not fit
   tl::expected<FiveAxis, std::string> five_axis() const;
 
  private:
@@ -51,7 +52,7 @@ class MachineTree {
   std::vector<const MachineJoint*> joints(bool rotary) const;
   FiveAxis directions(const std::vector<const MachineJoint*>& rotary) const;
 
-  std::vector<MachineJoint> tool_, part_;  // from the bed
+  std::vector<MachineJoint> tool_, part_;  // in order from the bed
   Vec3 tool_direction_;
 };
 

@@ -1,10 +1,10 @@
-// For view/path_record; tested by tests/kinematics/part_joints_test.cpp.
+// Builds the joints that turn the part. Used by view/path_record; tested by tests/kinematics/part_joints_test.cpp.
 
 #include "kinematics/part_joints.h"
 
 namespace kadr {
 
-/// A linear joint's `direction` is that of the tool, seen from the part (AxisJoint).
+/// The `direction` of a linear joint is the motion of the tool as seen from the part (AxisJoint), hence the sign.
 std::vector<PartJoint> part_joints(const MachineTree& tree) {
   std::vector<PartJoint> joints;
   for (const MachineJoint& joint : tree.part()) {

@@ -1,7 +1,8 @@
 #pragma once
-// PartSpace: how the work coordinates of a channel lie in the part and on the machine, when the programming frame is turned in space
-// (G68.1, G68.2), when rotary axes take the tool or the part along (NCT 25), and who follows whom then (spec/nct/25a 6.3).
-//   m = place of (W + B·(v0 + R·(S + p))) + V, with the parts that the codes in force apply.
+// PartSpace: converts between work coordinates of a channel, the part and the machine when the programming frame is rotated in space
+// (G68.1, G68.2) or rotary axes carry the tool or the part (NCT 25). It also gives the axes that move along with others (spec/nct/25a
+// 6.3).
+//   m = place of (W + B·(v0 + R·(S + p))) + V, with the terms that the active codes apply.
 
 #include <optional>
 
@@ -10,25 +11,25 @@
 
 namespace kadr {
 
-/// All that it is made of; equal data, equal space.
+/// Everything that defines a PartSpace; equal data give equal spaces.
 struct PartSpaceData {
   FiveAxis machine;
   std::array<std::int8_t, 3> main{0, 1, 2};  // axes X, Y, Z by index; -1: none
-  Vec3 zero;                                 // W: of the work system, machine coordinates, with the shift that was there before the frame
-  RotaryPair measured;                       // where the tables stood then; 0 of a head (25a 7)
+  Vec3 zero;                                 // W: origin of the work system, machine coordinates, with the shift active before the frame
+  RotaryPair measured;                       // positions of the tables when W was measured; 0 for a head (25a 7)
   Mat3 basic;                                // B: basic rotation of the work system (10.2.3, 25l)
-  Mat3 frame;                                // R: of G68.1, G68.2
+  Mat3 frame;                                // R: rotation by G68.1, G68.2
   Vec3 frame_origin;                         // v0
-  Vec3 shift;                                // S: of G52, G92 since the frame is there
-  Vec3 length;                               // of the tool, from its tip, as the axes stand at 0
+  Vec3 shift;                                // S: shift by G52, G92 since the frame was set
+  Vec3 length;                               // of the tool, from its tip, with the axes at 0
   bool has_frame = false;
-  bool follows_table = false;       // the zero, and the directions, go with the table
-  bool moves_zero = false;          // the zero alone does (G54.2)
-  bool follows_head = false;        // the length leans with the head
-  bool leads_tip = false;           // at each point of a motion (G43.4)
-  bool keeps_linear = false;        // a motion of rotary axes alone leaves X, Y, Z where they are (N3212 FOS)
-  bool corrects = false;            // the basic rotation leans the tool too (N3212 BSE), as both rotary axes have been positioned
-  std::optional<RotaryPair> fixed;  // for these positions of the rotary axes (G53.1), not for those where they stand
+  bool follows_table = false;       // the origin and the directions rotate with the table
+  bool moves_zero = false;          // only the origin does (G54.2)
+  bool follows_head = false;        // the tool length tilts with the head
+  bool leads_tip = false;           // at every point of a motion (G43.4)
+  bool keeps_linear = false;        // a motion of rotary axes alone leaves X, Y, Z unchanged (N3212 FOS)
+  bool corrects = false;            // the basic rotation tilts the tool too (N3212 BSE): both rotary axes have been positioned
+  std::optional<RotaryPair> fixed;  // computes for these rotary positions (G53.1) in place of the actual ones
   friend bool operator==(const PartSpaceData&, const PartSpaceData&) = default;
 };
 
@@ -51,19 +52,19 @@ class PartSpace final : public WorkSpace {
   double arm(const Axes& machine) const override;
   AxisMask rotary_axes() const override { return bit(d_.machine.first.axis) | bit(d_.machine.second.axis); }
 
-  /// Of the work system, from the programming frame, and back.
+  /// Converts from the programming frame to the work system, and back.
   Vec3 in_system(Vec3 programmed) const { return d_.frame_origin + d_.frame * (d_.shift + programmed); }
   Vec3 in_frame(Vec3 system) const { return turned_back(d_.frame, system - d_.frame_origin) - d_.shift; }
-  /// Directions on the machine of the programming frame's; nothing: they change with the rotary axes.
+  /// Returns the rotation from the programming frame to machine directions; nullopt if it changes with the rotary axes.
   std::optional<Mat3> turn() const;
-  /// From the tip to the control point, and the zero of the work system, machine directions, where the axes stand there.
+  /// The vector from the tip to the control point, and the origin of the work system, in machine directions at these positions.
   Vec3 length_now(const Axes& machine) const { return tool_at(d_.fixed.value_or(rotary(machine))); }
   Vec3 zero_now(const Axes& machine) const {
     return d_.moves_zero || d_.follows_table ? zero_at(d_.fixed.value_or(rotary(machine))) : d_.zero;
   }
-  /// Where the rotary axes of the machine stand.
+  /// Returns the machine positions of the two rotary axes.
   RotaryPair rotary(const Axes& machine) const;
-  /// Direction of the tool in the work system for programmed positions (25l), and programmed positions for a direction.
+  /// Returns the tool's direction in the work system for programmed rotary positions (25l).
   Vec3 direction_of(RotaryPair programmed) const { return d_.machine.direction(programmed, d_.measured); }
 
  private:

@@ -1,4 +1,5 @@
-// Ways of the tool that lead its tip: planes, cones, cutting points, pivots. For control/fanuc/five_axis; tests/kinematics/tip_ways_test.cpp.
+// Paths of the tool with tip control: planes, cones, cutting points, pivots. Used by control/fanuc/five_axis; tested by
+// tests/kinematics/tip_ways_test.cpp.
 
 #include "kinematics/tip_ways.h"
 
@@ -9,8 +10,8 @@ namespace kadr {
 namespace {
 
 constexpr double parallel = 1e-9;  // rad: two directions are the same
-constexpr double at_pole = 1e-6;   // of a vector of length 1: the direction is singular (25a 5.1)
-constexpr double just_off = 1e-5;  // part of a motion: beside its end
+constexpr double at_pole = 1e-6;   // for unit vectors: the direction is singular (25a 5.1)
+constexpr double just_off = 1e-5;  // share of a motion: this close to its end
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
@@ -28,7 +29,7 @@ Vec3 turned_towards(Vec3 from, Vec3 to, double part) {
   const double angle = angle_between(from, to);
   if (angle < parallel) return from;
   const double s = std::sin(angle);
-  if (s < parallel) return part < 1 ? from : to;  // opposite: no plane between them
+  if (s < parallel) return part < 1 ? from : to;  // opposite directions define no plane
   return unit((std::sin((1 - part) * angle) / s) * from + (std::sin(part * angle) / s) * to);
 }
 
@@ -49,13 +50,13 @@ DirectionWay::DirectionWay(const PartSpace& space, RotaryPair start, Vec3 from, 
     const bool upright_from = std::sin(lean_from_) < at_pole, upright_to = std::sin(lean_to_) < at_pole;
     angle_from_ = upright_from ? about(to) : about(from);
     const double end = upright_to ? angle_from_ : about(to);
-    const double sweep = cone_->sweep * rad_per_deg;  // of the equal ways the one nearest to the arc's
+    const double sweep = cone_->sweep * rad_per_deg;  // of the equivalent rotations the one nearest to the arc's
     turn_ = upright_from && upright_to ? 0 : sweep + std::remainder(end - angle_from_ - sweep, 2 * pi);
     if (upright_from || upright_to) turn_ = 0;
   } else if (angle_ > parallel) {
     const Vec3 pole = machine_.group == MachineGroup::head_head ? machine_.first.direction
                                                                 : turned_back(machine_.table_turn({}, zero_), machine_.second.direction);
-    for (const Vec3 p : {pole, -1.0 * pole}) {  // the pole on the great circle between them
+    for (const Vec3 p : {pole, -1.0 * pole}) {  // is the pole on the great circle between the directions?
       const double before = angle_between(from_, p), behind = angle_between(p, to_);
       if (before + behind - angle_ > at_pole * at_pole * 10) continue;
       const double part = before / angle_;
@@ -63,7 +64,7 @@ DirectionWay::DirectionWay(const PartSpace& space, RotaryPair start, Vec3 from, 
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both begin equal
+  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both branches begin equal
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
 }
@@ -80,7 +81,7 @@ std::optional<RotaryPair> DirectionWay::on_branch(double part, RotaryPair near, 
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // a pole at the end: as just before it
+  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // a pole at the end: use the positions just before it
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;
       if (all.second_free) pair.second = before->second;

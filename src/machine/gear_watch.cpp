@@ -1,4 +1,4 @@
-// The electronic gearbox: whether the table can turn as fast as the spindle asks for. For session/channel_run; tests/faulty/nct/gear-*.
+// Checks the demanded table speed of the electronic gearbox. Used by session/channel_run; tests/faulty/nct/gear-*.
 
 #include "machine/gear_watch.h"
 

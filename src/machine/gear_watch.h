@@ -1,6 +1,6 @@
 #pragma once
-// The electronic gearbox: whether the table can turn as fast as the spindle asks for (NCT 20.1 item 4: 360·S·|L|/T °/min, not above its
-// rapid rate).
+// Electronic gearbox: checks that the table can turn as fast as the spindle demands (NCT 20.1 item 4: 360·S·|L|/T °/min, at most the
+// table's rapid rate).
 
 #include <optional>
 #include <string>
@@ -12,24 +12,24 @@ namespace kadr {
 
 struct GearTooFast {
   std::size_t axis = 0;
-  double speed = 0;  // that it would have, °/min
+  double speed = 0;  // demanded of the axis, °/min
 };
 
 class GearWatch {
  public:
-  /// It is one that may change that speed.
+  /// True if the action may change the demanded speed.
   bool concerns(const Action& action) const {
     return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
                         FrameChange, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>(false));
   }
-  /// Each time the spindle gets a speed that is too high.
+  /// Returns the axis each time the spindle gets a speed that is too high for it.
   ///   most  rapid rates of the axes, °/min
   std::optional<GearTooFast> look(const Action& action, const std::vector<std::string>& axes, const Axes& most);
 
  private:
   bool on_ = false, turns_ = false;
-  double ratio_ = 0, rpm_ = 0;  // of the slave for a turn of the master; of the master
+  double ratio_ = 0, rpm_ = 0;  // revolutions of the slave per revolution of the master; speed of the master
   int master_ = 0;
   std::size_t slave_ = max_axes;
 };

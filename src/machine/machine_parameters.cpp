@@ -1,5 +1,4 @@
-// Parameters of the set-up that the machine itself obeys: safety zones and the in-position window (nct 4.1.1, 22), by axis of the channel.
-// For machine/zones.
+// Reads the parameters that the machine itself obeys (nct 4.1.1, 22). Used by machine/zones.
 
 #include "machine/machine_parameters.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Parameters of the set-up that the machine itself obeys: safety zones and the in-position window (nct 4.1.1, 22), by axis of
-// the channel. What a program writes into zone 2 acts from G23 on (22.2; ZoneChange); INFERRED: into the others, after the next start.
+// Parameters of the set-up that the machine itself obeys, by axis of the channel: safety zones and the in-position window (nct 4.1.1,
+// 22). Values that a program writes for zone 2 take effect at G23 (22.2; ZoneChange); INFERRED: other values at the next start.
 
 #include <array>
 #include <string>
@@ -20,11 +20,11 @@ struct MachineParameters {
   bool zone2_on = false;                              // N1001 #1 STE
   bool checks_before = false;                         // N1001 #2 CBM
   Axes in_position{};                                 // N0516 Inpos, mm or degrees
-  AxisMask gantry = 0;                                // N2102 #4 PSN: drives that go with that of their master
-  std::array<std::size_t, max_axes> gantry_master{};  // N2101: by axis of the channel
+  AxisMask gantry = 0;                                // N2102 #4 PSN: slave drives that follow their master's drive
+  std::array<std::size_t, max_axes> gantry_master{};  // N2101, by axis of the channel
 };
 
-/// A value with an index goes before one without, a bit before the whole value (as ParameterStore).
+/// Reads the parameters. A value with an index precedes one without, and a bit precedes the whole value (as in ParameterStore).
 ///   axes  names of the channel's axes
 MachineParameters machine_parameters(const Setup& setup, const std::vector<std::string>& axes);
 

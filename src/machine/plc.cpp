@@ -1,4 +1,4 @@
-// Plc: the machine's logic and its operator, as the events of a set-up say (tests/golden/README.md, "Events"). For session/channel_run,
+// Plc: matches blocks, actions and the program's end with the events of a set-up. Used by session/channel_run and
 // session/plc_commands; tested by tests/machine/plc_test.cpp.
 
 #include "machine/plc.h"
@@ -16,7 +16,7 @@ namespace {
 using When = SetupEvent::When;
 using Do = SetupEvent::Do;
 
-/// A code that the machine is told of, as the program wrote it: M3, T5, S1200, B90.
+/// A code that the control reports to the machine, as the program wrote it: M3, T5, S1200, B90.
 struct Code {
   char letter = 0;
   double number = 0;
@@ -55,7 +55,7 @@ double answer_value(const std::string& answer) {
   return 0;
 }
 
-/// Not of codes that the control carries out by itself and does not tell of.
+/// Returns false for codes that the control executes by itself without a report to the machine.
 bool is_seen(const std::string& code, bool told_of_ends) {
   constexpr std::string_view letters = "MSTABCUVW";
   if (letters.find(code[0]) == std::string_view::npos) return false;

@@ -1,8 +1,8 @@
 #pragma once
-// Plc: the machine's logic and its operator, as the events of a set-up say (tests/golden/README.md, "Events"). It looks at blocks,
-// actions and the program's end and answers with commands; apply() hands these to the channels' controls.
+// Plc: the machine's logic and its operator, scripted by the events of a set-up (tests/golden/README.md, "Events"). Its input is
+// blocks, actions and the program's end, its output commands; apply() passes these to the channels' controls.
 //
-//   block start ─▶ block carried out ─▶ its actions ─▶ block end ─▶ next block          (a command acts at once)
+//   block start ─▶ execution of the block ─▶ its actions ─▶ block end ─▶ next block     (a command takes effect at once)
 
 #include <string>
 #include <variant>
@@ -22,11 +22,11 @@ struct SetSkip {
   bool on;
 };
 struct AnswerBox {
-  double value;  // of #3107: 0 cancel, 1 OK, 2 yes, 3 no
+  double value;  // for #3107: 0 cancel, 1 OK, 2 yes, 3 no
 };
-struct Start {};  // of a stop: the virtual operator presses START at once anyway
+struct Start {};  // ends a stop; the virtual operator presses START at once anyway
 struct PowerCycle {};
-/// Spindle `slave` follows `master`; 0: no more. `slave` 0: all spindles.
+/// Spindle `slave` follows `master`; master 0 ends this, slave 0 means all spindles.
 struct Synchronise {
   int slave, master;
 };
@@ -43,17 +43,17 @@ using PlcCommand = std::variant<SetSignal, SetSkip, AnswerBox, Start, PowerCycle
 
 class Plc {
  public:
-  ///   told_of_ends  the control tells it of M2, M30, M98, M99 too (nct 13.1)
+  ///   told_of_ends  the control reports M2, M30, M98 and M99 to the logic too (nct 13.1)
   explicit Plc(const std::vector<SetupEvent>& events, bool told_of_ends = true);
 
-  /// Which event cannot be served: a sentence; empty: all can.
+  /// Returns a sentence about an event that cannot be served; empty if there is none.
   const std::string& error() const { return error_; }
-  /// No events: nothing needs to be shown to it.
+  /// True without events: nothing has to be passed to the logic.
   bool idle() const { return events_.empty(); }
 
-  /// Each gives the commands of the events that come, in the order of the set-up; valid until the next call.
+  /// Each function returns the commands of the events that occur, in the order of the set-up; valid until the next call.
   const std::vector<PlcCommand>& block(const Origin& origin, bool at_end);
-  /// A code counts whichever channel it comes from. An answer needs a message that asks.
+  /// Codes count whichever channel issues them. An answer needs a message that asks a question.
   const std::vector<PlcCommand>& action(const Action& action);
   const std::vector<PlcCommand>& program_end();
 
@@ -63,7 +63,7 @@ class Plc {
     bool main_block;  // ':' instead of N
     char letter;      // of the code
     double number;    // of the block or code
-    int count;        // n-th time; 0: each time
+    int count;        // fires at the n-th occurrence; 0: at each
     int seen = 0;
     PlcCommand command = Start{};
   };

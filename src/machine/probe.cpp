@@ -1,5 +1,4 @@
-// What a touch probe meets on a straight line: switch positions of the setup, and a hole in a solid workpiece. For
-// machine/virtual_machine; tested by tests/machine/probe_test.cpp.
+// Computes where a touch probe triggers on a straight line. Used by machine/virtual_machine; tested by tests/machine/probe_test.cpp.
 
 #include "machine/probe.h"
 
@@ -12,21 +11,21 @@ namespace kadr {
 namespace {
 
 constexpr int most_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the march along the line ends there
+constexpr double rim_reached = 1e-10;  // mm; the march along the line stops at this distance
 
-/// The tip's way past the hole, seen from the hole's axis at the top face.
+/// The path of the tip, with the origin on the hole's axis at the top face.
 struct Way {
   Vec3 from;
   Vec3 along;     // from + along = to
   double hole;    // radius
   double tip;     // radius
-  double bottom;  // level of the hole's bottom, below 0
+  double bottom;  // level of the hole's bottom, negative
 
   Vec3 at(double part) const { return from + part * along; }
   static double off_axis(Vec3 p) { return std::hypot(p.x, p.y); }
 };
 
-/// Distance from the workpiece, negative inside it.
+/// Distance of a point from the workpiece, negative inside it.
 double clearance(const Way& way, Vec3 p) {
   const double rho = Way::off_axis(p);
   if (p.z >= 0 && rho >= way.hole) return p.z;
@@ -35,7 +34,7 @@ double clearance(const Way& way, Vec3 p) {
   return std::min(way.hole - rho, p.z - way.bottom);
 }
 
-/// Part at which the centre comes down to `level`.
+/// Share of the path at which the centre descends to `level`.
 std::optional<double> down_to(const Way& way, double level) {
   if (!(way.along.z < 0)) return std::nullopt;
   const double part = (level - way.from.z) / way.along.z;
@@ -52,7 +51,7 @@ std::optional<double> bottom_face(const Way& way) {
   return part && Way::off_axis(way.at(*part)) <= way.hole - way.tip + tol::same_point ? part : std::nullopt;
 }
 
-/// The line leaves the cylinder of radius R − r: the greater root of |from + part·along|² = (R − r)².
+/// Share at which the line leaves the cylinder of radius R − r: the greater root of |from + part·along|² = (R − r)².
 std::optional<double> wall(const Way& way) {
   const double reach = way.hole - way.tip;
   const Vec2 from{way.from.x, way.from.y}, along{way.along.x, way.along.y};
@@ -69,7 +68,7 @@ std::optional<double> wall(const Way& way) {
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-/// The edge: a march by the free distance, which cannot step over the circle.
+/// Share at which the tip touches the edge: marches by the free distance, so it cannot step over the circle.
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;

@@ -1,7 +1,8 @@
 #pragma once
-// What a touch probe meets on a straight line: switch positions of the setup, and a hole in a solid workpiece.
+// Computes where a touch probe triggers on a straight line: at switch positions from the set-up, or at a solid workpiece with one
+// drilled hole.
 //
-//        top ─────┐   r  ┌─────     Where the centre of the tip (a sphere of radius r) touches:
+//        top ─────┐   r  ┌─────     The centre of the tip (a sphere of radius r) touches:
 //                 │ ╭──╮ │            the top face at top + r, the wall at distance R − r from the hole's axis,
 //                 │ ╰──╯ │            the bottom at top − depth + r, the rim (a circle) at distance r.
 //   top − depth   └──────┘
@@ -17,16 +18,16 @@
 
 namespace kadr {
 
-/// The part 0..1 of the way from `from` to `to` at which the tip first touches the workpiece; nothing: it stays free.
-/// A tip that starts inside the material touches at 0; one that starts in touch and moves away does not.
+/// Returns the share 0..1 of the path at which the tip first touches the workpiece; nullopt if it does not.
+/// A tip that starts inside the material touches at 0; a tip that starts in contact and moves away does not touch.
 std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to);
 
 class Probe {
  public:
   Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
 
-  /// Work coordinates. Where nothing is met, the end.
-  ///   input  1 to 8: only its switch counts; 98, by torque: none; 0: all of them. The workpiece always does (INFERRED)
+  /// Work coordinates. Returns the end of the path if nothing is touched.
+  ///   input  1 to 8: only the switches of that input count; 98 (by torque): none; 0: all. The workpiece always counts (INFERRED)
   ProbeAnswer meet(const Axes& from, const Axes& to, int input = 0) const;
 
  private:

@@ -1,5 +1,4 @@
-// Rendezvous: which channels wait for each other, and when they may go on (nct 14.5). For session/channels; tested by
-// tests/machine/rendezvous_test.cpp.
+// Matches channels that wait for each other (nct 14.5). Used by session/channels; tested by tests/machine/rendezvous_test.cpp.
 
 #include "machine/rendezvous.h"
 
@@ -26,7 +25,7 @@ std::optional<Rendezvous::Met> Rendezvous::next() {
       met.at = std::max(met.at, w.at);
     }
     if (missing != 0) continue;
-    for (const std::uint8_t channel : met.channels) leave(channel);  // `first` is gone
+    for (const std::uint8_t channel : met.channels) leave(channel);  // invalidates `first`
     return met;
   }
   return std::nullopt;

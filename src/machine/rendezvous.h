@@ -1,6 +1,6 @@
 #pragma once
-// Rendezvous: which channels wait for each other, and when they may go on (nct 14.5). INFERRED: they match on the pair of code
-// and set of channels. One outside its set waits for those in it.
+// Rendezvous: finds which channels wait for each other and when they may continue (nct 14.5). INFERRED: channels match if their code
+// and their set of channels are equal. A channel that is not in its own set waits for those in it.
 
 #include <cstdint>
 #include <optional>
@@ -10,17 +10,17 @@ namespace kadr {
 
 class Rendezvous {
  public:
-  /// `channel` waits from now on, at `at` seconds: bit n of `channels` is channel n. Arrivals come in the order of time.
+  /// Lets `channel` wait from `at` seconds on. Bit n of `channels` is channel n. Calls come in order of time.
   void arrive(int channel, std::uint32_t code, std::uint32_t channels, double at);
-  /// It waits no more.
+  /// Ends the wait of a channel.
   void leave(int channel);
 
   struct Met {
     std::uint32_t code = 0;
     std::vector<std::uint8_t> channels;  // in the order of arrival
-    double at = 0;                       // s: the last arrival
+    double at = 0;                       // s, of the last arrival
   };
-  /// Channels that have all come: they wait no more. Nothing: none.
+  /// Returns a set of channels that have all arrived, and ends their wait; nullopt if no set is complete.
   std::optional<Met> next();
 
  private:

@@ -1,5 +1,5 @@
-// VirtualMachine: follows the Actions, guards the axis limits and zones, and says what a probe meets. For session/channel_run; tested by
-// tests/machine/virtual_machine_test.cpp.
+// VirtualMachine: follows the actions, checks axis limits and zones, and answers probe motions. Used by session/channel_run; tested
+// by tests/machine/virtual_machine_test.cpp.
 
 #include "machine/virtual_machine.h"
 
@@ -15,13 +15,13 @@
 namespace kadr {
 namespace {
 
-/// AxisProfile: ±1e300 is none.
+/// In AxisProfile ±1e300 means no limit.
 bool is_limit(double least, double most) {
   constexpr double none = 1e299;
   return least > -none || most < none;
 }
 
-/// How far the axis stays from the command: the setup's own entry, else the one for all axes.
+/// The distance that the axis keeps from the command: the set-up's entry for the axis, else the one for all axes.
 double position_error(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return found->second.position_error;
@@ -58,8 +58,8 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   }
 }
 
-/// 20.6. INFERRED: the parameter of the limit has no number in the manual, the set-up states it; the drives stand apart by the difference
-/// of what it says of each, wherever they move to.
+/// 20.6. INFERRED: the parameter of the limit has no number in the manual, so the set-up states it. The drives differ by the
+/// difference of their position errors in the set-up, wherever they move.
 void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
   const auto found = setup.machine.find(names_[axis]);
   if (found == setup.machine.end() || !found->second.apart || apart_) return;
@@ -127,7 +127,7 @@ Status VirtualMachine::take(const Action& action) {
 }
 
 VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows, const OnTouch& on_touch) {
-  const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);  // path: short motions joined
+  const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);  // joins short motions (path/smooth)
   ToolPosition before = position_;
   Outcome outcome;
   for (Action& action : batch) {
@@ -145,7 +145,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   }
   if (!outcome.refused) return outcome;
   if (outcome.done >= of_before) position_ = before;
-  outcome.done = std::min(outcome.done, of_before);  // the blocks before stay done
+  outcome.done = std::min(outcome.done, of_before);  // earlier blocks stay executed
   compression_.drop();
   return outcome;
 }
@@ -169,7 +169,7 @@ Status VirtualMachine::in_position() const {
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
 }
 
-/// The control may not know yet how far the axis has come.
+/// Corrects the target of a following axis: the control may not yet have its present position.
 void VirtualMachine::leave_hung(Motion& motion) const {
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if ((hung_ >> i & 1U) == 0) continue;

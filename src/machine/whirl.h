@@ -1,6 +1,6 @@
 #pragma once
-// Whirl: places where a rotary axis turns far while the tip that is led hardly goes on: near a direction of the tool that is singular, the
-// axis that carries the tool upright there has to turn at once (NCT 25a 5.1). The part gets marks, the machine a jolt.
+// Whirl: finds motions in which a rotary axis turns far while the controlled tip hardly moves. Near a singular direction of the tool,
+// the axis that the tool is parallel to has to turn all at once (NCT 25a 5.1). The part gets marks, and the machine a jolt.
 
 #include <optional>
 
@@ -10,17 +10,18 @@ namespace kadr {
 
 struct Whirl {
   std::size_t axis = 0;
-  double degrees = 0;  // that it turns
-  double way = 0;      // mm of the tip meanwhile
+  double degrees = 0;  // turned by the axis
+  double way = 0;      // mm that the tip moves meanwhile
 };
 
 class WhirlWatch {
  public:
-  static constexpr double most = 30;    // degrees a mm of the tip's way
-  static constexpr double least = 20;   // degrees in a motion: less is no whirl
-  static constexpr int most_told = 20;  // in a run
+  static constexpr double most = 30;    // degrees per mm of the tip's path
+  static constexpr double least = 20;   // degrees in a motion; less is not reported
+  static constexpr int most_told = 20;  // reports in a run
 
-  /// A motion at feed that turns an axis faster than that; each row of such motions once. A tip that stands is meant to.
+  /// Returns a feed motion that turns an axis faster than `most`, once for each run of such motions. A tip at rest is intended and
+  /// not reported.
   std::optional<Whirl> look(const Step& step);
 
  private:

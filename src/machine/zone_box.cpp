@@ -1,4 +1,4 @@
-// ZoneBox: a box in machine coordinates, and where a motion first meets it. For machine/zones.
+// Finds where a motion first meets a box in machine coordinates. Used by machine/zones.
 
 #include "machine/zone_box.h"
 
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-/// A line meets the box where it is between the faces of every axis at once: the parts of all axes overlap.
+/// A line meets the box where it is between the faces of every axis at once, that is where the shares of all axes overlap.
 std::optional<double> line_meets(const ZoneBox& box, const Axes& from, const Axes& to) {
   double enters = 0, leaves = 1;
   for (std::size_t i = 0; i < max_axes; ++i) {

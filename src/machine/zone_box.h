@@ -1,5 +1,5 @@
 #pragma once
-// ZoneBox: a box in machine coordinates, and where a motion first meets it.
+// ZoneBox: a box in machine coordinates. Finds where a motion first enters it.
 
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// Faces included; infinite in the axes that it does not name. Empty where a least value is above the most.
+/// The faces belong to the box. It is infinite along axes outside `axes`, and empty if a least value exceeds the greatest.
 struct ZoneBox {
   AxisMask axes = 0;
   Axes least{};
@@ -17,18 +17,18 @@ struct ZoneBox {
   bool empty() const;
   bool holds(const Axes& point) const;
 
-  /// It has no point in common with a box of all axes.
+  /// True if the box has no point in common with a box of all axes.
   bool apart(const Extents& box) const;
 
-  /// All faces moved outwards by `margin`, mm or degrees.
+  /// Returns the box with all faces moved outwards by `margin`, mm or degrees.
   ZoneBox grown(double margin) const;
 };
 
-/// The part at which the path first meets the box; nothing: it stays out.
-///   law  of a line exact to rounding; of any other path at most MachinePath::closeness off the box
+/// Returns the share of the path at which it first meets the box; nullopt if it stays outside.
+///   law  exact to rounding for a line; for any other path at most MachinePath::closeness off the box
 std::optional<double> first_meeting(const ZoneBox& box, const MachinePath& path);
 
-/// The part at which one axis first passes a value, upwards or downwards; nothing: it does not.
+/// Returns the share of the path at which one axis first passes a value, upwards or downwards; nullopt if it does not.
 enum class Side : std::uint8_t { above, below };
 std::optional<double> first_passing(const MachinePath& path, std::size_t axis, double value, Side side);
 

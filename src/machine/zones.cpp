@@ -1,5 +1,5 @@
-// Zones: where the axes of an NCT machine must not go (nct 22), in machine coordinates after all offsets. For machine/virtual_machine;
-// tested by tests/machine/zones_test.cpp.
+// Checks motions against the zones of an NCT machine (nct 22). Used by machine/virtual_machine; tested by
+// tests/machine/zones_test.cpp.
 
 #include "machine/zones.h"
 
@@ -11,14 +11,14 @@
 namespace kadr {
 namespace {
 
-/// The setup's zone 3 of an axis, else the one for all axes.
+/// The set-up's zone 3 of the axis, else the one for all axes.
 std::optional<std::pair<double, double>> zone3_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.zone3) return found->second.zone3;
   return std::nullopt;
 }
 
-/// Likewise the end-position switches.
+/// The same for the end-position switches.
 std::optional<std::pair<double, double>> switches_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.switches) return found->second.switches;
@@ -30,7 +30,7 @@ bool is_signal(const Setup& setup, const char* name) {
   return found != setup.signals.end() && found->second != 0;
 }
 
-/// Earlier on the way. Of two that only rounding holds apart the first in the order of axes and zones is named.
+/// True if `part` is earlier on the path. If two differ by rounding only, the first in the order of axes and zones is reported.
 bool is_before(double part, double other) {
   constexpr double same = 1e-9;
   return part < other - same;
@@ -113,12 +113,12 @@ Status Zones::end_within(const ZoneBox& box, const Axes& end, Ids ids) const {
   return {};
 }
 
-/// 22.4: the end point first, then the way.
+/// 22.4: checks the end point first, then the path.
 Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   KADR_TRY(end_within(ends_, end, {AlarmId::zone1_positive, AlarmId::zone1_negative}));
   if (outside2()) {
     KADR_TRY(end_within(zone2_.box, end, {AlarmId::zone2_positive, AlarmId::zone2_negative}));
-    if (zone2_.nothing_allowed) {  // INFERRED: in the one point left the first axis is named
+    if (zone2_.nothing_allowed) {  // INFERRED: at the one permitted point the alarm names the first axis
       const auto axis = static_cast<std::size_t>(__builtin_ctz(zone2_.box.axes));
       return fail(alarm(AlarmId::zone2_positive, {}, std::string_view(names_[axis])));
     }
@@ -130,7 +130,7 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   return {};
 }
 
-/// What an axis that moves outwards passes of the box.
+/// Finds the first limit of the box that an outward-moving axis passes.
 void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const {
   const auto bounds = [&](std::size_t i) {
     const double start = path.start()[i];
@@ -155,7 +155,7 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
   }
 }
 
-/// 22.1 to 22.3: of all zones the first that is reached. Of what CBM has let pass only the limits are left, for curves.
+/// 22.1 to 22.3: the first of all zones that is reached. With CBM, only the limits remain to be checked, and only for curves.
 Status Zones::on_the_way(const MachinePath& path) const {
   Reached first;
   limits_reached(path, switches_, {AlarmId::switch_positive, AlarmId::switch_negative}, first);

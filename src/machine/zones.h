@@ -1,16 +1,16 @@
 #pragma once
-// Zones: where the axes of an NCT machine must not go (nct 22), in machine coordinates after all offsets.
+// Zones: the regions that the axes of an NCT machine must not enter (nct 22), in machine coordinates after all offsets.
 //
-//   zone 1   end positions                                forbidden outside
-//   zone 2   working area: of the parameters, or of G22   forbidden outside, or inside
-//   zone 3   of the parameters                            forbidden inside
-//   switches at the ends of an axis (22.1)                forbidden outside, looked at on the way alone
+//   zone 1   end positions                                   forbidden outside
+//   zone 2   working area, from the parameters or from G22   forbidden outside, or inside
+//   zone 3   from the parameters                             forbidden inside
+//   switches at the ends of an axis (22.1)                   forbidden outside, checked during the motion only
 //
-// With CBM (N1001 #2) the control looks before the motion: at its end point, then at the way through a zone forbidden inside.
-// Without it, and for a curve that bulges over a limit, the motion runs into the zone: the first one on its way is named.
-// Boundaries (INFERRED but for zone 3): a limit itself is allowed; a zone 2 forbidden inside begins behind its faces, so that one
-// without depth forbids nothing (22.2: X = I, P0); zone 3 begins with its faces (22.3). An axis that rolls over has no limits on
-// its way, only at its end.
+// With CBM (N1001 #2) the control checks before the motion: first the end point, then the path through a zone forbidden inside.
+// Without CBM, and for a curve that bulges over a limit, the motion runs into the zone, and the alarm names the first one that it
+// meets. Boundaries (INFERRED but for zone 3): a limit itself is permitted; a zone 2 forbidden inside begins just within its faces,
+// so that one without depth forbids nothing (22.2: X = I, P0); zone 3 includes its faces (22.3). An axis with roll-over has limits at
+// the end of the motion only.
 
 #include <string>
 #include <vector>
@@ -25,24 +25,24 @@ namespace kadr {
 
 class Zones {
  public:
-  /// `ends`: the end positions.
+  /// `ends` holds the end positions.
   Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
 
-  /// G22 or G23: two changes `of_parameters` say the zone of the parameters, and without axes whether the check before the motion is on
-  /// (N1001 #2 CBM).
+  /// Applies G22 or G23. A change marked `of_parameters` sets the zone of the parameters; without axes it sets whether the check
+  /// before the motion is on (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
-  /// The axis and one of another channel have been exchanged (20.3): each keeps its name, its end positions and switches.
+  /// Exchanges an axis with one of another channel (20.3): each keeps its name, its end positions and switches.
   void exchange(std::size_t axis, Zones& with, std::size_t other);
 
-  /// The machine's logic holds a check off: 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
+  /// The machine's logic suspends the check of zone 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
   void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
 
-  /// Some end position, zone 2 or zone 3 is in force: a motion may be refused.
+  /// True if end positions, switches, zone 2 or zone 3 are active, so that a motion may be refused.
   bool in_force() const { return ends_.axes != 0 || switches_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
-  // ---- to be shown
+  // ---- for display
   bool outside2() const { return zone2_.on && !suspended2_ && zone2_.outside_forbidden; }
   bool inside2() const { return zone2_.on && !suspended2_ && !zone2_.outside_forbidden; }
   bool inside3() const { return zone3_.axes != 0 && !suspended3_; }
@@ -53,11 +53,12 @@ class Zones {
   Memory memory() const;
   void remember(const Memory& memory);
 
+  /// Checks a motion.
   ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
   ///           zone2_entry, zone3_entry; else zone1_reached_positive, zone1_reached_negative, zone2_reached_positive,
   ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside; always switch_positive,
   ///           switch_negative (axis, switch)
-  ///   law     without CBM an axis beyond a limit may go inwards; with CBM no end point there is allowed
+  ///   law     without CBM an axis beyond a limit may move inwards; with CBM no end point there is permitted
   Status check(const ToolPosition& from, const Motion& motion) const;
 
  private:
@@ -67,11 +68,11 @@ class Zones {
     bool nothing_allowed = false;  // 22.2: X = I, Y = J, Z = K and P1
     ZoneBox box;
   };
-  /// Ids of an alarm by the side.
+  /// The two ids of an alarm, one for each side.
   struct Ids {
     AlarmId positive, negative;
   };
-  /// What a motion runs into first.
+  /// The first limit or zone that a motion runs into.
   struct Reached {
     double part = 2;
     Alarm alarm;
@@ -95,7 +96,7 @@ class Zones {
   bool suspended2_ = false, suspended3_ = false;
 };
 
-/// What a run has changed of them.
+/// The state that a run may change.
 struct Zones::Memory {
   Zone2 zone2, of_parameters;
   bool checks_before = false;

@@ -1,6 +1,6 @@
 #pragma once
-// What blocks take away, and where the tool goes through air: part of CutResult. Lengths mm, volumes mm³, times s; docs/stock.md says what
-// each figure is and when it is told.
+// Part of CutResult: what each block removes, and where the tool feeds through air. Lengths in mm, volumes in mm³, times in s.
+// docs/stock.md defines each figure and when it is reported.
 
 #include <cstdint>
 #include <optional>
@@ -10,31 +10,31 @@
 
 namespace kadr {
 
-/// A block that moves at feed: what its motions at feed took away.
+/// A block that moves at feed, and what its feed motions removed.
 struct BlockLoad {
   Origin origin;
-  std::string program;  // file that the line stands in, if that is not the program itself
+  std::string program;  // the file that contains the line, if it is not the main program
   std::uint32_t tool = 0;
   double begins = 0;
   double seconds = 0;  // at feed
   double length = 0;   // of path
   double volume = 0;
-  // The rest as a mean over at least two cells of path; nothing: it is not told.
+  // Means over at least two cells of path; nullopt if the figure is not reported.
   std::optional<double> rate;            // mm³/s
   std::optional<double> feed_per_tooth;  // mm
   std::optional<double> depth, width;    // of cut
   std::optional<double> angle;           // of engagement, degrees
-  Vec3 at;                               // the tip in the middle of it, in the work system of the blank
+  Vec3 at;                               // the tip in the middle of the block, in the work system of the blank
 };
 
-/// A line at feed in the air.
+/// A line that feeds through air.
 struct AirCut {
   Origin origin;
   std::string program;
-  std::uint32_t tool = 0;  // of the first time
-  double seconds = 0;      // in which nothing is removed, of all times that it is carried out
+  std::uint32_t tool = 0;  // when the line first runs
+  double seconds = 0;      // in which nothing is removed, summed over all executions of the line
 };
 
-inline constexpr std::size_t most_told = 10;  // heaviest and emptiest lines
+inline constexpr std::size_t most_told = 10;  // lines in each of the two lists: heaviest and emptiest
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// KeptSweeps: all sweeps of a stock, in the order of time, in 12 bytes each where one begins at the end of the one before.
+// KeptSweeps: all sweeps of a stock in order of time. A sweep that begins where the sweep before it ends takes 12 bytes.
 
 #include <array>
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace kadr {
 
-/// From the lattice's corner, so that single precision is some nanometres; x of a turning tool from the axis.
+/// Coordinates from the lattice's corner, so that single precision resolves some nanometres. For a turning tool x is measured from
+/// the axis.
 struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
-  bool leans;  // its directions stand beside: Stock::lean_ends()
+  bool leans;  // tilted tool: its directions are in Stock::lean_ends()
 };
 
 class KeptSweeps {
  public:
   std::size_t size() const { return size_; }
-  /// May be asked by several threads while none is added.
+  /// Several threads may call it as long as none adds a sweep.
   KeptSweep operator[](std::size_t i) const;
-  /// Visits (number, sweep) of all from `first` up to before `last`.
+  /// Calls visit(number, sweep) for the sweeps `first` to `last` - 1.
   template <class Visit>
   void each(std::size_t first, std::size_t last, const Visit& visit) const;
   void push_back(const KeptSweep& sweep);
-  /// The first `count`, once more.
+  /// Returns a copy of the first `count` sweeps.
   KeptSweeps first(std::size_t count) const;
   std::size_t bytes() const;
 
@@ -36,7 +37,7 @@ class KeptSweeps {
   struct Place {
     float at[3];
   };
-  /// Sweeps that go on where the one before ends, and are alike otherwise.
+  /// Consecutive sweeps, each of which begins where the one before it ends, with the same tool and flags.
   struct Run {
     std::uint32_t first;
     Place from;
@@ -45,7 +46,7 @@ class KeptSweeps {
   };
   struct Page {
     static constexpr std::size_t places = 1024;
-    std::uint32_t run;  // of its first sweep
+    std::uint32_t run;  // the run of the page's first sweep
     std::array<Place, places> to;
   };
   const Place& to(std::size_t i) const { return pages_[i / Page::places]->to[i % Page::places]; }

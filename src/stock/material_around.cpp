@@ -1,4 +1,4 @@
-// Radii of the material, off a lattice line. For session/cutting/thread_cuts; tested by tests/stock/turn_test.cpp.
+// Reads the radii of the material from a lattice line. Used by session/cutting/thread_cuts; tested by tests/stock/turn_test.cpp.
 
 #include "stock/material_around.h"
 
@@ -9,9 +9,10 @@
 namespace kadr {
 namespace {
 
-constexpr double one_piece = 1e-4;  // mm between pieces of neighbouring bricks
+constexpr double one_piece = 1e-4;  // mm: pieces of neighbouring bricks closer than this are one piece
 
-/// The lattice line nearest to a place, counted through all bricks; nothing: it is farther from all of them than a cell.
+/// Returns the number of the lattice line nearest to a position, counted through all bricks; nullopt if every line is more than a
+/// cell away.
 std::optional<int> nearest_line(const Lattice& lattice, double from_corner, int axis) {
   const int lines = lattice.bricks(axis) * brick_edge, nearest = int(std::floor(from_corner / lattice.cell()));
   if (nearest < -1 || nearest > lines) return std::nullopt;

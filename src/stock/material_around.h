@@ -1,5 +1,5 @@
 #pragma once
-// The material of a part that spins around a place: how far it reaches towards the axis and away from it.
+// Measures the material of a spinning part near a given point: how far it reaches towards the axis and away from it.
 
 #include <optional>
 
@@ -7,12 +7,13 @@
 
 namespace kadr {
 
-/// Radii about X0 Y0, mm; `inner` is 0 where it reaches the axis.
+/// Radii about X0 Y0, mm; `inner` is 0 where the material reaches the axis.
 struct RadiusRange {
   double inner, outer;
 };
 
-/// Of the lattice line along X that passes nearest to the axis at the height `z`, on the side of X+; nothing: no material is there.
+/// Returns the radii of the piece of material at `radius` on the lattice line along X that passes nearest to the axis at the height
+/// `z`, on its X+ side. Returns nullopt if there is no material.
 std::optional<RadiusRange> material_around(const Stock& stock, double radius, double z);
 
 }  // namespace kadr

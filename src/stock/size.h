@@ -1,5 +1,5 @@
 #pragma once
-// How fine a stock is cut, and what it takes.
+// Chooses the cell size of a stock, and estimates the memory that the stock needs.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -8,12 +8,12 @@
 
 namespace kadr {
 
-/// Bytes of all bricks, if each is cut: what a stock takes at most, but for the sweeps.
+/// Returns the bytes of all bricks if each of them is cut: the most that a stock needs, apart from its sweeps.
 double bytes_of_bricks(const Box3& box, double cell);
 
-/// The cell for a box if none is asked for: some 400 along the longest side, four along the finest tool, but no more than 1600 along
-/// the longest side and no more than fits; a round number, mm.
-///   finest  diameter of that tool, mm; 0: not known
+/// Returns the default cell for a box, a round number in mm: about 400 cells along the longest side and four across the finest tool,
+/// but at most 1600 along the longest side, and no finer than `most_bytes` allows.
+///   finest  diameter of the finest tool, mm; 0 if unknown
 double cell_for(const Box3& box, double most_bytes, double finest = 0);
 
 }  // namespace kadr

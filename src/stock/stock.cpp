@@ -1,4 +1,4 @@
-// Bricks from the blank, sweeps binned by brick, bricks cut side by side.
+// Fills bricks from the blank, bins sweeps by brick, and cuts bricks in parallel.
 
 #include "stock/stock.h"
 
@@ -14,12 +14,12 @@ namespace {
 
 constexpr double removed_unit = 1.0 / (1 << 20);  // mm of line
 
-/// Sweeps after which a past that is kept is looked at for room.
+/// Number of sweeps after which a kept past is trimmed to its memory limit.
 constexpr std::size_t between_room = 4096;
 
 double part_of_cell(double cell) { return cell / 50; }
 
-/// Within the brick, from its corner; a stretch that fills it ends on its very edges.
+/// Clips a range to the brick and measures it from the brick's corner. A segment that fills the brick ends exactly on its edges.
 FurtherInterval within_brick(const LineRange& range, double corner, float edge, std::int32_t line) {
   const double from = std::max(range.from - corner, 0.0), to = std::min(range.to - corner, double(edge));
   return {line, float(from), float(to), of_blank, of_blank};
@@ -57,7 +57,7 @@ void raise_to(std::atomic<float>& most, float value) {
   }
 }
 
-/// Of all its bodies.
+/// The reach of all bodies of a tool around its tip.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
   for (const ConvexBody& body : tool.bodies) {
@@ -84,7 +84,7 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
   });
 }
 
-/// The blank's surface does not go through the brick.
+/// Fills a brick that the blank's surface does not cross.
 void Stock::fill_evenly(std::size_t i) {
   const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
   std::vector<LineRange> ranges;
@@ -150,7 +150,7 @@ void Stock::add(const Sweep& sweep) {
   keep(kept, part);
 }
 
-/// Puts the sweeps from `first` up to before `last` into the bins of the bricks that they may reach.
+/// Puts the sweeps `first` to `last` - 1 into the bins of the bricks that they may reach.
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep s = sweeps_[i];
@@ -186,8 +186,8 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
   raise_to(of_sweep.depth, depth);
 }
 
-/// One sweep in one brick. `worker`: who is told what it took away; nullptr: nobody.
-///   returns  whether it changed anything
+/// Cuts one sweep in one brick. `worker` records what the sweep removed; nullptr if nothing is to be recorded.
+///   returns  true if the brick changed
 bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const KeptSweep s = sweeps_[std::size_t(number)];
@@ -222,7 +222,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
   return changed;
 }
 
-/// Its bounds are taken; a brick without material is none.
+/// Recomputes the brick's bounds, and drops a brick that has no material left.
 void Stock::settle(BrickNow now) const {
   if (!now.brick || now.brick->cuts_since == 0) return;
   take_tops(*now.brick, scale_.cell);
@@ -252,7 +252,7 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
     side_by_side(threads_, [&](int thread) {
       for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
-    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // and their memory
+    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees their memory too
     touched_.clear();
     done_ = last;
     if (past_) past_->make_room();

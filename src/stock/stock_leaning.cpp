@@ -1,4 +1,4 @@
-// Sweeps of tools that lean: as they are kept, in which bricks, each in one of them.
+// Sweeps of tilted tools: how they are stored, which bricks they reach, and how one of them is cut in a brick.
 
 #include <algorithm>
 #include <cassert>
@@ -15,18 +15,18 @@ namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
 constexpr double greatest_bend = 2.5e-3;     // mm
-constexpr float upright_agree = 5e-4f;       // mm: twice the law of stock/cut/sweep_rows.h
-constexpr float leaning_agree_cell = 2e-3f;  // of the cell: what a bend and a guessed place may add
+constexpr float upright_agree = 5e-4f;       // mm: a little over twice the 2e-4 of the law in stock/cut/upright_rows.h and level_rows.h
+constexpr float leaning_agree_cell = 2e-3f;  // of the cell: what a bend and a guessed position may add
 
 struct BodyHeights {
   double low, high, radius;
 
-  /// Of a place seen from the tool.
+  /// Distance of a position, in the tool's system, from the body.
   double distance(Vec3 at) const {
     const double beside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
     return length(Vec2{beside, beyond});
   }
-  /// The least on a straight way: it is convex there.
+  /// A lower bound of the distance along a straight path, where the distance is convex; at most about `enough` too small.
   double distance(Vec3 first, Vec3 last, double enough) const {
     double begin = 0, end = 1;
     const auto at = [&](double part) { return distance(first + part * (last - first)); };
@@ -53,14 +53,14 @@ AroundTip around_all(const ToolShape& tool, const LeanWay& way) {
 
 }  // namespace
 
-/// A place of the material is taken to be off its way past the tool by no more, mm.
+/// The greatest distance, in mm, between the true curve of a material point past the tool and the chord that replaces it.
 double Stock::most_bend() const { return std::min(bend_cell_ * bend_of_cell, greatest_bend); }
 
 float Stock::families_agree() const {
   return lean_ends_.empty() ? upright_agree : upright_agree + float(2 * most_bend()) + leaning_agree_cell * scale_.cell;
 }
 
-/// In how many parts does not depend on where the bricks are: bodies of one cell keep the same sweeps.
+/// The number of parts does not depend on the position of the bricks, so stocks divided for the same cell hold the same sweeps.
 void Stock::add_leaning(const Sweep& sweep) {
   const ToolShape& tool = tools_[sweep.tool];
   const LeanWay way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
@@ -84,7 +84,7 @@ void Stock::add_leaning(const Sweep& sweep) {
 }
 
 const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
-  // Mostly all sweeps from the first one on lean.
+  // In most programs either no tool is tilted or all sweeps are from the first tilted one on.
   const std::size_t guess = sweep - lean_ends_.front().sweep;
   if (guess < lean_ends_.size() && lean_ends_[guess].sweep == sweep) return lean_ends_[guess];
   const auto found =
@@ -125,7 +125,7 @@ void Stock::bin_leaning(std::size_t i) {
   }
 }
 
-/// A way that is much longer than what reaches the brick is shortened.
+/// Shortens a path that is much longer than the part that reaches the brick.
 LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
   const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
@@ -148,12 +148,12 @@ bool Stock::may_reach(std::size_t sweep, const LeanHere& here, float top) const 
   return std::any_of(bodies.begin(), bodies.end(), [&](const LeanBody& b) { return kadr::may_reach(here.sweep, b, scale_, top); });
 }
 
-/// One body in one brick.
+/// Cuts one body of the tool in one brick.
 void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here, Brick& material, CutOutcome& outcome) const {
   const std::uint16_t tool = sweeps_[number].tool;
   const LeanBody& body = leaning_[tool][i];
   if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
-  // Lines that a part turns over are cut by its halves, which let twice as much of a line lie between its ends.
+  // Lines that turn over in a part are cut by its halves, which permit a gap twice as long (LeanOver::apart).
   const std::function<void(const LeanWay&, const LeanSweep&, const LocalSweep&, const LineSet*)> cut =
       [&](const LeanWay& way, const LeanSweep& sweep, const LocalSweep& tip, const LineSet* only) {
         const LineSet later = cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);

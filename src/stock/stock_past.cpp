@@ -1,4 +1,4 @@
-// The stock as it was at an earlier sweep.
+// Restores the stock as it was at an earlier sweep.
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Those of a list in the order of the sweeps that belong to sweeps before `count`.
+/// Returns the entries of a list, ordered by sweep, that belong to sweeps before `count`.
 template <class OfSweeps>
 OfSweeps before(const OfSweeps& all, std::size_t count) {
   return OfSweeps(all.begin(), std::partition_point(all.begin(), all.end(), [&](const auto& of) { return of.sweep < count; }));
@@ -41,7 +41,8 @@ Stock::Stock(const Stock& later, std::size_t count)
       first_(count),
       bins_(later.bins_.size()) {}
 
-/// A brick that nothing has cut since is as it is now; otherwise its last copy before, or the blank, is cut once more by what changed it.
+/// Restores one brick. If nothing has cut it since, it is copied as it is; otherwise its last earlier copy, or the blank, is cut
+/// again by the sweeps that changed it.
 void Stock::go_back(const Stock& later, std::size_t b) {
   const BrickPast& past = later.past_->of_brick[b];
   const std::size_t made = past.cuts_before(sweeps_.size());
@@ -70,7 +71,7 @@ WayPart Stock::kept_part(std::size_t sweep) const {
   return {double(found->first), double(found->last)};
 }
 
-/// The next sweep of a stock that has come farther, up to a share of its way.
+/// Executes the next sweep of the later stock, up to a share of its path.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
   const WayPart kept = later.kept_part(next);

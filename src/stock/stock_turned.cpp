@@ -1,4 +1,4 @@
-// Turning tools: their ways in the half plane of a part that spins, and the rings that they take off its bricks.
+// Turning tools: their paths in the half plane of a spinning part, and the rings that they remove from its bricks.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr double room = 1;  // mm around what an insert can reach
 
 InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2])}; }
 
-/// From its programmed point, along x or z.
+/// Greatest distance of the insert from its programmed point, along x or z.
 double insert_reach(const ToolShape& tool) {
   double most = 0;
   for (const InsertBody& body : tool.insert)
@@ -21,7 +21,7 @@ double insert_reach(const ToolShape& tool) {
   return most;
 }
 
-/// The part of a way on which one coordinate lies between two places.
+/// Returns the part of a path on which one coordinate lies between two limits.
 WayPart part_between(double from, double to, double low, double high) {
   if (from == to) return from < low || from > high ? WayPart{1, 0} : WayPart{};
   const double a = (low - from) / (to - from), b = (high - from) / (to - from);
@@ -30,7 +30,8 @@ WayPart part_between(double from, double to, double low, double high) {
 
 }  // namespace
 
-/// What of the way can reach nothing is left out: single precision has seven digits. A way that reaches nothing is where it begins.
+/// Leaves out the part of the path that can reach nothing, since single precision has only seven digits. A path that reaches nothing
+/// is reduced to its start.
 void Stock::add_turned(const Sweep& sweep) {
   const double reach = insert_reach(tools_[sweep.tool]) + room, edge = lattice_.edge();
   const Vec3 least = lattice_.origin(),
@@ -46,7 +47,7 @@ void Stock::add_turned(const Sweep& sweep) {
   keep({{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false}, part);
 }
 
-/// Into the bins of the bricks that its rings may reach.
+/// Puts the sweep into the bins of the bricks that its rings may reach.
 void Stock::bin_turned(std::size_t sweep) {
   const KeptSweep s = sweeps_[sweep];
   const double edge = lattice_.edge();
@@ -67,8 +68,8 @@ void Stock::bin_turned(std::size_t sweep) {
   }
 }
 
-/// One sweep in one brick.
-///   returns  whether it changed anything
+/// Cuts one sweep in one brick.
+///   returns  true if the brick changed
 bool Stock::turn(std::int32_t number, std::size_t b, Brick& material, Worker* worker) const {
   const KeptSweep s = sweeps_[std::size_t(number)];
   Vec3 corner = lattice_.corner(b);

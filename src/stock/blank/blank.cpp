@@ -1,4 +1,4 @@
-// Blanks of simple form. For stock/stock.
+// Blanks of simple shape. Used by stock/stock.
 
 #include "stock/blank/blank.h"
 

@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// A stretch of a lattice line within the material.
+/// A segment of a lattice line within the material.
 struct LineRange {
   double from, to;
 };
@@ -18,28 +18,29 @@ struct Mesh;
 class Blank {
  public:
   virtual ~Blank() = default;
-  /// Around all of it.
+  /// The box around the whole blank.
   virtual Box3 box() const = 0;
-  /// Where a line along the axis `family` is within it, in ascending order, put into `ranges`. u, v: its places along the axes
-  /// (family + 1) % 3 and (family + 2) % 3.
+  /// Appends the segments of a line along the axis `family` that lie within the blank to `ranges`, in ascending order. u, v:
+  /// positions of the line along the axes (family + 1) % 3 and (family + 2) % 3.
   virtual void cross(int family, double u, double v, std::vector<LineRange>& ranges) const = 0;
-  /// Outward, at a place of its surface where a line along the axis leaves it (`out`) or enters it.
+  /// Returns the outward normal at a point of the surface where a line along the axis leaves the blank (`out`) or enters it.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
-  /// mm³ of it in a box. By lines where a body has no better way: to some hundred thousandths.
+  /// Returns the volume in mm³ inside a box. Bodies without a better method sum it over lines, to some hundred-thousandths.
   virtual double volume_within(const Box3& box) const;
-  /// Bodies of which it is made lie partly within each other: it is their union.
+  /// True if bodies of the blank overlap; the blank is then their union.
   virtual bool overlaps() const { return false; }
-  /// Of memory, where it takes much.
+  /// Memory in bytes; 0 if it is small.
   virtual std::size_t bytes() const { return 0; }
-  /// Of each brick: may the surface go through it? Empty: through any. Of the others one line tells whether they are full.
+  /// Returns for each brick whether the surface may cross it; empty if it may cross any. Whether another brick is full is decided by
+  /// one line through it.
   virtual std::vector<bool> bricks_at_surface(const Lattice&) const { return {}; }
-  /// Of which it is made; nullptr: of none.
+  /// Returns the mesh that defines the blank; nullptr if there is none.
   virtual const Mesh* mesh() const { return nullptr; }
 };
 
 std::shared_ptr<const Blank> box_blank(const Box3& box);
-/// Round, its axis along Z.
+/// A cylinder with its axis along Z.
 std::shared_ptr<const Blank> cylinder_blank(Vec2 centre, double bottom, double top, double diameter);
 
 }  // namespace kadr

@@ -1,19 +1,20 @@
 #pragma once
-// What of a blank lies within a box: the blank of a window, which is cut finer than the whole.
+// The part of a blank inside a box: the blank of a window, which is cut finer than the whole part.
 
 #include "stock/blank/blank.h"
 
 namespace kadr {
 
-/// The box's faces are its own where the blank goes on beyond them.
-///   returns  nullptr: the box lies beside the blank
+/// Where the blank extends beyond the box, the result ends at the box's faces.
+///   returns  nullptr if the box lies outside the blank
 std::shared_ptr<const Blank> blank_within(std::shared_ptr<const Blank> blank, const Box3& window);
 
-/// Faces of the window that part the blank; where it ends at the blank's own surface, or beyond it, there is none.
+/// The faces of a window that cut through the blank. Where the window reaches the blank's own surface, or beyond it, it has no such
+/// face.
 class WindowFaces {
  public:
   WindowFaces(const Box3& window, const Box3& blank);
-  /// There the surface of what was cut in the window is none of the part.
+  /// True if `at` is on such a face: a surface there comes from the window, and is not a surface of the part.
   bool hold(const Vec3& at) const;
 
  private:

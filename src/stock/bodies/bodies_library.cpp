@@ -1,4 +1,4 @@
-// The module of bodies, opened at need. For stock/bodies/body_world.
+// Loads the module of bodies on demand. Used by stock/bodies/body_world.
 
 #include "stock/bodies/bodies_library.h"
 
@@ -13,15 +13,15 @@ namespace kadr {
 namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
-// From that of the program; the next two: of libkadr.so; the last: of the tests of a build.
+// The first two are relative to the program's folder, the next two to that of libkadr.so, the last to that of a build's tests.
 constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
-/// With the `/` at its end; empty: it is not known.
+/// Returns the folder of this binary with a final `/`; empty if unknown.
 std::string folder_of_this() {
   static const char here = 0;
   Dl_info info{};
   if (dladdr(&here, &info) == 0 || info.dli_fname == nullptr) return "";
-  // The program's own name may be as it was called; its file is /proc/self/exe then.
+  // dladdr may give the program's name as it was typed; the file is then /proc/self/exe.
   const char* const name = std::string_view(info.dli_fname).find('/') == std::string_view::npos ? "/proc/self/exe" : info.dli_fname;
   const std::unique_ptr<char, void (*)(void*)> whole(realpath(name, nullptr), std::free);
   if (!whole) return "";

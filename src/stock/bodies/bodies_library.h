@@ -1,13 +1,13 @@
 #pragma once
-// kadr-bodies.so, opened when a machine with bodies is first asked for: no other command waits for it.
+// Loads kadr-bodies.so when a machine with bodies is first used, so that no other command waits for it.
 
 #include "stock/bodies/bodies_door.h"
 
 namespace kadr {
 
-/// Its door; opened by the first call, it stays so. It lies beside the program or the library that this is part of (a build), or in
-/// lib/kadr/modules of the installation.
-///   returns  nullptr: it is not there, cannot be loaded, or is of another version
+/// Returns the module's interface. The first call loads the module, which then stays loaded. It is next to the program or the library
+/// that contains this code (in a build), or in lib/kadr/modules of the installation.
+///   returns  nullptr if the file is missing, cannot be loaded, or has another version
 const KadrBodiesDoor* bodies_library();
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Bodies of revolution as circles. For stock/bodies/body_world; tested by tests/stock/body_world_test.cpp.
+// Approximates bodies of revolution by circles. Used by stock/bodies/body_world; tested by tests/stock/body_world_test.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@ namespace {
 
 constexpr double same_circle = 1e-9;  // mm
 
-/// A quarter circle about (x, y), from straight below it to beside it, by lines that touch it.
+/// Adds tangent lines of a quarter circle about (x, y), from the point straight below the centre to the point level with it.
 void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
-  const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // lines about the circle by `chord`
+  const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // the tangents lie outside the circle by `chord`
   const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);
   const double step = pi / 2 / count, about = r / std::cos(step / 2);
   profile.push_back({x, y - r});
@@ -35,7 +35,8 @@ void add_solid(std::vector<Vec2>& profile, const RoundSolid& s, double chord) {
 
 }  // namespace
 
-/// The outer side of the points' hull, upwards (Andrew's monotone chain), with its ends: where the radius at an end is 0, a point.
+/// Returns the outer side of the points' convex hull in ascending order (Andrew's monotone chain), with its ends; an end of radius 0
+/// is a point.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
   std::vector<Vec2> profile;
   for (const RoundSolid& s : body.solids) add_solid(profile, s, chord);
@@ -45,7 +46,7 @@ std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
     while (hull.size() >= 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= same_circle * same_circle) hull.pop_back();
     hull.push_back(p);
   }
-  // At one height the widest counts.
+  // Of circles at the same height the widest is kept.
   std::vector<Vec2> circles;
   for (const Vec2& p : hull) {
     if (!circles.empty() && p.y - circles.back().y < same_circle) circles.back().x = std::max(circles.back().x, p.x);

@@ -1,5 +1,5 @@
 #pragma once
-// BodyWorld: solid bodies and the distance between two of them, wherever they are. The geometry is FCL's (stock/bodies/bodies_library).
+// BodyWorld: solid bodies, and the distance between any two of them in any pose. FCL does the geometry (stock/bodies/bodies_library).
 
 #include <memory>
 #include <optional>
@@ -13,35 +13,35 @@
 
 namespace kadr {
 
-/// A body of the world: its number there, and how it lies in the coordinates that it was described in.
+/// A body of a BodyWorld: its number there, and its pose in the coordinates in which it was described.
 struct SolidBody {
   int number = 0;
   LinkPose lies;
-  BodyBall ball;       // around it, in those coordinates
-  bool convex = true;  // a mesh may be anything
+  BodyBall ball;       // encloses the body, in those coordinates
+  bool convex = true;  // false for a mesh, which may have any shape
 };
 
 struct BodyGap {
-  double distance = 0;       // mm; below 0: they overlap
-  Vec3 on_first, on_second;  // the places nearest to each other, unless they do
+  double distance = 0;       // mm; negative if they overlap
+  Vec3 on_first, on_second;  // the closest points, unless they overlap
 };
 
 class BodyWorld {
  public:
-  /// What there is of the module.
-  ///   pre  it is there
+  /// Uses the given module.
+  ///   pre  it is loaded
   explicit BodyWorld(const KadrBodiesDoor& door);
 
-  /// Nothing: there is not enough memory. A shape that is a file is a mesh: the one below.
+  /// Returns nullopt if memory runs out. A shape given by a file is a mesh: use the overload below; this one returns nullopt for it.
   std::optional<SolidBody> add(const BodyShape& shape);
   std::optional<SolidBody> add(const Mesh& mesh);
-  /// Of the tool, from its tip upwards along Z.
+  /// Adds a body of the tool, from its tip upwards along Z.
   std::optional<SolidBody> add(const ConvexBody& body);
 
-  /// `pose`: of the coordinates that the body was described in.
-  ///   returns  where FCL finds none a distance of 0
+  /// `pose` places the coordinates in which the body was described.
+  ///   returns  distance 0 if FCL finds no result
   BodyGap gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
-  /// By how much they overlap, mm; 0: not known.
+  /// Returns by how much the two overlap, mm; 0 if unknown.
   double depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
 
  private:
@@ -49,8 +49,8 @@ class BodyWorld {
   std::unique_ptr<KadrBodies, void (*)(KadrBodies*)> bodies_;
 };
 
-/// Circles of a body of revolution, upwards: radius and height of each. Their hull is the body, where arcs are lines about them by at most
-/// `chord` mm.
+/// Returns circles of a body of revolution in ascending order, as radius and height. Their hull is the body; lines that lie outside
+/// by at most `chord` mm replace its arcs.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord);
 
 }  // namespace kadr

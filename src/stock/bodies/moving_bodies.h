@@ -1,10 +1,10 @@
 #pragma once
-// MovingBodies: solid bodies on the links of a machine, and which of them meet while the axes move.
+// MovingBodies: solid bodies on the links of a machine. Finds which of them meet while the axes move.
 //
-// Of each pair it is known how far apart they are at least. A motion takes from that what the two can come nearer by
-// (MachineLinks::travel); only where nothing would be left FCL is asked, and then again and again along the way, each time as far on as
-// cannot bring them together (conservative advancement). So no meeting is missed, however short, and one is found before 0.01 mm are left
-// between them.
+// For each pair a lower bound of the distance is kept. A motion reduces it by the most that the two can approach
+// (MachineLinks::travel). FCL is called only where nothing of the bound would remain, and then repeatedly along the path, each time
+// at the farthest point that the two cannot have met before (conservative advancement). So no meeting is missed, however short, and
+// each is found before the gap is below 0.01 mm.
 
 #include <cstdint>
 #include <string>
@@ -14,22 +14,22 @@
 
 namespace kadr {
 
-/// Nearer than this, two bodies meet, mm.
+/// mm: two bodies nearer than this meet
 inline constexpr double bodies_meet = 0.01;
 
-/// What of a machine a body is: pairs of some kinds are not looked at.
+/// The role of a body; pairs of some roles are not checked.
 enum class BodyKind : std::uint8_t {
-  machine,  // of the machine's file
+  machine,  // from the machine's file
   tool,     // part of the tool, with shank and holder
-  work,     // the blank, a fixture: what the tool does to it, the cut itself tells
+  work,     // the blank or a fixture: what the tool does to it is found by the cut itself
 };
 
 /// Two bodies met.
 struct BodyMeeting {
-  std::size_t first, second;  // by the numbers of add()
-  double part;                // of the motion
-  Vec3 at;                    // seen from the bed
-  double depth;               // mm that they overlap afterwards; 0: not known
+  std::size_t first, second;  // numbers from add()
+  double part;                // share of the motion
+  Vec3 at;                    // in the coordinates of the bed
+  double depth;               // mm that they overlap afterwards; 0: unknown
 };
 
 class MovingBodies {
@@ -38,27 +38,28 @@ class MovingBodies {
   BodyWorld& world() { return world_; }
   const MachineLinks& links() const { return links_; }
 
-  /// `group`: bodies of one group are one to those who meet them: the parts of a tool, told once.
-  ///   returns  its number
+  /// Adds a body. Bodies with the same `group`, such as the parts of a tool, count as one body, and a meeting with them is reported
+  /// once.
+  ///   returns  the body's number
   std::size_t add(const SolidBody& body, std::size_t link, BodyKind kind, std::size_t group);
-  /// Another place on its link.
+  /// Moves a body to another pose on its link.
   void put(std::size_t body, const LinkPose& on_link);
-  /// It is not there from now on, or is again.
+  /// Removes a body from the checks, or brings it back.
   void show(std::size_t body, bool is_there);
-  /// The axes stand somewhere else, nobody knows how they came there.
+  /// Call it when the axes have moved by an unknown path.
   void jump();
 
-  /// Pairs that meet where all axes stand at 0 are built so: they are looked at no more. Between bodies of the machine, and between them
-  /// and the tool.
-  ///   returns  those of the machine that are new
+  /// Excludes the pairs that meet when all axes are at 0, since they are built so: pairs of bodies of the machine, and pairs of such
+  /// a body with the tool.
+  ///   returns  the newly excluded pairs between bodies of the machine
   std::vector<std::pair<std::size_t, std::size_t>> take_as_built();
 
-  /// Each axis goes evenly from one position to the other.
-  ///   found  is added to
+  /// Moves each axis evenly from one position to the other.
+  ///   found  receives the meetings, after what it already holds
   void move(const Axes& from, const Axes& to, std::vector<BodyMeeting>& found);
-  /// By how much two bodies overlap where the axes stand, mm; 0: they do not, or it is not known.
+  /// Returns by how much two bodies overlap at these axis positions, mm; 0 if they do not, or if unknown.
   double depth(std::size_t first, std::size_t second, const Axes& axes);
-  /// How often FCL was asked for a distance.
+  /// Number of distance calls to FCL.
   std::uint64_t asked() const { return asked_; }
 
  private:
@@ -71,10 +72,10 @@ class MovingBodies {
   };
   struct Pair {
     std::size_t first, second;
-    std::size_t carrier;   // of both links
-    double at_least = 0;   // that they are apart where the axes stand now
-    bool touches = false;  // they have met, and not parted
-    bool touched = false;  // before this motion
+    std::size_t carrier;   // innermost link that carries both
+    double at_least = 0;   // lower bound of their distance at the present positions
+    bool touches = false;  // they have met and not separated since
+    bool touched = false;  // value of `touches` before this motion
     bool as_built = false, is_checked = false;
   };
   void choose();
@@ -95,9 +96,9 @@ class MovingBodies {
   BodyWorld world_;
   std::vector<Body> bodies_;
   std::vector<Pair> pairs_;
-  std::vector<std::size_t> chosen_;    // of pairs_: those that are looked at
+  std::vector<std::size_t> chosen_;    // numbers of the pairs in pairs_ to check
   std::vector<LinkPose> start_, now_;  // of the links
-  std::vector<Travel> travels_;        // of the bodies in a motion, seen from the bed
+  std::vector<Travel> travels_;        // of the bodies during a motion, in the coordinates of the bed
   std::uint64_t asked_ = 0;
 };
 

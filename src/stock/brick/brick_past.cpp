@@ -1,4 +1,4 @@
-// What a brick has been through. For stock/stock.
+// The history of a brick. Used by stock/stock.
 
 #include "stock/brick/brick_past.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// BrickPast: what a brick has been through, so that it can be shown as it was at any sweep.
+// BrickPast: the history of a brick, so that it can be restored as it was at any sweep.
 
 #include <atomic>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// The brick as it was after so many of its cuts.
+/// The brick as it was after this number of its cuts.
 struct BrickCopy {
   std::size_t cuts;
   std::unique_ptr<Brick> brick;
@@ -20,28 +20,28 @@ struct BrickCopy {
 struct BrickPast {
   std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed it, ascending
   std::vector<BrickCopy> copies;   // ascending
-  bool was_full = false;           // before the first
+  bool was_full = false;           // before the first cut
 
-  /// How many of its cuts are among the first `sweeps` sweeps.
+  /// Returns how many of its cuts belong to the first `sweeps` sweeps.
   std::size_t cuts_before(std::size_t sweeps) const;
-  /// The last copy that lies no later; nullptr: there is none.
+  /// Returns the last copy made after at most `cuts_made` cuts; nullptr if there is none.
   const BrickCopy* copy_before(std::size_t cuts_made) const;
 };
 
-/// Of all bricks.
+/// The history of all bricks.
 struct Past {
   Past(std::size_t bricks, std::size_t most_bytes) : of_brick(bricks), most_copied(most_bytes) {}
 
-  /// Where copies have come close to what they may hold, they are put twice as far apart, and those that lie between given up.
+  /// When the copies approach the memory limit, doubles the number of cuts between copies and deletes those in between.
   void make_room();
-  /// A brick is the work of one thread, and so is its past.
-  ///   after  the brick; nullptr: nothing is left of it
+  /// Records a cut. Safe with several threads, as each brick is cut by one thread only.
+  ///   after  the brick; nullptr if no material is left
   void add(std::size_t brick, std::int32_t sweep, const Brick* after);
   std::size_t bytes() const;
 
   std::vector<BrickPast> of_brick;
-  std::size_t most_copied;             // bytes of copies
-  std::atomic<std::size_t> copied{0};  // bytes
+  std::size_t most_copied;             // limit of the copies in bytes
+  std::atomic<std::size_t> copied{0};  // bytes of the copies
   std::size_t apart = 32;              // cuts from one copy to the next
 };
 

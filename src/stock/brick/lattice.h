@@ -1,5 +1,5 @@
 #pragma once
-// Lattice: where the lattice points lie, and the bricks made of them.
+// Lattice: the positions of the lattice points, and of the bricks that they form.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ struct BrickPlace {
   int x = 0, y = 0, z = 0;
 };
 
-/// Points half a cell inside the cells that the box is cut into, with one empty cell around it, filled up to whole bricks.
+/// Points in the middle of the cells into which the box is divided, with one empty cell around the box, filled up to whole bricks.
 class Lattice {
  public:
   Lattice(const Box3& box, double cell) : cell_(cell) {
@@ -55,7 +55,7 @@ class Lattice {
   Vec3 corner(BrickPlace p) const { return origin_ + edge() * Vec3{double(p.x), double(p.y), double(p.z)}; }
   Vec3 corner(std::size_t i) const { return corner(place(i)); }
 
-  /// How many a stretch of the box takes along an axis.
+  /// Returns how many bricks a length of the box takes along an axis.
   static int bricks_for(double length, double cell) { return int(std::ceil((length / cell + 4) / brick_edge)); }
 
  private:

@@ -1,4 +1,4 @@
-// The choice of the processor's vectors. For stock/stock.
+// Chooses the processor's vectors. Used by stock/stock.
 
 #include "stock/cut/brick_cut.h"
 

@@ -1,4 +1,4 @@
-// What of a cut needs no lanes: whole bricks, lines with several intervals, what is told.
+// The part of a cut without lanes: whole bricks, lines with several intervals, reports.
 
 #include "stock/cut/cutter.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int cuts_between_tops = 8;
 
-/// The least height above the body's bottom at which it is as wide as `radius`.
+/// The least height above the body's bottom at which the body reaches `radius`.
 float height_at(const SweptBody& body, float radius) {
   const float beyond = std::max(radius - body.flat, 0.f);
   if (body.end == BodyEnd::flat) return 0;
@@ -29,7 +29,7 @@ Cutter::Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, c
       below_(body.turned ? -body.top : body.bottom),
       above_(body.turned ? -body.bottom : body.top) {}
 
-/// Of the body, where the way passes the brick.
+/// The lowest height of the body where its path passes the brick.
 float Cutter::lowest_over_brick() const {
   const LocalSweep& s = sweep_;
   const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_way[0] + (half - s.from[1]) * s.flat_way[1];
@@ -79,7 +79,7 @@ void Cutter::end() {
   if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) take_tops(brick_, scale_.cell);
 }
 
-/// Height of the tip where the body is lowest over an upright line: of a flat end; of others where they are nearest.
+/// Height of the tip when the body is lowest over an upright line; for a flat end exact, for others at the nearest position.
 float Cutter::tip_over(int line) const {
   const LocalSweep& s = sweep_;
   const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
@@ -90,7 +90,7 @@ float Cutter::tip_over(int line) const {
   return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.way[2] + s.from[2];
 }
 
-/// A piece is taken off an upright line.
+/// Records a piece removed from an upright line.
 void Cutter::note_upright(float from, float to, float tip) {
   outcome_.longest = std::max(outcome_.longest, to - from);
   outcome_.depth = std::max(outcome_.depth, to - tip);
@@ -116,7 +116,7 @@ void Cutter::watch_lanes(const BrickLines& lines, int family, int at, const floa
   }
 }
 
-/// Of lines that a sweep leaves in two pieces: the upper one becomes a further interval.
+/// Handles lines that a sweep cuts into two pieces: the upper piece becomes a further interval.
 void Cutter::split(BrickLines& lines, int at, const float* from, const float* to) {
   for (int i = 0; i < lanes::lane_count; ++i) {
     if (!(from[i] > lines.from[at + i] && to[i] < lines.to[at + i] && from[i] < to[i])) continue;
@@ -126,7 +126,7 @@ void Cutter::split(BrickLines& lines, int at, const float* from, const float* to
   }
 }
 
-/// Takes the swept intervals off the further intervals.
+/// Removes the swept intervals from the further intervals.
 void Cutter::take_further(BrickLines& lines, int family, const float* from, const float* to, const float* tips) {
   std::vector<FurtherInterval>& further = lines.further;
   const std::size_t count = further.size();

@@ -1,8 +1,8 @@
 #pragma once
-// Cutter: one sweep of one body in one brick. For stock/cut/brick_cut.
+// Cutter: one sweep of one body in one brick. Used by stock/cut/brick_cut.
 //
-// Which lines it can meet, what it sweeps of them (upright_rows, level_rows), what is taken away: in lanes (cutter_lanes.h), and what needs
-// none (cutter.cpp).
+// It finds the lines that the sweep can meet, what is swept of them (upright_rows, level_rows), and what is removed. Work on eight
+// lines at once is in cutter_lanes.h, the rest in cutter.cpp.
 
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/lanes.h"
@@ -12,12 +12,12 @@ namespace kadr {
 namespace lanes {
 template <class V>
 struct Swept;
-/// What is taken off the lines of one family, lane by lane: material in all; greatest height above the tip; longest piece. mm.
+/// What is removed from the lines of one family, per lane, mm: total material, greatest height above the tip, longest piece.
 template <class V>
 struct Taken;
 }  // namespace lanes
 
-/// Lattice points that a sweep can meet: from `first` up to before `last` along each axis.
+/// Lattice points that a sweep can meet: `first` to `last` - 1 along each axis.
 struct PointRange {
   int first[3], last[3];
   bool none = false;
@@ -28,7 +28,7 @@ class Cutter {
   Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, const SweptBody& body, std::int32_t by, CutOutcome& outcome);
 
   bool stays_above() const { return sweep_.lowest() + below_ >= brick_.top + margin(); }
-  /// The whole brick lies inside what is swept: within the cylinder that the body is above some height.
+  /// True if the whole brick is swept: it lies in the cylinder that the body contains above some height.
   bool takes_all() const;
   void clear();
   template <class V>
@@ -36,7 +36,7 @@ class Cutter {
   void end();
 
  protected:
-  /// What is left out for certain: whatever the bounds are at the time, the same bits are left.
+  /// Safety margin for skipping: the result is the same to the bit, however old the bounds of the brick are.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;
   template <class V>

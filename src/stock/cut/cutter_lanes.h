@@ -1,5 +1,5 @@
 #pragma once
-// What of a cut is done in lanes. For stock/cut/brick_cut alone, which compiles it for each kind of processor.
+// The part of a cut in lanes. Only for stock/cut/brick_cut, which compiles it for each type of processor.
 
 #include "stock/cut/cutter.h"
 #include "stock/cut/level_rows.h"
@@ -12,11 +12,11 @@ namespace lanes {
 template <class V>
 struct Taken {
   V gone, depth, longest;
-  V tip;  // its height at the lines that are at hand
+  V tip;  // height of the tip at the current lines
 };
 }  // namespace lanes
 
-/// The least height above the body's bottom at which it is as wide as `radius`.
+/// The least height above the body's bottom at which the body reaches `radius`.
 template <class V>
 KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
   if (b.turned || b.end == BodyEnd::flat) return spread<V>(0.f);
@@ -25,7 +25,7 @@ KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
   return spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - beyond * beyond);
 }
 
-/// Squares of columns whose material ends below the sweep, or that it does not reach, are left out.
+/// Skips squares of columns whose material ends below the sweep, or that the sweep does not reach.
 template <class V>
 KADR_IN_LANES void Cutter::narrow_by_squares(float least_place[3], float most_place[3]) const {
   static constexpr float middle_x[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
@@ -109,7 +109,7 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelWay way(sweep, family == 2 ? 0 : family);
-  const bool several = !lines.further.empty();  // before this cut: what it splits off itself lies beside what it sweeps
+  const bool several = !lines.further.empty();  // before this cut: the pieces that it splits off itself are outside what it sweeps
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
   const V none = spread<V>(0.f);
@@ -146,7 +146,7 @@ KADR_IN_LANES void Cutter::add_taken(const Taken<V>& taken) {
   }
 }
 
-/// Takes the swept intervals off the first interval of each line.
+/// Removes the swept intervals from the first interval of each line.
 template <class V, int family>
 KADR_IN_LANES void Cutter::take(BrickLines& lines, int at, const Swept<V>& swept, Taken<V>& taken) {
   using Marks = MarksOf<V>;

@@ -1,18 +1,18 @@
 #pragma once
-// Lanes: eight numbers of single precision that take the same steps, as one vector of the processor (Wide) or as two (Pair).
+// Lanes: eight single-precision numbers that are computed in parallel, as one vector of the processor (Wide) or as two (Pair).
 //
-// What is written once for both, `template <class V>`, gives the same bits with both: +, -, *, / and the square root are rounded alike
-// everywhere, and no two operations are made one (-ffp-contract=off).
+// Code written once for both, `template <class V>`, gives the same bits with both: +, -, *, / and the square root are rounded alike
+// everywhere, and no two operations are fused (-ffp-contract=off).
 //
-// A function of lanes is compiled for the processor that has them. Small ones are inlined into their callers (KADR_IN_LANES). Large ones
-// that are called from several places stay functions (KADR_OWN_FUNCTION): inlined everywhere they made 2.7 MB of code. Those of Wide are
-// compiled in lean_cut_wide.cpp alone, in which the compiler may use AVX2; what is no template of V is inlined there too, so that no
-// function that other files call needs AVX2 (tests/wide_lanes.py).
+// A function of lanes is compiled for the processor that has them. Small ones are inlined into their callers (KADR_IN_LANES). Large
+// ones that are called from several places stay functions (KADR_OWN_FUNCTION): inlined everywhere they made 2.7 MB of code. Those of
+// Wide are compiled in lean_cut_wide.cpp only, where the compiler may use AVX2. Code there that is not a template of V is inlined
+// too, so that no function called from other files needs AVX2 (tests/wide_lanes.py).
 
 #include <cmath>
 #include <cstdint>
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // how Lanes would be handed over without AVX: they never are
+#pragma GCC diagnostic ignored "-Wpsabi"  // the ABI for passing Lanes without AVX; they are never passed
 
 #define KADR_IN_LANES inline __attribute__((always_inline))
 #define KADR_OWN_FUNCTION __attribute__((noinline))
@@ -24,7 +24,7 @@ inline constexpr int lane_count = 8;
 // ---- one vector of 32 bytes
 
 using Wide = float __attribute__((vector_size(32), may_alias));
-using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));  // a comparison: all bits or none of each lane
+using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));  // result of a comparison: all bits of a lane set, or none
 
 KADR_IN_LANES Wide choose(const WideMarks& m, const Wide& a, const Wide& b) { return m ? a : b; }
 KADR_IN_LANES WideMarks choose(const WideMarks& m, const WideMarks& a, const WideMarks& b) { return m ? a : b; }
@@ -106,7 +106,7 @@ KADR_IN_LANES void store(float* to, const Pair& v) { *reinterpret_cast<Quad*>(to
 KADR_IN_LANES void store(std::int32_t* to, const PairMarks& v) {
   *reinterpret_cast<QuadMarks*>(to) = v.low, *reinterpret_cast<QuadMarks*>(to + 4) = v.high;
 }
-/// The eight from an address that is a multiple of 32.
+/// Loads eight numbers from an address that is a multiple of 32.
 template <class T>
 KADR_IN_LANES T lanes_at(const auto* from) {
   T v;

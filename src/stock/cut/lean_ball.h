@@ -1,19 +1,19 @@
 #pragma once
-// Where lattice lines lie within what a ball sweeps along a straight way. Single precision, lengths mm, from the brick's middle.
+// Where lattice lines are inside what a ball sweeps along a straight path. Single precision, lengths in mm, from the brick's middle.
 //
-// A ball does not know how the tool leans: its middle goes along a way that is straight but for less than the bend that every part of a way
-// is allowed. What it sweeps is a ball at either end and a tube between them.
+// A ball looks the same however the tool is tilted: its centre moves along a path that is straight up to the bend that every part of
+// a path is allowed. The ball sweeps a ball at either end and a tube between them.
 
 #include "stock/cut/lean_rows.h"
 
 namespace kadr::lanes {
 
 struct BallWay {
-  float from[3], to[3];  // of the middle
+  float from[3], to[3];  // of the centre
   float radius;
 };
 
-/// A way as the lines of one family see it: along the axes that lines, lanes and rows go.
+/// A path as seen by the lines of one family: components along lines, lanes and rows.
 struct BallTube {
   KADR_IN_LANES BallTube(const BallWay& way, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
@@ -31,12 +31,12 @@ struct BallTube {
     radius_square = way.radius * way.radius;
   }
 
-  float line[2], lane[2], row[2];           // of the ball's middle, at the beginning and the end
-  float along_line, along_lane, along_row;  // of length 1
-  float length;                             // of the way
-  float square, per_square, per_line;       // of the sine between way and lines; of along_line
+  float line[2], lane[2], row[2];           // of the ball's centre, at the start and the end
+  float along_line, along_lane, along_row;  // unit vector
+  float length;                             // of the path
+  float square, per_square, per_line;       // square: sine² of the angle between path and lines, and its inverse; per_line: 1 / along_line
   float radius_square;
-  bool is_there;  // else the balls at both ends hold all
+  bool is_there;  // otherwise the balls at both ends contain everything
 };
 
 template <class V>
@@ -45,7 +45,7 @@ KADR_IN_LANES Swept<V> in_ball_of(const BallTube& b, int end, const V& lanes, co
   return where(room > 0.f, b.line[end] - half, b.line[end] + half);
 }
 
-/// Lines at the places `lanes` of a row, or of rows of their own.
+/// Lines at the positions `lanes` of one row, or each of a row of its own.
 template <class V>
 KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const auto& row) {
   const Swept<V> ends = either(in_ball_of(b, 0, lanes, row), in_ball_of(b, 1, lanes, row));
@@ -60,7 +60,7 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 
-/// What the ball leaves of the material where the shaft may yet take something.
+/// The material that the ball leaves, as far as the shaft may still remove some of it.
 template <class V>
 KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
   const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;

@@ -1,5 +1,5 @@
 #pragma once
-// LeanCutter: ball ends: the ball, then the shaft of what that leaves. For stock/cut/lean_cut alone.
+// LeanCutter for ball ends: first the ball, then the shaft on the remaining stock. Only for stock/cut/lean_cut.
 
 #include "stock/cut/lean_cutter.h"
 
@@ -17,7 +17,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, int family,
   Swept<V> shaft;
   if (!sweeps<V, LeanBody::Kind::cylinder>(all, family, row, lane, left, shaft)) return meets;
   shaft = where(meet(shaft, left), shaft.from, shaft.to);
-  // Of a line that all but lies in both, one may come to it at one end of the way, the other at the other.
+  // For a line that nearly lies in both, the ball may reach it at one end of the path and the shaft at the other.
   const V between = most(swept.from, shaft.from) - least(swept.to, shaft.to);
   const MarksOf<V> apart = (swept.from <= swept.to) & (shaft.from <= shaft.to) & (between > (over_.apart > 0 ? over_.apart : missed)),
                    ball_takes = meet(swept, material);

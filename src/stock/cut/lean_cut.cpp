@@ -1,4 +1,4 @@
-// A tool that leans in a brick: what needs no lanes, and the choice of the processor's vectors. For stock/stock.
+// A tilted tool in a brick: the part without lanes, and the choice of the processor's vectors. Used by stock/stock.
 
 #include "stock/cut/lean_cut.h"
 
@@ -8,10 +8,10 @@
 namespace kadr {
 namespace {
 
-constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
+constexpr float square_reach = 2 * 1.41422f;  // cells from a square's middle to its corners
 
-/// For columns through the middles of squares: larger by as much as the squares reach to the side, and up and down by what that is of a
-/// height. Rounded edges are taken for square ones.
+/// Enlarges the body for columns through the middles of squares: sideways by the size of a square, and vertically by the height
+/// difference that results from this. Rounded edges count as sharp.
 LeanBody around_squares(const LeanBody& body, const LeanSweep& s, const BrickScale& scale) {
   const float aside = square_reach * scale.cell, room = s.guess_error() + scale.cell * 1e-3f;
   LeanBody around = body.larger(aside + room);
@@ -28,7 +28,8 @@ float half_shift(const LeanSweep& s) {
   return length / 2 + s.guess_error() + 1e-4f;
 }
 
-/// Holds all that the body, or but the shaft of a ball end, sweeps: a cylinder that stands in the middle of the way.
+/// Returns a cylinder, in the pose at the middle of the path, that encloses everything the body sweeps; for a ball end, what its
+/// shaft sweeps.
 Frustum bounds_of(const LeanBody& body, const LeanSweep& s) {
   const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
               beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
@@ -55,7 +56,7 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
     const Vec3 sum = a + b;
-    const double per = 1 / std::sqrt(dot(sum, sum));  // of length 1: shorter by turn² / 8 but for this
+    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises: the mean is shorter by turn² / 8
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));
@@ -81,7 +82,7 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       only_(cut.only),
       later_(later) {}
 
-/// Of a ball end.
+/// The path of a ball end's centre.
 BallWay LeanCutter::ball_way(float radius) const {
   BallWay way{{}, {}, radius};
   for (int d = 0; d < 3; ++d) {
@@ -91,7 +92,7 @@ BallWay LeanCutter::ball_way(float radius) const {
   return way;
 }
 
-/// From the first of its intervals to the last.
+/// From the beginning of a line's first interval to the end of its last.
 void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
   std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
   for (const FurtherInterval& f : lines.further) {
@@ -100,14 +101,14 @@ void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to
   }
 }
 
-/// No place of the brick is above the lower face of the shaft, which is within the ball.
+/// True if no point of the brick is above the lower face of the shaft, which is inside the ball.
 bool LeanCutter::is_below_shaft() const {
   float high = lean_.middle[2] + std::fabs(lean_.shift[2]) / 2 + lean_.guess_error() + margin();
   for (int d = 0; d < 3; ++d) high += std::fabs(lean_.axes[d][2]) * half_;
   return high < body_leaning_.shaft.low;
 }
 
-/// With room for what is larger.
+/// Finds which flat faces can be in the brick, with a margin for enlarged bodies.
 FacesNear LeanCutter::faces_near() const {
   float reach = std::fabs(lean_.shift[2]) * 1.5f + lean_.guess_error() + 4 * scale_.cell;
   for (int d = 0; d < 3; ++d) reach += std::fabs(lean_.axes[d][2]) * half_;
@@ -118,7 +119,7 @@ FacesNear LeanCutter::faces_near() const {
   return near;
 }
 
-/// The brick lies within the shaft as it stands in the middle of its way.
+/// True if the brick is inside the shaft in the pose at the middle of the path.
 bool LeanCutter::takes_all() const {
   const Frustum& f = body_leaning_.shaft;
   const float reach = lean_.reach + lean_.guess_error(), height = lean_.middle[2];
@@ -129,12 +130,12 @@ bool LeanCutter::takes_all() const {
 
 bool may_reach(const LeanSweep& s, const LeanBody& body, const BrickScale& scale, float top) {
   const float half = scale.edge / 2, tall = top / 2, room = half_shift(s) + scale.cell * 1e-3f;
-  float at[3], size[3][3];  // of the box, seen from the tool in the middle of its way
+  float at[3], size[3][3];  // of the box, in the tool's coordinates at the middle of the path
   for (int i = 0; i < 3; ++i) {
     at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
     size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;
   }
-  /// The least on the box along a direction, times its length.
+  /// The least value over the box along a direction, times the direction's length.
   const auto least = [&](float x, float y, float z) {
     float sum = at[0] * x + at[1] * y + at[2] * z;
     for (const auto& d : size) sum -= std::fabs(d[0] * x + d[1] * y + d[2] * z);

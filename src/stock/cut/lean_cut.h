@@ -1,5 +1,5 @@
 #pragma once
-// One sweep of a tool that leans in one brick.
+// Cuts one sweep of a tilted tool in one brick.
 
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/lean_body.h"
@@ -7,29 +7,30 @@
 
 namespace kadr {
 
-/// A way that turns little, seen from one brick. A place of the brick lies, seen from the tool, at
+/// A path with a small turn, seen from one brick. In the tool's coordinates, a point of the brick is at
 ///   middle + sum of axes[d] * place[d] -+ half of (shift + sum of shift_grows[d] * place[d])
-/// at the beginning and at the end of the way; place: from the brick's middle. mm, x and y beside the tool's axis, z above its tip.
+/// at the start and at the end of the path; `place` is measured from the brick's middle. mm; x and y from the tool's axis, z above
+/// its tip.
 struct LeanSweep {
-  /// `corner`: of the brick, in the way's coordinates; `edge`: of it.
+  /// `corner` of the brick, in the path's coordinates; `edge` of the brick.
   LeanSweep(const LeanWay& way, Vec3 corner, double edge);
 
   float middle[3], shift[3];
   float axes[3][3], shift_grows[3][3];
-  float axes_first[3][3], axes_last[3][3];  // as they are at the beginning and the end
-  float tips[2][3], directions[2][3];       // of the tool at the beginning and the end, from the brick's middle
+  float axes_first[3][3], axes_last[3][3];  // at the start and at the end of the path
+  float tips[2][3], directions[2][3];       // of the tool at the start and the end, from the brick's middle
   float half_turn;                          // radians
-  float aside[3];                           // halfway, of the brick's middle from its chord
-  float bend;                               // the most of it that a place of the brick has
+  float aside[3];                           // offset of the brick's middle from its chord, half way
+  float bend;                               // upper bound of such an offset for all points of the brick
   float reach;                              // from the brick's middle to its corners
-  /// By which the sweep of a guessed place may be wrong anywhere in the brick, mm.
+  /// Greatest error in the brick, mm, of a sweep computed for a guessed position.
   float guess_error() const { return half_turn * reach; }
 };
 
-/// Lines of a brick, a bit each.
+/// A set of a brick's lines, one bit each.
 struct LineSet {
   static constexpr int at_once = 8;
-  std::uint8_t bits[3][brick_lines / at_once] = {};  // by family, then eight lines each from a multiple of it on
+  std::uint8_t bits[3][brick_lines / at_once] = {};  // by family, then one byte for eight consecutive lines
   bool any = false;
 };
 
@@ -37,16 +38,17 @@ struct LineSet {
 struct LeanCut {
   const LeanSweep& sweep;
   const LeanBody& body;
-  const LocalSweep& tip;          // the way of the tip
+  const LocalSweep& tip;          // the path of the tip
   const SweptBody& upright_body;  // the same body
-  const LineSet* only = nullptr;  // these lines; null: all
+  const LineSet* only = nullptr;  // cuts only these lines; nullptr: all
 };
 
-/// Whether the body may reach a brick whose material ends at `top` above its lower side: as a box, by the planes of faces, side and ball.
+/// True if the body may reach a brick whose material ends at `top` above its lower side. Tests the material's box against the planes
+/// of faces, side and ball.
 bool may_reach(const LeanSweep& sweep, const LeanBody& body, const BrickScale& scale, float top);
 
-/// Takes away what the body sweeps, but of lines that it turns over (lean_over.h).
-///   returns  these lines: they are to be cut by the halves of the way
+/// Removes what the body sweeps, except from lines that it turns over (lean_over.h).
+///   returns  those lines, which are to be cut by the halves of the path
 LineSet cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
                           LaneWidth width = widest_lanes());
 

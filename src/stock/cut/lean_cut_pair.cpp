@@ -1,4 +1,4 @@
-// A tilted tool in a brick, in lanes that every processor has. For stock/cut/lean_cut.
+// A tilted tool in a brick, with lanes that every processor has. Used by stock/cut/lean_cut.
 
 #include "stock/cut/lean_ball_cutter.h"
 #include "stock/cut/lean_cutter.h"

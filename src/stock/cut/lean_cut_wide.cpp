@@ -1,6 +1,6 @@
-// A tilted tool in a brick, in lanes of AVX2. For stock/cut/lean_cut, which asks the processor first.
+// A tilted tool in a brick, with AVX2 lanes. Used by stock/cut/lean_cut, which checks the processor first.
 
-// Everything that is not written in lanes comes before the pragma: the linker may take its copy of such a function for the whole program.
+// Everything without lanes is included before the pragma, since the linker may use its copy of such a function for the whole program.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

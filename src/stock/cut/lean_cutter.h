@@ -1,12 +1,12 @@
 #pragma once
-// LeanCutter: one sweep of a body of a tool that leans, in one brick. For stock/cut/lean_cut alone, which compiles it for each kind of
+// LeanCutter: one sweep of a body of a tilted tool, in one brick. Only for stock/cut/lean_cut, which compiles it for each type of
 // processor.
 //
-// Which squares of columns it reaches; which lines, by how far aside of the tool they go, and by a cylinder in the middle of its way,
-// larger by as much as it shifts from there; of a cylinder, which of them are taken farthest as it stands at an end of its way
-// (lean_pose.h). Of the others, which it may reach by a shift that is that of the middle of the brick everywhere, and a body larger by what
-// this may be wrong; then the ends, from without, with the shift that the tool has at the very place where it leaves the line. Of a ball
-// end, what it sweeps itself first; its shaft is asked only for what that leaves.
+// It finds the squares of columns that the sweep reaches; then the lines, by their distance from the tool's axis and by a cylinder in
+// the pose at the middle of the path, enlarged by the shift. For a cylinder, it decides most lines by the poses at the ends of the
+// path (lean_pose.h). For the others it tests an enlarged body with the shift of the brick's middle, and then finds the ends from
+// outside, with the shift at the very position where the tool leaves the line. For a ball end it takes the ball first, and the shaft
+// only for what the ball leaves.
 
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
@@ -25,10 +25,10 @@ class LeanCutter : public Cutter {
 
  private:
   static constexpr int squares_along = 4;
-  /// What is reached of the material.
+  /// The material that the sweep reaches.
   struct Reached {
-    std::uint32_t squares = 0;  // a bit each
-    // Material over reached squares, by their column and row: its top and where the body begins; none of it above the other: none.
+    std::uint32_t squares = 0;  // one bit each
+    // For each column and row of reached squares: the top of the material and the start of the body; empty if the top is lower.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
@@ -69,7 +69,7 @@ class LeanCutter : public Cutter {
   MarksOf<V> is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
   struct RowRange {
-    int first, last;  // up to before it
+    int first, last;  // last: one past the end
   };
   static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
@@ -83,8 +83,8 @@ class LeanCutter : public Cutter {
   Frustum around_;
   FacesNear near_;
   bool shifts_little_;
-  Frustum around_columns_;  // where it does: as around_, of squares of columns; a ball end's shaft
-  float widest_;            // of the body, with room for the same
+  Frustum around_columns_;  // used if shifts_little_: like around_, for squares of columns; the shaft of a ball end
+  float widest_;            // radius of the body, with a margin for guess errors
   BallWay ball_;            // of a ball end
   bool below_shaft_;
   LeanOver over_;
@@ -92,11 +92,11 @@ class LeanCutter : public Cutter {
   LineSet& later_;
 };
 
-/// Cuts in lanes; the wide ones need AVX2.
+/// Cuts in lanes; the wide version needs AVX2.
 void cut_leaning_pair(LeanCutter& cutter);
 void cut_leaning_wide(LeanCutter& cutter);
 
-/// A place changes what is found by the turn times so much: mm that are let pass.
+/// mm: error that is accepted. A position that is off by x changes the result by x times the turn.
 inline constexpr float let_pass = 2.5e-4f;
 inline constexpr int quick_steps = 2, most_refined = 16;
 
@@ -118,7 +118,7 @@ KADR_IN_LANES Vec3Of<V> LeanCutter::line_value(const float (&middle)[3], const f
   return {lanes * u[0] + (row * v[0] + middle[0]), lanes * u[1] + (row * v[1] + middle[1]), lanes * u[2] + (row * v[2] + middle[2])};
 }
 
-/// `past`: as the tool shifts in the middle of the brick.
+/// `past`: the tool's path with the shift of the brick's middle.
 template <class V>
 KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family, const WayPast<V>& past) const {
   const float* const e = lean_.axes[family];
@@ -139,7 +139,7 @@ KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& 
   return {first, first, last};
 }
 
-/// By the columns through the middles of squares, and a body as much larger as the squares reach from there.
+/// Tests the columns through the middles of squares with a body that is enlarged by the size of a square.
 template <class V>
 KADR_OWN_FUNCTION Swept<V> LeanCutter::over_squares(const WayPast<V>& past, const V& x, const V& y) const {
   const auto& a = lean_.axes;
@@ -183,7 +183,7 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached(const WayPast<V>& past) co
   return r;
 }
 
-/// Of the four rows over a square, those of whose lines from `lane` on any is reached.
+/// Returns the rows, of the four over a square, in which a line from `lane` on is reached.
 inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -218,9 +218,9 @@ KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r, const WayPast<V>& past
   cut_family<V, kind, 0>(r, past);
 }
 
-/// One end of each line that is wanted: `by_from` that where the tool enters it, else where it leaves it. A place is within what the tool
-/// sweeps if it is so with the shift that it has itself: that is asked of the place that was found last, then of places between those that
-/// were within and without. What is missed with the shift at one place may be met with that nearer to the middle of what is met.
+/// Finds one end of each wanted line: where the tool enters it (`by_from`), else where it leaves it. A position is swept if it is
+/// inside with its own shift. So the test is repeated at the position found last, then between positions inside and outside. A line
+/// that is missed with the shift at one position may be met with the shift nearer to the middle of what is met.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
                                               const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
@@ -250,14 +250,14 @@ KADR_OWN_FUNCTION Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, int fami
     if (i + 1 == most_refined || !any(open)) break;
     place = next;
   }
-  // An end beyond the brick is as good as any other there.
+  // An end outside the brick is as good as any other there.
   const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
   const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
   const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};
   return where(~misses, end.from, end.to);
 }
 
-/// What the tool sweeps of lines; beyond `material` no end is of account.
+/// Returns what the tool sweeps of the lines. Ends outside `material` need not be exact.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
                                            const Swept<V>& material) const {
@@ -265,19 +265,19 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, int family,
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
-  // That it lies beyond the material is certain only of the tool as it stands at an end of its way.
+  // That an end is outside the material is certain only for the tool at an end of its path.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
-  // Whatever it meets of the material with the shift at this end: that may be another at the other.
+  // Also if the material is missed with the shift at this end, since the shift at the other end may differ.
   const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
   const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
-/// What the tool, or but its shaft, sweeps of lines.
-///   returns  false: none of the material
+/// Computes what the tool, or only its shaft, sweeps of the lines.
+///   returns  false if no material is met
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& material,
                                           Swept<V>& swept) const {
@@ -288,7 +288,7 @@ KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, 
   if (!any(beside)) return false;
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
-  // In the middle of the way, of a body as much larger as it shifts from there.
+  // A pre-test at the middle of the path, with a body enlarged by the shift.
   const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
@@ -313,7 +313,7 @@ KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, 
   }
 }
 
-/// By the tool as it stands at the ends of its way; what it sweeps between is asked for where it may reach more of the material.
+/// Uses the poses at the ends of the path; what the tool sweeps in between is computed only where it may reach more material.
 template <class V>
 KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, int family, LeanRow<V>& line, const MarksOf<V>& near,
                                                const Swept<V>& material, Swept<V>& swept) const {
@@ -327,7 +327,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, int fam
   if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
   if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);
   if (!any(open_from | open_to)) return any(meet(swept, material));
-  // Of lines that the cylinder misses at both ends most are missed all the way.
+  // Most lines that the cylinder misses at both ends are missed all the way.
   const MarksOf<V> misses = swept.from > swept.to;
   MarksOf<V> reached = open_from | open_to;
   Swept<V> guess = swept;
@@ -358,7 +358,7 @@ KADR_OWN_FUNCTION void LeanCutter::cut_family(const Reached& reached, const WayP
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // no depth is reported for a tilted tool
   const LeanFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == LeanBody::Kind::ball) return BallTube(ball_, family);

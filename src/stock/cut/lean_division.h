@@ -1,8 +1,9 @@
 #pragma once
-// LeanDivision: in which parts one brick takes the way of a tool that leans.
+// LeanDivision: the parts into which one brick divides the path of a tilted tool.
 //
-// A part must bend little there, for that is how far it is taken wrong; and no line of the brick may turn from one side of a flat face to
-// the other within a part: beyond that it would be reached from both of its ends, and what lies between would be taken with them.
+// The path of a part must bend little in the brick, since the bend is its error. And no line of the brick may turn from one side of a
+// flat face to the other within a part: the face would then reach it from both of its ends, and what lies between would be removed
+// too.
 
 #include <array>
 
@@ -11,20 +12,20 @@
 
 namespace kadr {
 
-/// mm: a place of the material is taken to be off its way past the tool by no more.
+/// mm: greatest assumed distance of a material point from its path past the tool.
 inline constexpr double bend_in_brick = 9e-4;
 
-/// Shares of a way, ascending: parts go from one to the next.
+/// Shares of a path in ascending order; each part goes from one to the next.
 struct LeanDivision {
   static constexpr int most_parts = 8;
   std::array<double, most_parts + 1> share{0, 1};
   int parts = 1;
 };
 
-/// Near the brick.
+/// True if the body has a flat face near the brick.
 bool has_flat_face(const LeanSweep& sweep, const LeanBody& body);
 
-/// `sweep`: the whole way, seen from the brick.
+/// `sweep` is the whole path, seen from the brick.
 LeanDivision division_of(const LeanSweep& sweep, const LeanBody& body);
 
 }  // namespace kadr

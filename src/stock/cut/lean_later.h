@@ -1,13 +1,13 @@
 #pragma once
-// LeanCutter: which lines it leaves for the halves of the way. For stock/cut/lean_cut alone.
+// LeanCutter: finds the lines that it leaves for the halves of the path. Only for stock/cut/lean_cut.
 
 #include "stock/cut/lean_cutter.h"
 
 namespace kadr {
 
-/// An end that was found is where the cylinder as it stands at an end of its way has it, and the line comes to it there far more steeply
-/// than the tool turns.
-///   half   of the brick: places of poses are from its middle
+/// Marks ends that are those of the cylinder at rest at an end of its path, if the line meets it there far more steeply than the tool
+/// turns.
+///   half   of the brick: positions of poses are from its middle
 ///   steep  sine of the least angle
 template <class V>
 KADR_IN_LANES MarksOf<V> stands_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
@@ -19,7 +19,7 @@ KADR_IN_LANES MarksOf<V> stands_steeply(const Pose<V>& pose, const V& end, bool 
   return (pose.in.from <= pose.in.to) & (found <= end) & (found >= end) & (sine >= steep * radius);
 }
 
-/// A place of a bull nose where its surface may be all but flat along the line: close to its lower face, or at its side.
+/// Marks positions of a bull-nose tool where its surface may be nearly flat along the line: close to its lower face, or at its side.
 template <class V>
 KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const {
   const LeanBody& b = body_leaning_;
@@ -31,9 +31,9 @@ KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, con
                                             : missed));
 }
 
-/// Lines on which more than what was found may be swept. An end was found with the shift that the tool has there; of a place farther on by
-/// x that is wrong by x · turn / 2. A body that is hardly larger tells how flat its surface lies to the line: where it is steeper than that
-/// nothing farther on can be reached.
+/// Marks lines of which more than the interval found may be swept. An end was found with the shift at that end; at a position farther
+/// on by x, this shift is wrong by x · turn / 2. A slightly larger body shows how flat the surface is to the line: if it is steeper
+/// than that, nothing farther on can be reached.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& swept,
                                                        const Swept<V>& material) const {
@@ -76,7 +76,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all,
     farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
               (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
   }
-  // Where not even the larger body takes the end that was found none was found.
+  // If not even the larger body contains the end, the end was not really found.
   const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
     if (!any(open)) return;
     const Swept<V> larger = with_shift_at(end);
@@ -88,7 +88,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all,
   return farther;
 }
 
-/// Notes lines that halves of the way are to cut.
+/// Records lines that are to be cut by the halves of the path.
 template <class V>
 KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int family, int row, int lane) {
   alignas(32) std::int32_t each[lane_count];
@@ -101,7 +101,7 @@ KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int fami
   later_.any = later_.any || later_.bits[family][at] != 0;
 }
 
-/// Those of eight lines that halves of the way are to cut; they are noted.
+/// Returns, and records, those of eight lines that are to be cut by the halves of the path.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& swept,
                                                    const Swept<V>& material) {

@@ -1,4 +1,4 @@
-// Which lines a tool that leans may turn over. For stock/cut/lean_cut; tested by tests/stock/lean_graze_test.
+// Finds the lines that a tilted tool may turn over. Used by stock/cut/lean_cut; tested by tests/stock/lean_graze_test.
 
 #include "stock/cut/lean_over.h"
 
@@ -10,12 +10,12 @@
 namespace kadr {
 namespace {
 
-/// Lines that make the angle with the axis whose cosine is between `least` and `most`, and touch the side: it may be bent along them by
-/// less than `bent`, 1/mm.
+/// True if a line that touches the side, at an angle to the axis whose cosine is between `least` and `most`, may have a curvature of
+/// the side along it of less than `bent`, 1/mm.
 bool is_flat_along(const Frustum& f, float least, float most, float bent) {
   if (!(f.high > f.low)) return false;
   const float tall = f.high - f.low, wide = f.high_radius - f.low_radius, cosine = tall / std::sqrt(tall * tall + wide * wide);
-  if (least > cosine) return false;  // too steep to touch it
+  if (least > cosine) return false;  // too steep to touch the side
   const float along = std::min(most / cosine, 1.f);
   return (1 - along * along) * cosine < bent * std::max(f.low_radius, f.high_radius);
 }
@@ -28,14 +28,15 @@ LeanOver::LeanOver(const LeanSweep& s, const LeanBody& body, float edge) {
   apart = 4 * over_allowed / turn;
   const bool faces = has_flat_face(s, body);
   const float bent = turn * turn / (8 * over_allowed);
-  // By the sine of the angle from the lower face out, and then some for what an end may be off.
+  // From the sine of the angle along the rounding, measured from the lower face, plus a margin for the error of an end.
   const float sine = std::min(bent * (body.flat + body.corner), 1.f);
   edge_below = body.low() + body.corner * (1 - std::sqrt(1 - sine * sine)) + 0.01f;
   for (int d = 0; d < 3; ++d) {
     const float cosine = std::fabs(s.axes[d][2]), least = std::max(cosine - s.half_turn, 0.f), most = std::min(cosine + s.half_turn, 1.f);
     family[d].by_end = body.kind == LeanBody::Kind::cone && is_flat_along(body.end, least, most, bent);
     family[d].by_shaft = is_flat_along(body.shaft, least, most, bent);
-    // Where a rounded edge is touched by a line it is as steep at least, and bent by that over its distance from the axis.
+    // Where a line touches a rounded edge, the edge is at least as steep as the line, and its curvature is that slope over its
+    // distance from the axis.
     family[d].by_edge = body.kind == LeanBody::Kind::rounded && body.flat > 0 && least < bent * (body.flat + body.corner);
     family[d].by_face = faces && least < turn;
   }

@@ -1,12 +1,12 @@
 #pragma once
-// Which of eight lines a tool that leans turns over. For stock/cut/lean_cutter.
+// Marks which of eight lines a tilted tool turns over. Used by stock/cut/lean_cutter.
 
 #include "stock/cut/lean_over.h"
 #include "stock/cut/lean_pose.h"
 
 namespace kadr::lanes {
 
-/// By a bit each.
+/// Converts one bit per lane into marks.
 template <class V>
 KADR_IN_LANES MarksOf<V> marks_of(unsigned bits) {
   alignas(32) std::int32_t each[lane_count];
@@ -14,15 +14,15 @@ KADR_IN_LANES MarksOf<V> marks_of(unsigned bits) {
   return lanes_at<MarksOf<V>>(each);
 }
 
-/// A line as it is at one end of the way.
+/// A line in the tool's coordinates at one end of the path.
 template <class V>
 struct LineAtEnd {
   Vec3Of<V> at;
   Heading heading;
 };
 
-/// Both intervals are there, and more than `apart` lies between them. What is asked for may begin near to one of them: there it is off by
-/// at most turn · (how far in).
+/// Marks lines where both intervals exist and more than `apart` lies between them. If the requested interval reaches only a little
+/// into that gap, its error is at most turn · (depth in the gap).
 template <class V>
 KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.to, last.to), to = most(first.from, last.from);
@@ -30,8 +30,8 @@ KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, 
          (least(asked.to - from, to - asked.from) > 0.25f * apart);
 }
 
-/// More than `apart` of what is asked for lies beyond what the tool takes as it stands at the ends of its way. A cone is bent the more the
-/// nearer to its point: what is apart may come and go between the ends of the way.
+/// Marks lines where more than `apart` of the requested interval is outside what the tool removes at the ends of its path, or
+/// are_apart(). A cone's curvature grows towards its point, so a gap may appear and vanish between the ends of the path.
 template <class V>
 KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.from, last.from), to = most(first.to, last.to);
@@ -45,7 +45,7 @@ KADR_IN_LANES Swept<V> in_cone_and_shaft(const LineAtEnd<V>& line, const LeanBod
   return body.shaft.high > body.shaft.low ? either(cone, in_frustum<V, Side::straight>(line.at, line.heading, body.shaft)) : cone;
 }
 
-/// The tool as it stands, of which nothing moves.
+/// The rounded body at rest, without any shift.
 template <class V>
 KADR_IN_LANES Swept<V> in_rounded(const LineAtEnd<V>& line, const LeanBody& body) {
   const V none = spread<V>(0.f);
@@ -60,7 +60,7 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const LeanOver& over, int family, const
   MarksOf<V> turned = asked.from < asked.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
-  // Sides as if they had no ends: beyond a face they are reached sooner or later on the way.
+  // Sides count as endless: beyond a face they are reached at some time on the path.
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };

@@ -1,36 +1,37 @@
 #pragma once
-// A cylinder of a tool that leans as it stands at both ends of its way, and whether it reaches farther on a line in between.
+// A cylinder of a tilted tool at both ends of its path, and whether it reaches farther on a line in between.
 //
-// Of a convex body that shifts, the places (on the line, on the way) at which it holds the line are a convex set: where the line enters it
-// is a convex function of the way. So if the place where it enters moves out of the face or the side on which it lies there, the body
-// reaches it farthest there and then. Where the line all but lies in that face a turn may turn this over: there nothing is told.
+// For a convex body that shifts, the pairs (position on the line, position on the path) at which it contains the line's point form a
+// convex set: the position where the line enters the body is a convex function of the path. So if, at an end of the path, that
+// position moves out of the face or side on which it lies, the body reaches farthest right there. If the line nearly lies in that
+// face, a turn may upset this: then nothing is decided here.
 
 #include "stock/cut/lean_rows.h"
 
 namespace kadr::lanes {
 
-/// The lines of a family, seen from the tool in the middle of its way.
+/// The lines of a family, in the tool's coordinates at the middle of the path.
 template <class V>
 struct LeanFamily {
-  LeanLines<V> even;    // as it shifts in the middle of the brick
-  Heading first, last;  // as they are at the ends of the way
-  /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
-  /// mm of lane and of row; `reach`: of lines that come near.
+  LeanLines<V> even;    // with the shift of the brick's middle
+  Heading first, last;  // at the ends of the path
+  /// Signed distance of a line from the tool's axis times the sine of the angle between them: for the brick's middle, per mm of lane,
+  /// and per mm of row; `reach` bounds it for lines that come near.
   float aside, aside_lane, aside_row, reach;
 };
-/// Eight of them.
+/// Eight lines of a family.
 template <class V>
 struct LeanRow {
-  Vec3Of<V> at, shift;    // of their middles, between the ends of the way as far from its chord as from where they bend to
-  Vec3Of<V> first, last;  // where these are at the ends of the way
-  Swept<V> at_ends;       // by the tool as it stands there
+  Vec3Of<V> at, shift;    // of the lines' middles; `at` is corrected to halfway between the chord and the true curve
+  Vec3Of<V> first, last;  // their positions at the ends of the path
+  Swept<V> at_ends;       // intervals inside the tool in the poses there
 };
 
 template <class V>
 struct Pose {
-  Vec3Of<V> at;  // of a line
+  Vec3Of<V> at;  // middle of a line
   Heading heading;
-  Swept<V> side, in;  // by the side alone, were it endless; by the cylinder
+  Swept<V> side, in;  // interval inside the endless side alone; inside the cylinder
 };
 
 template <class V>
@@ -41,16 +42,17 @@ KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frust
   return {at, h, side, in};
 }
 
-/// How the places of a line move past the tool on its way.
+/// The motion of a line's points past the tool.
 template <class V>
 struct PastTool {
-  Vec3Of<V> shift, grows;  // of the line's middle; for each mm of line
+  Vec3Of<V> shift, grows;  // of the line's middle; change per mm of line
   float radius;            // of the cylinder
-  float steep;             // sine of the angle to a face or a side from which on a turn does not count
-  float bend;              // mm by which their way may not be straight
+  float steep;             // sine of the angle to a face or side above which a turn does not matter
+  float bend;              // mm by which the points' paths may deviate from straight
 };
 
-/// The place where a line enters or leaves the cylinder moves out of it; `by_face`: it lies in a flat face, which is the upper one or not.
+/// Marks lines whose entry or exit point moves out of the cylinder. `by_face`: the point is on a flat face, the upper one if
+/// `face_is_upper`.
 template <class V>
 KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
                                    bool face_is_upper) {
@@ -63,7 +65,7 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
   return choose(by_face, face, side);
 }
 
-/// Where the cylinder reaches farthest at one end of its way, backwards on the line or onwards.
+/// Marks lines on which the cylinder reaches farthest, backwards or forwards, at one end of its path.
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {

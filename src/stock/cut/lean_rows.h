@@ -1,13 +1,13 @@
 #pragma once
-// Where lines lie within what a body of a tool that leans sweeps. Single precision, lengths mm, seen from the tool: its axis is Z. Places
-// on a line are mm from its middle.
+// Where lines are inside what a body of a tilted tool sweeps. Single precision, lengths in mm, in the tool's coordinates, with its
+// axis along Z. Positions on a line are mm from its middle.
 //
-// What a convex body sweeps along a straight way is convex: where a line leaves it lies on the body as it stands at one of both ends, on
-// what the rim of a flat face sweeps, or on what its outline against the way does. Each of these belongs to a convex piece within the whole
-// that a line meets in closed form, and the whole interval reaches from the least of their ends to the greatest. Only rounded edges are
-// sought for: the distance from them is convex along the line, so that Newton's steps come to it from without.
+// What a convex body sweeps along a straight path is convex. A line leaves it on the body at one of both ends of the path, on what
+// the rim of a flat face sweeps, or on what the body's outline against the path sweeps. Each of these belongs to a convex piece of
+// the whole, which a line meets in closed form; the whole interval reaches from the least of their ends to the greatest. Only rounded
+// edges need a search: the distance from them is convex along the line, so Newton's method converges from outside.
 //
-//   law  a place in an interval is within the body at some part of the way, to 2e-4 mm   (tests/stock/lean_sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/lean_sweep_test)
 
 #include "stock/cut/lean_frustum.h"
 
@@ -40,7 +40,7 @@ KADR_IN_LANES Swept<V> in_shifted_ball(const LeanLines<V>& l, LeanPlace<V> place
 
 // ---- rounded edges
 
-/// The part of the way on which the body's top is not below the line's place; a bound that moves with the place.
+/// The part of the path on which the body's top is not below the line's point; this bound moves with the point.
 template <class V>
 struct UnderTop {
   V first, last;
@@ -49,10 +49,10 @@ struct UnderTop {
 inline constexpr int most_newton = 24;
 inline constexpr float on_surface = 5e-5f;  // mm
 
-/// Distance² from the shaft that begins at the middle of the edge, at a place of the line as the tool has gone `t` of its way.
+/// Components of the distance from the shaft that begins at the rounding's centre, for a point of the line after `t` mm of the path.
 template <class V>
 struct FromShaft {
-  V beside, below;  // both at least 0
+  V beside, below;  // beside is at least 0, below at most 0
   V out_x, out_y;   // unit vector of `beside`
 };
 template <class V>
@@ -62,7 +62,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const LeanLines<V>& l, const LeanBody& b, 
   return {most(radius - b.flat, spread<V>(0.f)), least(at.z - b.middle, spread<V>(0.f)), at.x * per, at.y * per};
 }
 
-/// From without, one end of the interval in which the line is within `corner` of the shaft. `sign`: the direction on the line outwards.
+/// Finds, from outside, one end of the interval in which the line is within `corner` of the shaft. `sign`: outward direction on the
+/// line.
 template <class V>
 KADR_OWN_FUNCTION V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought, const V& start,
                                    float sign) {
@@ -89,7 +90,7 @@ KADR_OWN_FUNCTION V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, con
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
     V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // Where the top holds the tool back it moves with the place.
+    // Where the body's top limits the travel, the limit moves with the position.
     const V towards = from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
@@ -126,12 +127,13 @@ KADR_OWN_FUNCTION Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, 
   return s;
 }
 
-/// The same in two parts: as the tool stands at the ends of its way, which does not depend on how it shifts, and between them.
+/// lean_swept() in two parts: with the poses at the ends of the path, which do not depend on the shift, and between them.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
   if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == LeanBody::Kind::rounded) {
-    // Cylinders within it: a line that all but lies in its side or its flat face may leave that the other way where the tool does not turn.
+    // Cylinders inside the body: without the turn, a line that nearly lies in its side or flat face may leave that in the other
+    // direction.
     const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
     Swept<V> s{spread<V>(missed), spread<V>(-missed)};
     if (b.flat > 0) s = either(s, in_frustum_at_ends<V, Side::straight>(l, at, core));
@@ -148,8 +150,8 @@ KADR_IN_LANES Swept<V> lean_between(const LeanLines<V>& l, const LeanBody& b, co
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_between<V, Side::straight>(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
-/// The tool at the ends of its way as it would stand there if it only shifted: that is off the true one by what the way bends, and what is
-/// between them begins here.
+/// The tool at the ends of its path as if it only shifted. This differs from the true poses by the bend of the path, and what is
+/// swept between them begins here.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES Swept<V> shifted_at_ends(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at) {
   return lean_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.way)});

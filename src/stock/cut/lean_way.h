@@ -1,10 +1,9 @@
 #pragma once
-// LeanWay: how a tool that leans goes: the tip along a straight way, its direction from one to another along the shortest turn, both
-// evenly.
+// LeanWay: the path of a tilted tool. The tip moves evenly along a straight path, and the direction evenly along the shortest turn.
 //
-// A place of the material, seen from the tool, moves along a curve that is nearly straight. Taken for straight, the tool sweeps it as if it
-// only shifted: the shift is that of the tool's own matter at the place, so that it is right at every place alike, and the two ends of a
-// part of the way are right but for rounding. What is left is how far the curve bends away from its chord:
+// A point of the material, in the tool's coordinates, moves along a curve that is nearly straight. If the curve is replaced by its
+// chord, the tool sweeps the point as if it only shifted. The shift is taken at each point separately, so that both ends of a part of
+// the path are exact up to rounding. The remaining error is the distance of the curve from its chord:
 //
 //   bend = way · turn / 4 + reach · turn² / 8      turn: of the part, radians; reach: of the tool from its tip, mm
 
@@ -19,7 +18,7 @@ namespace kadr {
 
 struct LeanWay {
   Vec3 from, to;                      // of the tip
-  Vec3 from_direction, to_direction;  // from the tip into the tool, of length 1
+  Vec3 from_direction, to_direction;  // from the tip into the tool, unit length
 
   Vec3 tip(double part) const { return from + part * (to - from); }
   Vec3 direction(double part) const;
@@ -27,22 +26,22 @@ struct LeanWay {
   LeanWay between(double first, double last) const { return {tip(first), tip(last), direction(first), direction(last)}; }
 };
 
-/// At most this is a part turned by, radians: what is found on a line in the end comes from a place on it that was guessed.
+/// Greatest turn of a part, radians: the final position on a line is found from a guessed one.
 inline constexpr double most_turn = 0.02;
 
-/// Parts in which a way is taken so that none bends by more than `bend`.
-///   reach  from the tip to the farthest place of the tool, mm
+/// Returns the number of parts of a path, such that none bends by more than `bend`, mm.
+///   reach  from the tip to the farthest point of the tool, mm
 int parts_of(const LeanWay& way, double reach, double bend);
 
 double reach_of(const ToolShape& tool);
 
-/// Upright, but for rounding.
+/// True if the direction is vertical up to rounding.
 inline bool is_upright(Vec3 direction) { return std::fabs(direction.x) < 1e-9 && std::fabs(direction.y) < 1e-9 && direction.z > 0; }
 
-/// The tool's own axes where it stands: rows x, y beside, z along it.
+/// The tool's own axes in one pose: rows x and y across it, z along it.
 using ToolAxes = std::array<Vec3, 3>;
 
-/// A place's coordinates in the tool as it stands at the beginning, halfway and at the end of a way, x, y beside its axis, z above its tip.
+/// Converts a point into the tool's coordinates at the start, half way and at the end of a path; x, y from its axis, z above its tip.
 struct ToolEnds {
   explicit ToolEnds(const LeanWay& way);
   Vec3 first(Vec3 place) const { return in(axes_first, place - from); }
@@ -54,11 +53,11 @@ struct ToolEnds {
   ToolAxes axes_first, axes_halfway, axes_last;
 };
 
-/// Box around a body of a tool on a way that turns little.
+/// Returns a box around a body of a tool on a path with a small turn.
 ///   low, high  heights of the body above the tip
 Box3 box_around(const LeanWay& way, double low, double high, double radius);
 
-/// The most that a body needs around its tip on the way, whatever way it turns between.
+/// Upper bound of the room that a body needs around its tip on the path, whatever directions it takes in between.
 AroundTip around_leaning_tip(const LeanWay& way, double low, double high, double radius);
 
 }  // namespace kadr

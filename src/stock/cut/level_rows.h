@@ -1,13 +1,14 @@
 #pragma once
-// Where lines along X or Y lie within what a body sweeps along a straight way. Single precision, lengths mm from the brick's corner.
+// Where lines along X or Y are inside what a body sweeps along a straight path. Single precision, lengths in mm from the brick's
+// corner.
 //
-//   law  a place in an interval is within the body at some part of the way, to 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/sweep_test)
 
 #include "stock/cut/upright_rows.h"
 
 namespace kadr::lanes {
 
-/// The way as lines along one axis see it.
+/// The path as seen by lines along one axis.
 struct LevelWay {
   LevelWay(const LocalSweep& s, int axis)
       : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.way[axis]), across(s.way[1 - axis]), up(s.way[2]) {
@@ -16,18 +17,18 @@ struct LevelWay {
     side = s.flat_way[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
   }
   float start, across_start;  // of the tip, along the lines and across them
-  float forth, across, up;    // unit vector of the way
+  float forth, across, up;    // unit vector of the path
   float per_across;
-  float side;  // of a disc's radius: how far across the place lies where it leaves a line
+  float side;  // distance across the lines of the point where a disc leaves a line, per mm of its radius
 };
 
-/// Lines by how far across and how high they lie from the tip at the beginning of the way.
+/// Lines by their distance across and above the tip at the start of the path.
 template <class V>
 struct LevelLines {
   V across, up;
 };
 
-/// The part of the way on which heights of the tool are at the line.
+/// The part of the path on which a range of the tool's heights is at the line.
 template <class V>
 struct Stretch {
   V first, last;
@@ -40,7 +41,7 @@ KADR_IN_LANES Stretch<V> at_height(const LocalSweep& s, const V& up, float low, 
   return {first, last, (up >= std::min(s.rise, 0.f) + low) & (up <= std::max(s.rise, 0.f) + high) & (first <= last)};
 }
 
-/// A place of the way, and the square of how far to either side of the tool's axis the line lies within it there.
+/// A position on the path, and the squared half length of the line inside the tool there.
 template <class V>
 struct LeftAt {
   V place, square;
@@ -51,7 +52,7 @@ KADR_IN_LANES Swept<V> between(const LevelWay& w, const LeftAt<V>& from, const L
   return where(meets, from.place * w.forth + w.start - root(from.square), to.place * w.forth + w.start + root(to.square));
 }
 
-/// A cylinder on the stretch.
+/// What a cylinder sweeps on that part of the path.
 template <class V>
 KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
   const float edge = radius * w.side;
@@ -61,11 +62,11 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& li
   return between(w, LeftAt<V>{from, square - from_side * from_side}, LeftAt<V>{to, square - to_side * to_side}, on.any);
 }
 
-/// The lower half of a ball.
+/// What the lower half of a ball sweeps.
 template <class V>
 KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
   float across = w.across, up = w.up,
-        square = across * across + up * up;  // not 1 - forth²: no digits left where the way is along the lines
+        square = across * across + up * up;  // 1 - forth² would lose all digits if the path is along the lines
   const bool along = square < upright_below * upright_below;
   if (along) across = up = 0.f, square = upright_below * upright_below;
   const float per_square = 1 / square, slope = w.forth / std::sqrt(square);
@@ -78,24 +79,24 @@ KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const L
   return between(w, LeftAt<V>{from, room - from_far * from_far * square}, LeftAt<V>{to, room - to_far * to_far * square}, on.any);
 }
 
-/// A cone or a rounded edge at one place of the way.
+/// A cone or a rounded edge at one position on the path.
 template <class V>
 struct EndAt {
-  V square;  // of half the length of line within it
-  V forth;   // times the way along the line, and
-  V turn;    // … more: the slope of where the line leaves it
+  V square;  // squared half length of the line inside it
+  V forth;   // the slope of the line's exit position is proportional to sign · forth + turn
+  V turn;    // see forth
 };
 template <class V, BodyEnd end>
 KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
   const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
   const V side = place * w.across - lines.across;
-  V radius, grows, scale;  // grows / scale: of the radius for each mm of height
+  V radius, grows, scale;  // grows / scale: change of the radius per mm of height
   if constexpr (end == BodyEnd::cone) {
     radius = height * b.widens + b.flat, grows = spread<V>(b.widens), scale = spread<V>(1.f);
   } else {
     scale = root(height * (2 * b.corner - height)), radius = scale + b.flat, grows = spread<V>(b.corner) - height;
   }
-  // Where the line misses it: towards meeting it.
+  // Where the line is missed, the slope leads towards meeting it.
   const V square = (radius - side) * (radius + side), towards = choose(side > 0.f, spread<V>(w.across), spread<V>(-w.across));
   const V rises = grows * w.up;
   const MarksOf<V> meets = square > 0.f;
@@ -103,7 +104,7 @@ KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const Level
           choose(meets, -(rises * radius + side * scale * w.across), -(rises + scale * towards))};
 }
 
-/// Where the line leaves the end, in the direction `sign` of it.
+/// Finds where the line leaves the end, in the direction `sign`.
 template <class V, BodyEnd end>
 KADR_IN_LANES LeftAt<V> farthest(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
                                  const EndAt<V>& first, const EndAt<V>& last) {
@@ -128,7 +129,7 @@ KADR_IN_LANES Swept<V> level_end(const LevelWay& w, const SweptBody& b, const Le
   }
 }
 
-/// Lines at the places `across`, `z`. The body is convex: what its end and its cylinder sweep of a line is one interval.
+/// Lines at the positions `across`, `z`. The body is convex, so its end and its cylinder together sweep one interval of a line.
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelWay& w, const SweptBody& b, const V& across, const V& z) {
   const LevelLines<V> lines{across - w.across_start, z - s.from[2]};

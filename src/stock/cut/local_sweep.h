@@ -1,5 +1,5 @@
 #pragma once
-// LocalSweep: a straight motion of an upright tool, seen from one brick.
+// LocalSweep: a straight motion of an upright tool, in the coordinates of one brick.
 
 #include <algorithm>
 #include <cmath>
@@ -9,38 +9,38 @@
 
 namespace kadr {
 
-/// What a tool needs around its tip, mm.
+/// The room that a tool needs around its tip, mm.
 struct AroundTip {
-  double beside, below, above;  // `below` is negative where the body begins above the tip
+  double beside, below, above;  // `below` is negative if the body begins above the tip
 };
 
-/// Lengths mm, from the brick's corner. Places on the way are mm from `from`.
+/// Lengths in mm, from the brick's corner. Positions on the path are mm from `from`.
 struct LocalSweep {
   float from[3];  // the tip
-  float way[3];   // unit vector; {1, 0, 0} where the tool stands
+  float way[3];   // unit vector; {1, 0, 0} if the tool does not move
   float length;
-  float rise;            // along Z, of all of the way
-  float per_upward;      // 1 / way[2], large where the way is level
-  float flat_way[2];     // way[0], way[1]; 0 where the way is upright
-  float flat, per_flat;  // length of flat_way, its inverse: finite where it is 0
+  float rise;            // along Z, over the whole path
+  float per_upward;      // 1 / way[2], large for a level path
+  float flat_way[2];     // way[0], way[1]; 0 for a vertical path
+  float flat, per_flat;  // length of flat_way, and its inverse, which is finite even for 0
   bool upright;
 
   float lowest() const { return from[2] + std::min(rise, 0.f); }
   float highest() const { return from[2] + std::max(rise, 0.f); }
 };
 
-/// A way that is this much longer than what reaches the brick is shortened: single precision has seven digits.
+/// A path this many times longer than the part that reaches the brick is shortened, since single precision has seven digits.
 inline constexpr double clipped_above = 4;
-/// The share of the way in the plane below which it is taken for upright: within a brick's reach that is less than 1e-4 mm.
+/// Share of the path in the plane below which the path counts as vertical: within a brick's reach this is less than 1e-4 mm.
 inline constexpr float upright_below = 3e-6f;
 inline constexpr float nearly_none = 1e-12f;
 
-/// Shares of a way.
+/// A part of a path, as shares.
 struct WayPart {
   double first = 0, last = 1;
 };
 
-/// On which the tool can reach a box from {0, 0, 0} to `most`, with some room around it; `first` where it never can.
+/// Returns the part on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if it never can.
 inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
   WayPart part;
   for (int d = 0; d < 3; ++d) {
@@ -54,7 +54,7 @@ inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec
   return part;
 }
 
-/// From the brick's corner; `edge`: of the brick.
+/// Takes positions from the brick's corner; `edge` of the brick.
 inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double edge) {
   Vec3 way = to - from;
   const double of_way = length(way);
@@ -76,7 +76,7 @@ inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double 
   return s;
 }
 
-/// Mirrored about the plane through the brick's corner: what narrows upwards widens upwards.
+/// Mirrors the path about the plane z = 0 through the brick's corner, so that a body that narrows upwards widens upwards.
 inline LocalSweep upside_down(LocalSweep s) {
   s.from[2] = -s.from[2], s.way[2] = -s.way[2], s.rise = -s.rise;
   s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);

@@ -1,4 +1,4 @@
-// A ring and the lines of a brick. For stock/stock.
+// Cuts a ring from the lines of a brick. Used by stock/stock.
 
 #include "stock/cut/ring_cut.h"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int rings_between_tops = 8;
 constexpr float no_place = 1e30f;
 
-/// An interval on each line of a family; of one that misses the ring `from` lies behind `to`.
+/// An interval on each line of a family; `from` is greater than `to` if the line misses the ring.
 struct LineTakings {
   std::array<float, brick_lines> from, to;
   bool any = false;
@@ -59,7 +59,7 @@ class RingCutter {
   double edge_;
 };
 
-/// The brick's rectangle of radii and heights lies within the outline, on one side: it is convex.
+/// True if the brick's rectangle of radii and heights is inside the outline on one side of the axis; the outline is convex.
 bool RingCutter::holds_all(const BrickRing& own) const {
   for (const double side : {1.0, -1.0}) {
     bool all = true;
@@ -86,7 +86,7 @@ void RingCutter::clear() {
   outcome_.longest = scale_.edge;
 }
 
-/// Both sides of the axis, which may overlap.
+/// Cuts both sides of the axis, which may overlap.
 void RingCutter::cut_upright_lines(const RingRange& reached) {
   const BrickLines& lines = brick_.family[2];
   LineTakings right, left;
@@ -102,7 +102,7 @@ void RingCutter::cut_upright_lines(const RingRange& reached) {
   take(2, left);
 }
 
-/// A level line meets a ring of radii in one piece where it passes the hole, else in two, one on each side.
+/// A level line that passes through the hole of the ring meets it in two pieces, one on each side, else in one.
 void RingCutter::cut_level_lines() {
   std::array<RingRange, brick_edge> at_height;
   for (int i = 0; i < brick_edge; ++i) at_height[std::size_t(i)] = folded(sweep_.at_z(corner_.z + place(i)));
@@ -126,7 +126,7 @@ void RingCutter::cut_level_lines() {
   }
 }
 
-/// Off all intervals of the lines.
+/// Removes the intervals from all intervals of the lines.
 void RingCutter::take(int family, const LineTakings& takings) {
   if (!takings.any) return;
   BrickLines& lines = brick_.family[std::size_t(family)];
@@ -165,7 +165,7 @@ void RingCutter::take_further(int family, const LineTakings& takings) {
   std::erase_if(further, [](const FurtherInterval& f) { return f.to <= f.from; });
 }
 
-/// A piece was taken.
+/// Records a removed piece.
 void RingCutter::note(int family, int line, float from, float to) {
   outcome_.changed = true;
   const double length = double(to) - double(from), lane = place(line % brick_edge), row = place(line / brick_edge);

@@ -1,4 +1,4 @@
-// The outline of what is swept, and its slices. For stock/cut/ring_cut.
+// Builds the outline of a swept insert and its slices. Used by stock/cut/ring_cut.
 
 #include "stock/cut/ring_sweep.h"
 
@@ -12,7 +12,7 @@ InsertPoint moved(const InsertPoint& p, const InsertPoint& by, double k = 1) { r
 
 double inner(const InsertPoint& a, const InsertPoint& b) { return a.x * b.x + a.z * b.z; }
 
-/// The way from `from` to `to` on an edge at the share that `at` is of the first coordinate.
+/// Interpolates the other coordinate of an edge where its first coordinate is `at`.
 double along_edge(double from, double per, double at, double other_from, double other_to) {
   const double share = std::clamp((at - from) * per, 0.0, 1.0);
   return other_from + share * (other_to - other_from);
@@ -33,7 +33,7 @@ RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const Inse
   const InsertPoint way{to.x - from.x, to.z - from.z};
   const double far = std::sqrt(inner(way, way));
   const InsertPoint right =
-      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};  // of the way: turning there, normals come ahead
+      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};  // right of the path; from there on normals point ahead
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;
   for (std::size_t k = 0; k < n; ++k) {
@@ -61,7 +61,7 @@ void RingSweep::add_edge(const InsertCorner& a, const InsertCorner& b, const Ins
   edges_.push_back({from, to, outward, x != 0 ? 1 / x : 0, z != 0 ? 1 / z : 0});
 }
 
-/// The discs of the corners lie within the hull, so that all of each may count.
+/// The discs of the corners are inside the hull, so whole discs can be used.
 RingRange RingSweep::at_x(double x) const {
   RingRange range;
   for (const Edge& e : edges_) {

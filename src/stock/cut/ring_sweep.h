@@ -1,11 +1,11 @@
 #pragma once
-// RingSweep: what a body of an insert sweeps along a straight way, in the half plane of a part that spins: a ring about the axis.
+// RingSweep: what a body of an insert sweeps along a straight path, in the half plane of a spinning part: a ring about the axis.
 //
-// Body and way are convex, and so is the hull that is swept: its outline is the body's, with the way as two more edges where it turns from
-// ahead to behind. A line along Z sees one radius, a level line one height: both cut the outline in one interval, in closed form.
-// x is the signed radius: where the insert reaches across the axis, what is left of it counts on both sides.
+// Body and path are convex, and so is the swept hull: its outline is the body's, with the path as two more edges where the outline
+// changes from front to back. A line along Z has one radius, a level line one height: both cut the outline in one interval, in closed
+// form. x is the signed radius: if the insert reaches across the axis, both sides are cut.
 //
-//   law  a place is within a slice if the insert is there at some part of the way, to 1e-9 mm   (tests/stock/turn_test)
+//   law  a point is in a slice if the insert is there at some share of the path, to 1e-9 mm   (tests/stock/turn_test)
 
 #include <vector>
 
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// None if `to` is not behind `from`.
+/// A range; empty if `to` is not greater than `from`.
 struct RingRange {
   double from = 1e300, to = -1e300;
 
@@ -21,30 +21,30 @@ struct RingRange {
   void include(double a) { from = a < from ? a : from, to = a > to ? a : to; }
 };
 
-/// Of radii, mm, of a range of signed ones.
+/// Converts a range of signed radii into a range of radii, mm.
 RingRange folded(const RingRange& x);
 
 class RingSweep {
  public:
   struct Edge {
     InsertPoint from, to, outward;
-    double per_x, per_z;  // 1 / length along x, z; 0 where there is none
+    double per_x, per_z;  // 1 / length along x, z; 0 if that length is 0
   };
-  /// `first`, `last`: the outward normals between which the outline follows it.
+  /// `first`, `last`: the outward normals at the ends of the arc in the outline.
   struct Arc {
     InsertPoint centre;
     double radius;
     InsertPoint first, last;
   };
 
-  /// Of the programmed point.
+  /// The path is that of the programmed point.
   RingSweep(const InsertBody& body, const InsertPoint& from, const InsertPoint& to);
 
-  /// Heights that are swept at a signed radius.
+  /// Returns the swept heights at a signed radius.
   RingRange at_x(double x) const;
-  /// Signed radii at a height.
+  /// Returns the swept signed radii at a height.
   RingRange at_z(double z) const;
-  /// Signed radii between two heights.
+  /// Returns the swept signed radii between two heights.
   RingRange between(double low, double high) const;
   RingRange heights() const;
 

@@ -1,32 +1,34 @@
 #pragma once
-// The place on the way at which a tool's rounded or conical end leaves a line farthest. For stock/cut/level_rows and upright_rows.
+// Finds the position on the path at which a tool's rounded or conical end reaches farthest on a line. Used by stock/cut/level_rows
+// and upright_rows.
 //
-// A straight line and a convex body that moves along a straight way: how far the body reaches on the line is concave along the way, so that
-// one place is the farthest, and the sign of a slope tells on which side of any place it lies. Most lines are decided by the slopes at both
-// ends of the way. Where not, the chord through the slopes proposes the next place; the middle does where the line misses the body at an
-// end, or when a chord has not halved what was left.
+// For a straight line and a convex body on a straight path, how far the body reaches on the line is a concave function of the path.
+// So there is one maximum, and the sign of the slope tells on which side of a position it is. Most lines are decided by the slopes at
+// both ends of the path. For the others the chord through the slopes gives the next position; the middle is used if the line misses
+// the body at an end, or if a chord has not halved the bracket.
 
 #include "stock/cut/lanes.h"
 
 namespace kadr::lanes {
 
-/// At one place of the way.
+/// The slope at one position on the path.
 template <class V>
 struct Slope {
-  V value;            // above 0: farther on is better
-  MarksOf<V> smooth;  // the line meets the body: the slope changes steadily
+  V value;            // positive: farther on is better
+  MarksOf<V> smooth;  // the line meets the body: the slope is continuous
 };
 
 inline constexpr int steady_steps = 2, most_steps = 48;
 
-/// Where the farthest place lies between.
+/// The bracket of the maximum.
 template <class V>
 struct Bracket {
   V first, last;
   Slope<V> at_first, at_last;
 };
 
-/// `slope_at(place)` gives the Slope. At `first` it is above 0, at `last` below 0 in the `sought` lanes; others are of no account.
+/// `slope_at(place)` returns the Slope. In the `sought` lanes it is positive at `first` and negative at `last`; other lanes are
+/// ignored.
 template <class V>
 KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                    const MarksOf<V>& sought, float error, const auto& slope_at) {
@@ -38,7 +40,7 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
-    // Somewhat nearer to the middle, so that the place that is sought comes to lie between this one and the near end.
+    // Slightly nearer to the middle, so that the maximum comes to lie between this position and the near end.
     const V pushed = choose(chord < middle, least(chord + beyond, middle), most(chord - beyond, middle));
     const V place = choose(at_first.smooth & at_last.smooth & ~slow, pushed, middle);
     const Slope<V> here = slope_at(place);
@@ -58,7 +60,7 @@ KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slop
   return 0.5f * (b.first + b.last);
 }
 
-/// The same where the slope is smooth everywhere: by the chord through the last two, far nearer than `error`.
+/// The same for a slope that is smooth everywhere: interpolates in the final bracket, which is much more accurate than `error`.
 template <class V>
 KADR_IN_LANES V smooth_farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                       const MarksOf<V>& sought, float error, const auto& slope_at) {

@@ -1,4 +1,4 @@
-// What the rows need of a body. For stock/stock.
+// Converts a tool's body for rows of an upright tool. Used by stock/stock.
 
 #include "stock/cut/swept_body.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// What an error of the place on the way may add to where the tool leaves a line, mm.
+/// mm that an error of the position on the path may add to where the tool leaves a line.
 constexpr double error_by_place = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {
@@ -43,7 +43,7 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
-  // A place that is wrong by e moves the answer by e² / (2 corner); at a cone's point by up to e.
+  // A position that is off by e changes the result by e² / (2 corner); at a cone's point by up to e.
   body.place_error = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_place * double(body.corner)));
   return body;
 }

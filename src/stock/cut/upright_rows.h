@@ -1,7 +1,7 @@
 #pragma once
-// Where upright lines lie within what a body sweeps along a straight way. Single precision, lengths mm from the brick's corner.
+// Where upright lines are inside what a body sweeps along a straight path. Single precision, lengths in mm from the brick's corner.
 //
-//   law  a place in an interval is within the body at some part of the way, to 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/sweep_test)
 
 #include "stock/cut/sweep_search.h"
 #include "stock/cut/swept_body.h"
@@ -10,7 +10,7 @@ namespace kadr::lanes {
 
 inline constexpr float missed = 1e30f;
 
-/// An interval on each line; of one that misses the body `from` lies behind `to`.
+/// An interval on each line; `from` is greater than `to` if the line misses the body.
 template <class V>
 struct Swept {
   V from, to;
@@ -21,10 +21,10 @@ KADR_IN_LANES Swept<V> where(const MarksOf<V>& meets, const V& from, const V& to
   return {choose(meets, from, spread<V>(missed)), choose(meets, to, spread<V>(-missed))};
 }
 
-/// The body stands over a line on a part of the way.
+/// The part of the path on which the body is over a line.
 template <class V>
 struct Over {
-  V nearest, apart;  // where it is nearest, and the distance² there
+  V nearest, apart;  // position where it is nearest, and the squared distance there
   V first, last;
   MarksOf<V> meets;
 };
@@ -40,8 +40,7 @@ KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float 
   return {nearest, apart, first, last, (room > 0.f) & (first <= last)};
 }
 
-/// A cone's side is taken this much farther out, mm: a distance from the axis that is rounded up must not climb a side that is all but
-/// upright.
+/// A cone's side is moved outwards by this, mm: a distance from the axis that is rounded up must not climb a nearly vertical side.
 inline constexpr float rounded_radius = 1e-5f;
 
 /// Height of the end's surface above its bottom.
@@ -54,7 +53,7 @@ KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   return spread<V>(0.f);
 }
 
-/// The place where a rounded edge is lowest over the line.
+/// The position where a rounded edge is lowest over the line.
 template <class V>
 KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const float square = s.flat * s.flat, corner_square = b.corner * b.corner;
@@ -70,19 +69,20 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   return place;
 }
 
-/// How far along the way, of its length in the plane, a cone is lowest from where it is nearest: for each mm that it is apart there.
+/// Distance on the path, in the plane, between where a cone is nearest to a line and where it is lowest over it, per mm of the
+/// nearest distance.
 inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
   const float steep = std::fabs(s.way[2]) * s.per_flat * b.widens;
   return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;
 }
 
-/// The place where the body's end is lowest over the line.
+/// The position where the body's end is lowest over the line.
 template <class V, BodyEnd end>
 KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const V none = spread<V>(0.f);
   if constexpr (end == BodyEnd::flat) return s.way[2] > 0.f ? over.first : over.last;
   if constexpr (end == BodyEnd::torus) return lowest_of_torus(s, b, over);
-  V before;  // it is reached before the nearest place where the way rises
+  V before;  // distance before the nearest position at which the lowest one is reached, if the path rises
   if constexpr (end == BodyEnd::ball) {
     before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.way[2] * s.per_flat);
   } else {
@@ -93,8 +93,8 @@ KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over
   return within(over.nearest - before, over.first, over.last);
 }
 
-/// Lines at the places `x`, `y`.
-///   tip  its height where the body's end is lowest over the line
+/// Lines at the positions `x`, `y`.
+///   tip  receives its height where the body's end is lowest over the line
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y, V& tip) {
   const Over<V> over = over_line(s, x, y, b.radius);

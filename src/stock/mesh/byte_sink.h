@@ -1,13 +1,13 @@
 #pragma once
-// Where a written file goes, piece by piece: a file beside its place, memory, a pipe.
+// The destination of a file that is written piece by piece: a temporary file, memory, a pipe.
 
 #include <functional>
 #include <string_view>
 
 namespace kadr {
 
-/// Takes the next bytes.
-///   returns  false: it could not; nothing more comes
+/// Receives the next bytes.
+///   returns  false if they could not be written; the sink is then not called again
 using ByteSink = std::function<bool(std::string_view)>;
 
 }  // namespace kadr

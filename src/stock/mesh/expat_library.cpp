@@ -1,4 +1,4 @@
-// expat, opened at need. For stock/mesh/xml_scan.
+// Loads expat on demand. Used by stock/mesh/xml_scan.
 
 #include "stock/mesh/expat_library.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// expat, opened when the first 3MF file is read: no other command waits for it.
+// Loads expat when the first 3MF file is read, so that no other command waits for it.
 
 #include <expat.h>
 
@@ -12,13 +12,13 @@ namespace kadr {
                       X(XML_Parse) X(XML_StopParser) X(XML_ResumeParser) X(XML_GetParsingStatus) X(XML_GetCurrentByteIndex) X(XML_GetErrorCode)
 // clang-format on
 
-/// The functions we call.
+/// The functions that we call.
 struct Expat {
   KADR_EXPAT(KADR_LIBRARY_FUNCTION)
 };
 
-/// The library; opened by the first call, it stays so.
-///   returns  nullptr where this machine has none
+/// Returns the library. The first call loads it, and it stays loaded.
+///   returns  nullptr if the machine does not have it
 const Expat* expat_library();
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// A C library that is opened at need: a struct of pointers to the functions that we call, filled by name.
+// A C library that is loaded on demand: a struct of pointers to the functions that we call, looked up by name.
 //
 //   #define KADR_THING(X) X(thing_open) X(thing_close)
 //   struct Thing { KADR_THING(KADR_LIBRARY_FUNCTION) };
@@ -16,7 +16,7 @@ namespace kadr {
 #define KADR_LIBRARY_FIND(name) find(library.name, #name);
 
 /// `fill(library, find)` calls `find(function, name)` for each function.
-///   returns  nothing where this machine has no such library, or one that lacks a function
+///   returns  nullopt if the machine does not have the library, or the library lacks a function
 template <class Library, class Fill>
 std::optional<Library> opened_library(const char* file, const Fill& fill) {
   void* const handle = dlopen(file, RTLD_LAZY | RTLD_LOCAL);

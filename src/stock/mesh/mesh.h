@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// Seen from outside the corners of a triangle go round counter-clockwise. Lengths mm.
+/// Seen from outside, the corners of a triangle run counter-clockwise. Lengths in mm.
 struct Mesh {
-  std::vector<float> points;             // x, y, z of each
-  std::vector<std::uint32_t> triangles;  // three points each
+  std::vector<float> points;             // x, y, z of each point
+  std::vector<std::uint32_t> triangles;  // three point numbers each
 
   std::size_t point_count() const { return points.size() / 3; }
   std::size_t triangle_count() const { return triangles.size() / 3; }
@@ -19,13 +19,13 @@ struct Mesh {
   Vec3 corner(std::size_t triangle, std::size_t i) const { return point(triangles[3 * triangle + i]); }
 };
 
-/// mm³ inside it; below 0 if it is inside out.
+/// Returns the enclosed volume in mm³; negative if the mesh is inside out.
 double volume_of(const Mesh& mesh);
 
-/// mm² of all triangles.
+/// Returns the area of all triangles in mm².
 double area_of(const Mesh& mesh);
 
-/// Around all points; of no points, one place.
+/// Returns the box around all points; an empty box at the origin if there are none.
 Box3 box_of(const Mesh& mesh);
 
 }  // namespace kadr

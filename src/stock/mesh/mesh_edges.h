@@ -1,25 +1,25 @@
 #pragma once
-// The edges of a mesh: is it closed, is it a manifold?
+// The edges of a mesh; they show whether it is closed and a manifold.
 
 #include "stock/mesh/mesh.h"
 
 namespace kadr {
 
-/// A triangle goes along an edge.
+/// One use of an edge by a triangle.
 struct EdgeWay {
-  std::uint64_t ends;  // the lower point in the upper half
+  std::uint64_t ends;  // numbers of the two points, the lower one in the upper half
   std::uint32_t triangle;
-  bool upwards;  // from the lower point
+  bool upwards;  // from the lower to the higher point number
 };
 
-/// Of all triangles; by edges, then by triangles.
+/// Returns the edge uses of all triangles, ordered by edge, then by triangle.
 std::vector<EdgeWay> edge_ways(const Mesh& mesh);
 
-/// Edges of a closed mesh are each gone along as often one way as the other; those of a manifold once each way.
+/// Counts of faulty edges. A closed mesh uses each edge as often in one direction as in the other; a manifold uses it once in each.
 struct MeshEdges {
-  std::size_t open = 0;           // ways along an edge that no triangle goes back
-  std::size_t doubled = 0;        // that go where another has gone
-  std::size_t open_triangle = 0;  // the first with an open edge; as many as there are: none
+  std::size_t open = 0;           // uses of an edge without a use in the opposite direction
+  std::size_t doubled = 0;        // repeated uses of an edge in the same direction
+  std::size_t open_triangle = 0;  // the first triangle with an open edge; the number of triangles if there is none
 };
 MeshEdges edges_of(const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-// STL or 3MF. For session and cli.
+// Reads STL or 3MF. Used by session and cli.
 
 #include "stock/mesh/mesh_file.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes from files: STL or 3MF, whichever it is.
+// Reads a mesh from a file, STL or 3MF.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace kadr {
 
-/// By its first bytes, not by its name.
+/// Detects the format by the first bytes, not by the file name.
 tl::expected<SolidMesh, std::string> read_mesh(std::string_view bytes, const MeshRules& rules);
 
-/// A regular file of at most rules.memory / 2 bytes.
-///   returns  notes and error sentences name the file
+/// Reads a regular file of at most rules.memory / 2 bytes.
+///   returns  a solid, or an error sentence; notes and error name the file
 tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileDoor* door = nullptr);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A grid of squares across the lines. For stock/blank/mesh_blank and stock/mesh/mesh_repair.
+// A grid of squares across the lines. Used by stock/blank/mesh_blank and stock/mesh/mesh_repair.
 
 #include "stock/mesh/mesh_index.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_entries = 6;  // of a triangle, on average: long ones across many squares make the grid coarser
+constexpr double most_entries = 6;  // per triangle, on average: long triangles across many squares make the grid coarser
 
 }  // namespace
 

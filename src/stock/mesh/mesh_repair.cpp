@@ -1,4 +1,4 @@
-// Closing, turning, telling. For stock/mesh/mesh_file.
+// Closes and orients a mesh, and reports its faults. Used by stock/mesh/mesh_file.
 
 #include "stock/mesh/mesh_repair.h"
 
@@ -27,9 +27,9 @@ std::string at_point(const Vec3& p) { return "X" + mm(p.x) + " Y" + mm(p.y) + " 
 struct Repair {
   Mesh mesh;
   const MeshRules& rules;
-  std::vector<std::uint32_t> numbers{};  // of the triangles, in the file
+  std::vector<std::uint32_t> numbers{};  // number of each triangle in the file
   std::vector<std::string> notes{};
-  MeshEdges edges{};  // of close()
+  MeshEdges edges{};  // result of close()
 
   std::string told_points() const;
   void close();
@@ -41,7 +41,7 @@ struct Repair {
   void turn(std::size_t triangle) { std::swap(mesh.triangles[3 * triangle + 1], mesh.triangles[3 * triangle + 2]); }
 };
 
-/// A corner that is no place, or far beyond any machine.
+/// Reports a corner with an invalid coordinate or point number, or one far beyond any machine.
 std::string Repair::told_points() const {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::string triangle = std::to_string(i / 3 + 1);
@@ -60,11 +60,12 @@ std::string Repair::told_points() const {
   return {};
 }
 
-/// Triangles side by side go along their common edge in opposite ways: what fits to the first of a shell is turned so.
+/// Neighbouring triangles must use their common edge in opposite directions: turns each triangle of a shell to fit the shell's first.
+/// Returns false if this is not possible.
 bool Repair::turn_to_fit() {
   const std::vector<EdgeWay> ways = edge_ways(mesh);
   const std::size_t count = mesh.triangle_count();
-  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: it goes the same way
+  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: same direction, so one must be turned
   for (std::size_t i = 0; i < ways.size(); i += 2) {
     if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
     const EdgeWay &a = ways[i], &b = ways[i + 1];
@@ -86,7 +87,7 @@ bool Repair::turn_to_fit() {
         const std::uint32_t other = beside[3 * std::size_t(t) + k] / 2;
         const std::uint8_t wanted = turned[t] ^ std::uint8_t(beside[3 * std::size_t(t) + k] & 1);
         if (turned[other] == 2) turned[other] = wanted, open.push_back(other);
-        else if (turned[other] != wanted) return false;  // a band with one side only
+        else if (turned[other] != wanted) return false;  // a one-sided band
       }
     }
   }
@@ -97,7 +98,7 @@ bool Repair::turn_to_fit() {
   return true;
 }
 
-/// Joins what lies within the tolerance, then turns what does not fit, each only if edges are open.
+/// Merges points within the tolerance, then turns triangles that do not fit, each only if edges are open.
 void Repair::close() {
   edges = edges_of(mesh);
   if (edges.open == 0) return;
@@ -105,7 +106,7 @@ void Repair::close() {
   if (edges.open != 0 && turn_to_fit()) edges = edges_of(mesh);
 }
 
-/// Points of edges that an odd number of triangles have.
+/// Merges points of edges that belong to an odd number of triangles.
 void Repair::join_near() {
   std::vector<bool> marked(mesh.point_count(), false);
   const std::vector<EdgeWay> ways = edge_ways(mesh);
@@ -130,7 +131,7 @@ std::string Repair::told_open() const {
               "не замкнуто: открытых рёбер " + std::to_string(edges.open) + ", первое у треугольника " + number + ", " + place);
 }
 
-/// Of each triangle the lowest point of what hangs together.
+/// Returns for each triangle the lowest point number of its connected shell.
 std::vector<std::uint32_t> Repair::shells() const {
   std::vector<std::uint32_t> parent(mesh.point_count());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -147,7 +148,7 @@ std::vector<std::uint32_t> Repair::shells() const {
   return shell;
 }
 
-/// A shell inside out is a hollow where another one is about it.
+/// Turns shells that are inside out. Such a shell stays as it is if it lies inside another one, as it is then a cavity.
 void Repair::turn_shells() {
   if (volume_of(mesh) < 0) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) turn(t);

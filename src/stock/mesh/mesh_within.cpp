@@ -1,7 +1,8 @@
-// Triangles clipped by the planes of a box. For stock/blank and session/cutting.
+// Clips triangles by the planes of a box. Used by stock/blank and session/cutting.
 //
-// On an upright line that goes through the box, the closed mesh's crossings, each moved to the box's floor or ceiling where it lies beyond,
-// add up to what is inside both. So each triangle counts by its heights above the floor, over what the box's walls leave of it.
+// On a vertical line through the box, move each crossing of the closed mesh that is outside to the box's floor or ceiling; the
+// crossings then add up to the length inside both. So each triangle contributes its height above the floor over the area that remains
+// of it between the box's walls.
 
 #include "stock/mesh/mesh_within.h"
 
@@ -13,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// A convex polygon; each of six planes adds at most one corner to a triangle.
+/// A convex polygon; each of the six planes adds at most one corner to a triangle.
 struct Polygon {
   std::array<Vec3, 12> corner;
   std::size_t count = 0;
@@ -21,7 +22,7 @@ struct Polygon {
   void add(const Vec3& p) { corner[count++] = p; }
 };
 
-/// What of it lies above a place along the axis (`side` 1), or below (−1).
+/// Returns the part of the polygon above a position along the axis (`side` 1), or below it (−1).
 Polygon clipped(const Polygon& from, int axis, double place, int side) {
   Polygon to;
   for (std::size_t i = 0; i < from.count; ++i) {
@@ -36,13 +37,13 @@ Polygon clipped(const Polygon& from, int axis, double place, int side) {
   return to;
 }
 
-/// Of its triangles, from its first corner.
+/// Visits the triangles of a fan from the polygon's first corner.
 template <class Visit>
 void each_triangle(const Polygon& p, const Visit& visit) {
   for (std::size_t i = 2; i < p.count; ++i) visit(p.corner[0], p.corner[i - 1], p.corner[i]);
 }
 
-/// Seen from above, counter-clockwise is above 0.
+/// Area seen from above, positive if counter-clockwise.
 double flat_area(const Vec3& a, const Vec3& b, const Vec3& c) { return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2; }
 
 void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
@@ -53,7 +54,7 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
   }
   const double height = box.most.z - box.least.z;
   each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // and not above: counts once, below
+    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // a triangle at the ceiling counts once only, below
     if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
   });
   each_triangle(clipped(clipped(between_walls, 2, box.least.z, 1), 2, box.most.z, -1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {

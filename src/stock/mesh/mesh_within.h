@@ -1,5 +1,5 @@
 #pragma once
-// What of a closed mesh lies within a box: its volume and its area there, exactly. For stock/blank and session/cutting.
+// The volume and area of a closed mesh inside a box, exactly. Used by stock/blank and session/cutting.
 
 #include "stock/mesh/mesh.h"
 
@@ -10,7 +10,7 @@ struct MeshWithin {
   double area = 0;    // mm² of the mesh's own triangles
 };
 
-///   law  of boxes that together are a larger one the volumes add up   (tests/stock/window_test)
+///   law  for boxes that together form a larger one the volumes add up   (tests/stock/window_test)
 MeshWithin mesh_within(const Mesh& mesh, const Box3& box);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// PLY: a mesh whose points carry a number and a colour, as MeshLab, CloudCompare and Blender open it.
+// PLY: a mesh whose points carry a number and a colour, readable by MeshLab, CloudCompare and Blender.
 
 #include <cstdint>
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace kadr {
 
-/// 0xRRGGBB.
+/// Returns the colour of a deviation as 0xRRGGBB.
 using ColourOf = std::function<std::uint32_t(float)>;
 
-/// Binary, little endian; of each vertex x, y, z, its colour, and `deviation`. The same bytes for the same mesh.
-///   deviation  mm, one a point
-///   returns    false: the sink did not take all
+/// Writes binary little-endian PLY with x, y, z, colour and `deviation` of each vertex. The same mesh gives the same bytes.
+///   deviation  mm, one per point
+///   returns    false if the sink did not accept everything
 bool write_ply(const Mesh& mesh, const std::vector<float>& deviation, const ColourOf& colour, const ByteSink& sink);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Binary PLY. For who shows how far the cut part is from the one that was wanted.
+// Writes binary PLY. Used to show the deviation of the cut part from the wanted one.
 
 #include <bit>
 #include <string>

@@ -1,4 +1,4 @@
-// Points in a hash table by their place. For stock/mesh/mesh_repair.
+// Finds equal or near points with a hash table by position. Used by stock/mesh/mesh_repair.
 
 #include "stock/mesh/point_weld.h"
 
@@ -23,7 +23,7 @@ std::size_t mixed(const Key& key) {
   return std::size_t(h);
 }
 
-/// Chains of numbers by key: a bucket may hold those of several keys.
+/// Chains of numbers by key; a bucket may hold the numbers of several keys.
 class Buckets {
  public:
   explicit Buckets(std::size_t count) : head_(std::bit_ceil(count + 1), nothing), next_(count, nothing) {}
@@ -31,7 +31,7 @@ class Buckets {
     std::uint32_t& head = head_[mixed(key) & (head_.size() - 1)];
     next_[i] = head, head = i;
   }
-  /// The first added that fits is looked for: the lowest number.
+  /// Returns the lowest number with this key that fits; `nothing` if none does.
   template <class Fits>
   std::uint32_t lowest(const Key& key, const Fits& fits) const {
     std::uint32_t best = nothing;
@@ -60,7 +60,7 @@ void weld_equal(Mesh& mesh) {
     float* const p = &mesh.points[3 * i];
     Key key;
     for (std::size_t d = 0; d < 3; ++d) {
-      p[d] += 0.f;  // -0 is 0
+      p[d] += 0.f;  // turns -0 into 0
       key[d] = std::bit_cast<std::int32_t>(p[d]);
     }
     const std::uint32_t same = buckets.lowest(key, [&](std::uint32_t k) {

@@ -1,5 +1,5 @@
 #pragma once
-// STL, binary and text. Lengths are taken for mm: the format has no unit.
+// STL, binary and text. Lengths are assumed to be in mm, as the format has no unit.
 
 #include <string>
 #include <string_view>
@@ -10,13 +10,13 @@
 
 namespace kadr {
 
-/// Three points a triangle, as they stand; the normals in the file are not asked. The number of triangles in a binary header is not
-/// believed: the length of the file is.
+/// Reads three points per triangle, as they are. The normals in the file are ignored. The number of triangles follows from the length
+/// of a binary file, not from its header.
 ///   returns  the triangles, or an error sentence with line or triangle
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules);
 
-/// Binary, the same bytes for the same mesh.
-///   returns  false: the sink did not take all
+/// Writes binary STL. The same mesh gives the same bytes.
+///   returns  false if the sink did not accept everything
 bool write_stl(const Mesh& mesh, const ByteSink& sink);
 
 }  // namespace kadr

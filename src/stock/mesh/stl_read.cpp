@@ -1,4 +1,4 @@
-// STL: which of the two it is, and its triangles. For stock/mesh/mesh_file.
+// Detects binary or text STL and reads its triangles. Used by stock/mesh/mesh_file.
 
 #include <bit>
 #include <cmath>
@@ -49,7 +49,7 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   return mesh;
 }
 
-/// solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, as often as it comes.
+/// solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any number of times.
 class TextStl {
  public:
   TextStl(std::string_view text, const MeshRules& rules) : words_(text), rules_(rules) {}
@@ -88,7 +88,7 @@ bool TextStl::number(float& value) {
   return false;
 }
 
-/// After the word facet. Some programs write "nan" for the normal of a triangle without area: it is not asked.
+/// Reads a facet after the word facet. The normal is skipped: some programs write "nan" for that of a triangle without area.
 bool TextStl::facet() {
   if (!expect("normal")) return false;
   for (int i = 0; i < 3; ++i) (void)words_.next();
@@ -126,7 +126,7 @@ ReadMesh TextStl::read() {
   return std::move(mesh_);
 }
 
-/// Binary files, too, may begin with "solid".
+/// Detects binary files by their length and content, since they too may begin with "solid".
 bool is_binary(std::string_view bytes) {
   if (bytes.size() < header_bytes) return false;
   if (bytes.size() == header_bytes + record_bytes * std::size_t(number_at(bytes, header_bytes - 4))) return true;

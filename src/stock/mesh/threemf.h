@@ -10,12 +10,12 @@
 
 namespace kadr {
 
-/// The bodies that the file's `build` puts together, in mm; support structures are left out.
-///   returns  one mesh, or an error sentence; what the file unpacks to is bounded by rules.memory
+/// Reads the bodies that the file's `build` assembles, in mm, without support structures.
+///   returns  one mesh, or an error sentence; rules.memory limits the unpacked size
 tl::expected<SolidMesh, std::string> read_3mf(std::string_view bytes, const MeshRules& rules);
 
-/// One object, in mm. The same bytes for the same mesh.
-///   returns  an error sentence; empty: all was taken
+/// Writes one object, in mm. The same mesh gives the same bytes.
+///   returns  an error sentence; empty on success
 std::string write_3mf(const Mesh& mesh, const ByteSink& sink);
 
 }  // namespace kadr

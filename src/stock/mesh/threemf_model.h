@@ -1,5 +1,5 @@
 #pragma once
-// The model of a 3MF file: objects, and where they are put. For stock/mesh/threemf_read.
+// The model of a 3MF file: its objects and their positions. Used by stock/mesh/threemf_read.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// A place (x, y, z, 1) times this matrix of four rows is the place in what the object is part of.
+/// The row vector (x, y, z, 1) of a point times this matrix of four rows is the point in the parent object.
 using ModelTransform = std::array<double, 12>;
 inline constexpr ModelTransform as_it_is{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
@@ -24,8 +24,8 @@ struct ModelItem {
 
 struct ModelObject {
   Mesh mesh;                     // in the file's unit
-  std::vector<ModelItem> parts;  // other objects in it
-  bool is_body = true;           // no support structure
+  std::vector<ModelItem> parts;  // the objects that it contains
+  bool is_body = true;           // false for a support structure
 };
 
 struct Model {
@@ -34,9 +34,9 @@ struct Model {
   std::vector<ModelItem> build;
 };
 
-/// Its XML text.
-///   most_triangles  of all objects
-///   returns         an error sentence with line and column
+/// Parses the XML text of a model.
+///   most_triangles  limit for all objects together
+///   returns         the model, or an error sentence with line and column
 tl::expected<Model, std::string> read_model(std::string_view text, std::size_t most_triangles);
 
 }  // namespace kadr

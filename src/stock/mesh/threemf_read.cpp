@@ -1,4 +1,4 @@
-// The archive's model found and put together. For stock/mesh/mesh_file.
+// Finds the model in the archive and assembles it. Used by stock/mesh/mesh_file.
 
 #include <algorithm>
 #include <utility>
@@ -18,17 +18,17 @@ using Failed = tl::unexpected<std::string>;
 constexpr std::string_view relationships = "_rels/.rels", usual_model = "3D/3dmodel.model";
 constexpr std::string_view model_type = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::size_t relationship_bytes = 1 << 20;
-constexpr int deepest_object = 16;  // objects in objects: that also ends a circle
+constexpr int deepest_object = 16;  // nesting limit, which also stops circular references
 constexpr std::size_t most_placed = 100'000;
 
-/// Names in an archive are compared without regard to case (OPC 6.2.2.3).
+/// OPC 6.2.2.3 compares the names in an archive without regard to case.
 const ZipEntry* entry_of(const std::vector<ZipEntry>& entries, std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const ZipEntry& e) { return equal_ignoring_case(e.name, name); });
   return found == entries.end() ? nullptr : &*found;
 }
 
-/// Where the package says its model is; if it says nothing that can be read, the usual place.
+/// Returns the model's name from the package; the usual name if the package gives none that can be read.
 std::string model_name(std::string_view archive, const std::vector<ZipEntry>& entries) {
   const ZipEntry* const entry = entry_of(entries, relationships);
   if (entry == nullptr) return std::string(usual_model);
@@ -42,7 +42,7 @@ std::string model_name(std::string_view archive, const std::vector<ZipEntry>& en
   return std::string(usual_model);
 }
 
-/// First `inner`, then `outer`.
+/// The transform that applies `inner` first, then `outer`.
 ModelTransform after(const ModelTransform& inner, const ModelTransform& outer) {
   ModelTransform all{};
   for (std::size_t row = 0; row < 4; ++row)
@@ -84,7 +84,8 @@ void Builder::put_mesh(const Mesh& from, const ModelTransform& m) {
   }
 }
 
-/// Few lines may name one object many thousand times: what comes of it is counted before it is made.
+/// Adds an object and its parts. A short file may name one object many thousand times, so the size is checked before anything is
+/// added.
 std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int depth) {
   const auto found = model_.objects.find(item.object);
   const std::string id = std::to_string(item.object);
@@ -103,7 +104,7 @@ std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int
   return {};
 }
 
-/// The model's text is gone when this returns.
+/// Frees the model's text before it returns.
 tl::expected<Mesh, std::string> built(std::string_view bytes, const MeshRules& rules) {
   const auto entries = zip_entries(bytes);
   if (!entries) return Failed(entries.error());

@@ -1,4 +1,4 @@
-// A model with one object. For who exports the cut part.
+// Writes a model with one object. Used to export the cut part.
 
 #include <charconv>
 
@@ -45,7 +45,7 @@ constexpr std::string_view model_ends = R"(    </triangles>
 </model>
 )";
 
-/// Shortest texts that give the same number again.
+/// Formats a number with the fewest digits that read back as the same value.
 template <class Number>
 void put_attribute(std::string& out, std::string_view name, Number value) {
   char text[32];

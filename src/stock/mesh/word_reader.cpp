@@ -1,4 +1,4 @@
-// Words and their places. For the readers of meshes.
+// Reads words and their positions. Used by the mesh readers.
 
 #include "stock/mesh/word_reader.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// MeshWordReader: words of a text, parted by blanks and ends of lines, with their places. For the readers of meshes.
+// MeshWordReader: reads the words of a text, separated by blanks and line ends, with their positions. Used by the mesh readers.
 
 #include <string>
 #include <string_view>
@@ -9,12 +9,12 @@ namespace kadr {
 class MeshWordReader {
  public:
   explicit MeshWordReader(std::string_view text) : text_(text) {}
-  /// Empty: the text is at its end.
+  /// Returns an empty word at the end of the text.
   std::string_view next();
   bool more();
-  /// Leaves out what stands in the line after the last word.
+  /// Skips the rest of the line after the last word.
   void rest_of_line();
-  /// Of the last word, from 1.
+  /// Position of the last word, counted from 1.
   std::size_t line() const { return line_; }
   std::size_t column() const { return word_ - line_start_ + 1; }
 
@@ -25,12 +25,12 @@ class MeshWordReader {
   std::size_t at_ = 0, word_ = 0, line_start_ = 0, line_ = 1;
 };
 
-/// The whole word is a finite number.
+/// Returns true if the whole word is a finite number.
 bool number_of(std::string_view word, double& value);
 
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 
-/// For a sentence: at most 20 characters, and what is not ASCII as a question mark.
+/// Shortens a text for a message: at most 20 characters, with a question mark for each byte that is not printable ASCII.
 std::string shown(std::string_view text);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// XmlScan: the elements of an XML text one after another, without building a tree: expat, asked for one at a time. No entity is ever
-// looked up: a text with a document type is refused.
+// XmlScan: reads the elements of an XML text one at a time with expat, without building a tree. A text with a document type is
+// refused, so no entity is ever resolved.
 
 #include <memory>
 #include <string>
@@ -12,20 +12,20 @@ class XmlScan {
  public:
   enum class Event { opens, closes, ends, fault };
 
-  /// `text`: outlives the scan.
+  /// `text` must outlive the scan.
   explicit XmlScan(std::string_view text);
   ~XmlScan();
   XmlScan(const XmlScan&) = delete;
   XmlScan& operator=(const XmlScan&) = delete;
 
-  /// The next begin or end of an element; an empty element has both.
+  /// Moves to the next begin or end of an element; an empty element has both.
   Event next();
-  /// Of the element, as it is written.
+  /// The element's name as written, with its prefix.
   std::string_view name() const;
   std::size_t depth() const;
-  /// nullptr: the element has none of that name. When it has closed, those of its begin may still be there.
+  /// Returns nullptr if the element has no attribute of that name. At the end of an element this is always so.
   const std::string* attribute(std::string_view name) const;
-  /// A sentence with line and column.
+  /// Returns a message with line and column.
   std::string fault() const;
   std::string told_here() const;  // "line 3, column 5: " of the element
 

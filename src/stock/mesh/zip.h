@@ -1,5 +1,5 @@
 #pragma once
-// ZIP, as far as 3MF needs it: written with less than 4 GB; stored or deflated, without a password (PKWARE, APPNOTE.TXT 6.3).
+// ZIP as far as 3MF needs it: writes archives below 4 GB; stored or deflated, without a password (PKWARE, APPNOTE.TXT 6.3).
 
 #include <cstdint>
 #include <string>
@@ -15,27 +15,28 @@ struct ZipEntry {
   std::string_view name;
   std::uint16_t method;
   std::uint32_t crc;
-  std::uint64_t packed, unpacked;  // bytes, as the directory says
-  std::uint64_t local;             // where its own header stands
+  std::uint64_t packed, unpacked;  // bytes, according to the directory
+  std::uint64_t local;             // position of the entry's local header
 };
 
-/// The archive's directory, within its bytes.
-///   returns  an error sentence: no archive, cut off, too many files
+/// Reads the archive's directory.
+///   returns  the entries, or an error sentence: not an archive, truncated, too many files
 tl::expected<std::vector<ZipEntry>, std::string> zip_entries(std::string_view archive);
 
 /// Unpacks an entry.
-///   most     bytes: what is longer is refused when it has come to that length, whatever the directory says
-///   returns  an error sentence: longer, damaged, a method that is not known
+///   most     limit in bytes, enforced while unpacking, whatever size the directory gives
+///   returns  the content, or an error sentence: too long, damaged, unknown method
 tl::expected<std::string, std::string> zip_file(std::string_view archive, const ZipEntry& entry, std::size_t most);
 
 /// Writes an archive file by file.
 class ZipWriter {
  public:
   explicit ZipWriter(const ByteSink& sink) : sink_(sink) {}
-  /// `content` fills the file through the sink that it is given. Packed as it comes, kept packed until it is whole.
-  ///   returns  an error sentence; empty: written
+  /// Adds a file. `content` writes it to the given sink; it is packed on the fly, and the packed file is held in memory until it is
+  /// complete.
+  ///   returns  an error sentence; empty on success
   std::string add(const std::string& name, const std::function<bool(const ByteSink&)>& content);
-  /// The directory; nothing may follow.
+  /// Writes the directory and closes the archive. Returns an error sentence; empty on success.
   std::string finish();
 
  private:

@@ -1,4 +1,4 @@
-// zlib, opened at need. For stock/mesh/zip_read and zip_write.
+// Loads zlib on demand. Used by stock/mesh/zip_read and zip_write.
 
 #include "stock/mesh/zlib_library.h"
 

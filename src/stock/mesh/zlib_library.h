@@ -1,5 +1,5 @@
 #pragma once
-// zlib, opened when the first 3MF file is read or written: no other command waits for it.
+// Loads zlib when the first 3MF file is read or written, so that no other command waits for it.
 
 #include <zlib.h>
 
@@ -11,13 +11,13 @@ namespace kadr {
 #define KADR_ZLIB(X) X(inflateInit2_) X(inflate) X(inflateEnd) X(deflateInit2_) X(deflate) X(deflateEnd) X(crc32)
 // clang-format on
 
-/// The functions we call.
+/// The functions that we call.
 struct Zlib {
   KADR_ZLIB(KADR_LIBRARY_FUNCTION)
 };
 
-/// The library; opened by the first call, it stays so.
-///   returns  nullptr where this machine has none
+/// Returns the library. The first call loads it, and it stays loaded.
+///   returns  nullptr if the machine does not have it
 const Zlib* zlib_library();
 
 }  // namespace kadr

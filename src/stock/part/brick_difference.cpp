@@ -1,4 +1,4 @@
-// Intervals of the material against those of the part, line by line. For stock/part/part_compare.
+// Compares intervals of the material with those of the part, line by line. Used by stock/part/part_compare.
 
 #include "stock/part/brick_difference.h"
 
@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-constexpr double least_stretch = 1e-3;  // mm: both ends are known to a micrometre, no better
+constexpr double least_stretch = 1e-3;  // mm: both ends are accurate to a micrometre, no better
 
-/// Material on a line, in ascending order.
+/// Collects the material on a line in ascending order.
 void take_material(const BrickLines& lines, std::int32_t line, std::vector<Stretch>& material) {
   material.clear();
   if (lines.from[line] < lines.to[line])
@@ -23,7 +23,7 @@ void put(std::vector<Stretch>& to, const Stretch& stretch) {
   if (stretch.to - stretch.from > least_stretch) to.push_back(stretch);
 }
 
-/// Material without the part.
+/// The material outside the part.
 void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::vector<Stretch>& left_on) {
   for (const Stretch& m : material) {
     Stretch rest = m;
@@ -38,7 +38,7 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
   }
 }
 
-/// The part without material: a gap's ends are those of the material beside it.
+/// The part without material. The ends of a gap get the sweeps of the adjacent material's ends.
 void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
                  std::vector<Stretch>& gouged) {
   for (const LineRange& p : part) {

@@ -1,5 +1,5 @@
 #pragma once
-// Stretches of the lattice lines in a brick that are material and not part, or part and not material. For stock/part/part_compare.
+// Segments of a brick's lattice lines that are material but not part, or part but not material. Used by stock/part/part_compare.
 
 #include <array>
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace kadr {
 
-/// On a line, from the brick's corner, mm.
+/// A segment of a line, from the brick's corner, mm.
 struct Stretch {
   std::int32_t line;
   double from, to;
-  std::int32_t from_by, to_by;  // sweeps that made the material's ends there; of_blank
+  std::int32_t from_by, to_by;  // sweeps that made the material's end on that side; of_blank if none did
 };
 
 struct LineDifference {
   std::vector<Stretch> left_on, gouged;
 };
 
-/// What a thread needs, kept from brick to brick.
+/// Buffers of a thread, reused from brick to brick.
 struct BrickDifference {
   std::array<LineDifference, 3> family;
   std::vector<LineRange> part;
   std::vector<Stretch> material;
 };
 
-/// Where it is, in the lattice of the part's lines.
+/// The position of a brick in the lattice of the part's lines.
 struct BrickAt {
   BrickPlace place;
   Vec3 corner;  // in the work system
   double cell;
 };
 
-/// `brick`: of the stock; nullptr: it is all material, or none.
+/// Computes the differences in a brick. `brick` is a brick of the stock; nullptr if it is full (`is_full`) or empty.
 void take_difference(const Brick* brick, bool is_full, const PartLines& part, const BrickAt& at, BrickDifference& difference);
 
 }  // namespace kadr

@@ -1,5 +1,6 @@
 #pragma once
-// How far a point is from four triangles: stock/part/triangle_distance step by step, two at a time. For stock/part/nearest_triangle.
+// The distance of a point from four triangles, computed as in stock/part/triangle_distance, two triangles at a time. Used by
+// stock/part/nearest_triangle.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,12 +9,12 @@
 
 namespace kadr {
 
-/// Triangles; the same place of each stand side by side.
+/// Four triangles, stored so that equal coordinates are adjacent.
 struct FourTriangles {
   alignas(16) float corner[3][3][4];  // corner, axis, triangle
 };
 
-/// A triangle among others.
+/// One triangle of a block of four.
 struct OneOfFour {
   const FourTriangles* four;
   std::uint32_t lane;
@@ -23,7 +24,7 @@ namespace lanes {
 
 using Two = double __attribute__((vector_size(16), may_alias));
 
-/// Of two triangles.
+/// A vector for each of two triangles.
 struct TwoPlaces {
   Two x, y, z;
 };
@@ -44,7 +45,7 @@ inline Two square_to_stretch(const TwoPlaces& from, const TwoPlaces& way) {
   return dot(nearest, nearest);
 }
 
-/// Corners as seen from the point.
+/// The corners are relative to the point.
 inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
   const Two none{};
   TwoPlaces side[3];
@@ -64,7 +65,8 @@ inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
 
 }  // namespace lanes
 
-/// mm² from the point to each of an even number: `pair(k, d, i)` are the places of the corner k along d of the triangles i and i + 1.
+/// Computes the squared distances in mm² from the point to an even number of triangles: `pair(k, d, i)` gives the coordinate d of
+/// corner k of the triangles i and i + 1.
 template <std::size_t count>
 inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squares)[count]) {
   for (std::size_t i = 0; i < count; i += 2) {
@@ -75,8 +77,8 @@ inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squar
   }
 }
 
-/// … of any of one or more blocks.
-///   law  to the bit kadr::square_to_triangle()   (tests/stock/nearest_triangle_test)
+/// Likewise for triangles of one or more blocks, in any order.
+///   law  equal to kadr::square_to_triangle() to the bit   (tests/stock/nearest_triangle_test)
 template <std::size_t count>
 inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& point, double (&squares)[count]) {
   const auto place = [&](std::size_t k, std::size_t d, std::size_t i) { return double(one[i].four->corner[k][d][one[i].lane]); };
@@ -87,7 +89,7 @@ inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& poin
       point, squares);
 }
 
-/// … of all of a block: their places lie side by side.
+/// Likewise for all triangles of one block, whose coordinates are adjacent.
 inline void squares_to_all(const FourTriangles& four, const Vec3& point, double (&squares)[4]) {
   using TwoFloats = float __attribute__((vector_size(8), may_alias));
   const auto pair = [&](std::size_t k, std::size_t d, std::size_t i) {

@@ -1,4 +1,4 @@
-// Halves of halves. For stock/part/nearest_triangle.
+// Builds the groups by repeated halving. Used by stock/part/nearest_triangle.
 
 #include "stock/part/near_groups.h"
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::ptrdiff_t worth_a_thread = 1 << 12;  // triangles
 
 struct Middle {
-  float at[3];  // three times
+  float at[3];  // three times the centre
   std::uint32_t triangle;
 };
 
@@ -29,7 +29,7 @@ int longest_axis(const Middle* first, const Middle* last) {
   return axis;
 }
 
-/// So that the groups of `group` triangles from `first` on, and those within them, lie close together.
+/// Arranges the triangles so that the groups of `group` triangles from `first` on, and the groups inside these, are compact.
 void arrange(Middle* first, Middle* last, std::size_t group, GroupSizes sizes, int threads) {
   const auto count = std::size_t(last - first);
   while (group >= count && group > sizes.smallest) group /= sizes.times;

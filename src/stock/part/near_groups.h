@@ -1,5 +1,5 @@
 #pragma once
-// Triangles in groups that lie near each other. For stock/part/nearest_triangle.
+// Orders triangles into groups of near ones. Used by stock/part/nearest_triangle.
 
 #include <cstdint>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace kadr {
 
-/// Sizes of groups: `smallest` triangles, `times` as many, and so on.
+/// Sizes of the groups: `smallest` triangles, then `times` as many, and so on.
 struct GroupSizes {
   std::size_t smallest, times;
 };
 
-/// Numbers of all triangles in such an order that each group in a row, of each size, lies close together: by their middles halved along the
-/// longest side, at the borders of groups.
+/// Returns the numbers of all triangles in an order in which each consecutive group of each size is compact: the triangles are halved
+/// by their centres along the longest side, at the borders of groups.
 std::vector<std::uint32_t> near_groups(const Mesh& mesh, GroupSizes sizes, int threads);
 
 }  // namespace kadr

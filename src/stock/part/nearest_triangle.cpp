@@ -1,4 +1,4 @@
-// Blocks of four triangles, eight boxes around as many of them, boxes around these. For stock/part/part_compare.
+// Blocks of four triangles, nodes of eight boxes around blocks, nodes of boxes around nodes. Used by stock/part/part_compare.
 
 #include "stock/part/nearest_triangle.h"
 
@@ -18,17 +18,17 @@ namespace {
 
 constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
 constexpr float nowhere = 1e30f;
-constexpr float rounding_of_places = 0x1p-21f;   // of the farthest place: the point's, the box's and their difference's
-constexpr double more_than_rounding = 1 + 4e-6;  // of a square of a distance, in single precision
+constexpr float rounding_of_places = 0x1p-21f;   // of the greatest coordinate: the point's, the box's and their difference's
+constexpr double more_than_rounding = 1 + 4e-6;  // relative, for a squared distance in single precision
 constexpr double hair_squared = 1e-18;           // mm²
 constexpr std::size_t nodes_at_once = 1024;
 
-/// Boxes that are farther hold nothing nearer.
+/// Boxes with a greater squared distance contain nothing nearer.
 double limit_of(double square) { return square * more_than_rounding + hair_squared; }
 
 }  // namespace
 
-/// A node above blocks, and they themselves.
+/// Fills a node above blocks, and the blocks themselves.
 void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t number) {
   Node& node = nodes_[number];
   node.first_child = of_blocks | std::uint32_t(number * width);
@@ -48,7 +48,7 @@ void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32
   }
 }
 
-/// A node above others.
+/// Fills a node above other nodes.
 void NearestTriangle::put_boxes(std::size_t number, std::size_t first_child, std::size_t last_child) {
   Node& node = nodes_[number];
   node.first_child = std::uint32_t(first_child);
@@ -83,7 +83,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   }
 }
 
-/// One question. Triangles are asked four at a time: up to three wait for others.
+/// One query. Triangles are tested four at a time; up to three wait for others.
 class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
@@ -122,12 +122,12 @@ class NearestTriangle::Search {
   float limit_ = 0;
   std::uint32_t nearest_, began_ = 0;
   std::uint32_t asked_for_[3 + in_block];
-  int count_ = 0;  // of these
+  int count_ = 0;  // number of triangles in asked_for_
   int waiting_ = 0;
-  Waiting stack_[128];  // eighths of 2³¹ triangles lie no deeper than 11, seven wait at each
+  Waiting stack_[128];  // 2³¹ triangles divided by eight give a depth of at most 11, with seven waiting nodes at each level
 };
 
-/// Four boxes: how far the place is from each.
+/// Squared distances of the point from four boxes.
 inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], const Quad (&most)[3]) const {
   const Quad none{};
   Quad sum{};
@@ -140,7 +140,7 @@ inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], c
   return sum;
 }
 
-/// Two or four triangles, by their numbers in the blocks.
+/// Tests two or four triangles, by their numbers in the blocks.
 template <std::size_t count>
 inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count]) {
   OneOfFour all[count];
@@ -151,7 +151,7 @@ inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count])
   limit_ = float(limit_of(square_));
 }
 
-/// Those of its triangles are asked whose boxes are near enough.
+/// Tests the triangles of a block whose boxes are near enough.
 inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   const auto& corner = tree_.blocks_[block].corner;
   Quad least[3], most[3];
@@ -173,7 +173,7 @@ inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   ask<4>({last[0], last[1], last[2], last[3]});
 }
 
-/// It will be looked at soon, and memory is far.
+/// Prefetches a child that will be visited soon.
 inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   constexpr std::size_t cache_line = 64;
   const bool is_block = (child & of_blocks) != 0;
@@ -182,8 +182,8 @@ inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   for (std::size_t line = 0; line < sizeof(FourTriangles); line += cache_line) __builtin_prefetch(at + line);
 }
 
-/// Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over. What counts them is no
-/// member: to the compiler those might be what is written.
+/// Whether a box is near enough is unpredictable for the processor, so all children are pushed and those that are too far are
+/// overwritten. The counter is a local variable, since the compiler must assume that a member could be what is written.
 inline void NearestTriangle::Search::open(const Node& node) {
   const int first = waiting_;
   const float limit = limit_;
@@ -203,7 +203,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // on top
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // nearest on top
 }
 
 void NearestTriangle::Search::all() {

@@ -1,5 +1,5 @@
 #pragma once
-// What is left, held against the part that was wanted: what was left on it, what was cut into it, where and by which sweep.
+// Compares the remaining material with the wanted part: what was left on, what was cut into the part, where and by which sweep.
 
 #include <cstdint>
 #include <vector>
@@ -14,26 +14,27 @@ namespace kadr {
 struct PartOffence {
   double volume = 0;              // mm³
   double deepest = 0;             // mm from the part's surface
-  Vec3 at;                        // there
-  std::int32_t sweep = of_blank;  // that cut last next to it
+  Vec3 at;                        // position of the deepest point
+  std::int32_t sweep = of_blank;  // that last cut next to it
 };
 
 struct PartComparison {
   PartOffence left_on;           // material outside the part
-  PartOffence gouged;            // of the part, and no longer there, or never was: the blank is too small
-  std::vector<float> deviation;  // of each point of the surface, mm: above 0 outside the part, below 0 in it
+  PartOffence gouged;            // parts of the wanted part that are missing; cut away, or never there because the blank is too small
+  std::vector<float> deviation;  // of each point of the surface, mm: positive outside the part, negative inside
 };
 
-/// Volumes: the material's intervals on lattice lines and those of the part, exactly, in each brick by the direction that meets most
-/// of the difference. Of a part that reaches beyond the blank by more than the blank's longest side only what is nearer counts.
-///   part    a solid, not empty, in the work system of the blank; of a window: one whose box meets it
+/// Compares the stock with the part. Volumes are exact on the lattice lines: the intervals of the material and those of the part are
+/// compared, in each brick along the direction that meets most of the difference. If the part extends beyond the blank by more than
+/// the blank's longest side, what lies farther out is ignored.
+///   part    a solid, not empty, in the work system of the blank; for a window, one whose box meets the window
 ///   law     the same bits for any number of threads
-///   faces   of a stock that is a window (blank_within()): only what of the part lies in it counts, and points on its faces have no
-///           deviation; nullptr: it is the whole
-///   memory  4 bytes a point of the surface, 25 more while points are looked for inside it, and bytes_of_comparison()
+///   faces   of a stock that is a window (blank_within()): only the part inside it counts, and points on its faces have no deviation;
+///           nullptr for a whole stock
+///   memory  4 bytes per point of the surface, 25 more while points are tested for being inside, and bytes_of_comparison()
 PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces = nullptr);
 
-/// For a stock of that box, all but the stock itself and its surface; the part's own triangles are among them.
+/// Returns the memory for a stock with that box, without the stock itself and its surface, but with the part's own triangles.
 enum class HeldPart : std::uint8_t { whole, window };
 double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held);
 

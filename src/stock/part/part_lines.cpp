@@ -1,4 +1,4 @@
-// Hits of triangles, put in order by line. For stock/part/part_compare.
+// Finds the hits of all triangles and sorts them by line. Used by stock/part/part_compare.
 
 #include "stock/part/part_lines.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t shares = 8;  // of the triangles, for the threads
 
-/// Clipped to the window, as blank_within() does.
+/// Clips to the window, as blank_within() does.
 void clip(std::vector<LineRange>& ranges, std::size_t first, double least, double most) {
   std::size_t kept = first;
   for (std::size_t i = first; i < ranges.size(); ++i) {
@@ -50,7 +50,7 @@ PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optio
   share(3, [&](std::size_t family) { order(int(family), std::span(found).subspan(family * shares, shares), window); });
 }
 
-/// The first of the lattice's points along the axis that is not before the place.
+/// Returns the first lattice point along the axis that is not before the position.
 std::size_t PartLines::first_from(int axis, double place) const {
   const std::vector<double>& all = places_[std::size_t(axis)];
   const double guess = std::clamp((place - all.front()) / cell_, 0.0, double(all.size()));
@@ -85,7 +85,7 @@ void PartLines::order(int family, const std::span<std::vector<Hit>>& found, cons
   std::vector<MeshHit> ordered(next.back());
   for (std::vector<Hit>& hits : found) {
     for (const Hit& h : hits) ordered[next[h.line]++] = {h.place, h.turn, h.triangle};
-    hits = std::vector<Hit>();  // and their memory
+    hits = std::vector<Hit>();  // frees their memory too
   }
   Family& all = families_[std::size_t(family)];
   all.first.assign(next.size(), 0);
@@ -112,10 +112,10 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
 }
 
-/// Lines meet a triangle as often as it has cells of area, seen along them; of one that reaches out of the lattice the rectangle around it
-/// is taken, as far as that lies within.
+/// Lines along an axis meet a triangle about as often as its area, seen along the axis, has cells. For a triangle that extends out of
+/// the lattice, the part of its bounding rectangle inside the lattice is used.
 double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
-  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // vectors grow to twice what is there
+  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // vectors may grow to twice their content
   double hits = 0;
   for (std::size_t t = 0; t < solid.triangle_count(); ++t) {
     const Vec3 a = solid.corner(t, 0), b = solid.corner(t, 1), c = solid.corner(t, 2), normal = cross(b - a, c - a);

@@ -1,8 +1,8 @@
 #pragma once
-// PartLines: the stretches of a lattice's lines that lie inside a solid. For stock/part/part_compare.
+// PartLines: the segments of a lattice's lines that lie inside a solid. Used by stock/part/part_compare.
 //
-// Triangle by triangle: each tells the lines that go through it. That each line asks for its triangles (stock/mesh/mesh_index) takes
-// several times as long where nearly all lines of a lattice are wanted.
+// Each triangle in turn finds the lines that cross it. The opposite, where each line looks up its triangles (stock/mesh/mesh_index),
+// takes several times as long when nearly all lines of a lattice are needed.
 
 #include <array>
 #include <cstdint>
@@ -17,14 +17,14 @@ namespace kadr {
 
 class PartLines {
  public:
-  /// `window`: only what lies in it counts; nothing: all.
-  ///   law  the stretches are those of mesh_blank(solid), of blank_within() it, to the bit   (tests/stock/part_lines_test)
+  /// `window` limits the segments to a box; nullopt: no limit.
+  ///   law  the segments equal those of mesh_blank(solid), or of its blank_within(), to the bit   (tests/stock/part_lines_test)
   PartLines(const Mesh& solid, const Lattice& lattice, const std::optional<Box3>& window, int threads);
 
-  /// Of a line in a brick, numbered as there (stock/brick/brick); ascending, from the lattice's corner to its far side.
+  /// Returns the segments of a line in a brick, numbered as in stock/brick/brick; ascending, over the whole line through the lattice.
   std::span<const LineRange> of(BrickPlace brick, int family, int line) const;
 
-  /// At most, while it is made.
+  /// Upper bound of the memory during construction.
   static double bytes(const Mesh& solid, const Lattice& lattice);
 
  private:
@@ -34,7 +34,7 @@ class PartLines {
     int turn;
   };
   struct Family {
-    std::vector<std::size_t> first;  // of each line, into ranges; one more at the end
+    std::vector<std::size_t> first;  // index into ranges where each line begins; one more at the end
     std::vector<LineRange> ranges;
   };
   void find(const Mesh& solid, int family, std::size_t first, std::size_t last, std::vector<Hit>& hits) const;

@@ -1,5 +1,5 @@
 #pragma once
-// Which of many points lie inside a solid. For stock/part/part_compare.
+// Finds which of many points are inside a solid. Used by stock/part/part_compare.
 
 #include <cstdint>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace kadr {
 
-/// A point lies inside where the upright line through it, in the direction of Z, is inside the solid below it and above it.
+/// A point is inside if the vertical line through it is inside the solid both just below and just above it.
 ///   points   x, y, z of each, mm
-///   returns  1 for each that is, else 0
-///   law      as mesh_blank(solid)->cross() says, to the bit   (tests/stock/part_lines_test)
-///   memory   29 bytes a point, of which one is handed back
+///   returns  1 for each point inside, else 0
+///   law      equal to mesh_blank(solid)->cross() to the bit   (tests/stock/part_lines_test)
+///   memory   29 bytes per point, one of which is returned
 std::vector<std::uint8_t> points_inside(const Mesh& solid, const std::vector<float>& points, int threads);
 
 }  // namespace kadr

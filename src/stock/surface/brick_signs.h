@@ -1,5 +1,5 @@
 #pragma once
-// Which lattice points of a brick, and of the next layer beyond it, are material. For stock/surface.
+// Determines which lattice points of a brick, and of the next layer beyond it, are material. Used by stock/surface.
 
 #include <array>
 #include <cstdint>
@@ -10,22 +10,23 @@ namespace kadr {
 
 inline constexpr int signs_edge = brick_edge + 1;
 
-/// A brick and the seven beside it in the direction of the axes: 1 along X, 2 along Y, 4 along Z. Beyond the lattice all is empty.
+/// A brick and its seven neighbours in the positive directions: bit 1 along X, 2 along Y, 4 along Z. Outside the lattice all is
+/// empty.
 struct BricksAround {
   BricksAround(const Stock& stock, BrickPlace place);
   std::array<Stock::State, 8> state;
   std::array<const Brick*, 8> brick;
-  bool same;  // all of them empty, or all full: no surface
+  bool same;  // all are empty, or all are full: no surface
 };
 
-/// A bit for each lattice point of a column, the lowest first. By the upright lines alone: so the signs of a point are one, whatever the
-/// other families make of a place at the very surface, and the surface is closed.
+/// One bit per lattice point of a column, the lowest first. Only the upright lines decide: so the sign of a point is unique, even if
+/// the other families disagree about a position right at the surface, and the surface is closed.
 class BrickSigns {
  public:
   void take(const BricksAround& around, float cell);
   std::uint32_t column(int x, int y) const { return columns_[std::size_t(y * signs_edge + x)]; }
   bool at(int x, int y, int z) const { return (column(x, y) >> z & 1) != 0; }
-  /// Of the cell whose lowest corner that is, a bit for each corner (stock/surface/sheets.h).
+  /// Returns one bit per corner of the cell with this lowest corner (stock/surface/sheets.h).
   unsigned corners(int x, int y, int z) const {
     const auto two = [&](int i, int j) { return column(i, j) >> z & 3; };
     const unsigned a = two(x, y), b = two(x + 1, y), c = two(x, y + 1), d = two(x + 1, y + 1);
@@ -36,7 +37,7 @@ class BrickSigns {
   std::array<std::uint32_t, std::size_t(signs_edge) * signs_edge> columns_;
 };
 
-/// A lattice point, counted from the lattice's corner.
+/// True if a lattice point, counted from the lattice's corner, is material.
 bool is_material(const Stock& stock, const std::array<int, 3>& point);
 
 }  // namespace kadr

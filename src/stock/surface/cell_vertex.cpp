@@ -1,4 +1,4 @@
-// Least squares of tangent planes. For stock/surface.
+// Fits the vertex to tangent planes by least squares. Used by stock/surface.
 
 #include "stock/surface/cell_vertex.h"
 
@@ -7,18 +7,19 @@
 namespace kadr {
 namespace {
 
-/// How much the middle of the crossings weighs against a plane: a direction in which the normals turn by less than its root, some 3°, is
-/// taken for level.
+/// Weight of the middle of the crossings compared with a plane. A direction in which the normals turn by less than its square root,
+/// about 3°, counts as flat.
 constexpr double weight_of_middle = 0.003;
 
-/// Of the mean normal: normals that differ by less than some 40° are of one smooth face.
+/// Length of the mean normal: normals that differ by less than about 40° belong to one smooth face.
 constexpr double smooth_mean = 0.94;
 
-/// Of a hollow, as the step from the middle of the crossings to where their tangents meet. The surface is half way; two thirds of what the
-/// chord between two points cuts off are added, so that the faces between the points hold as much as the surface.
+/// Position in a concave region, as a share of the step from the middle of the crossings to where the tangents meet. The surface is
+/// half way. Two thirds of what the chord between two points cuts off are added, so that the faces between the points enclose as much
+/// as the surface.
 constexpr double share_of_tangents = 5.0 / 6;
 
-/// A symmetric matrix, its upper half by rows.
+/// A symmetric matrix, stored as its upper triangle by rows.
 struct Symmetric {
   double a, b, c, d, e, f;
 
@@ -54,7 +55,7 @@ std::array<double, 3> CellVertex::place(const std::array<double, 3>& low, double
   std::array<double, 3> at = centre;
   const double turns = normals_[0] * normals_[0] + normals_[1] * normals_[1] + normals_[2] * normals_[2];
   const bool smooth = turns > smooth_mean * smooth_mean * count_ * count_;
-  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // what the weight of the middle held back is made good by the next
+  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each round corrects what the weight of the middle held back in the last
     const std::array<double, 3> there = planes.times(at);
     const std::array<double, 3> step = inverse.times({right_[0] - there[0], right_[1] - there[1], right_[2] - there[2]});
     for (std::size_t d = 0; d < 3; ++d) at[d] += step[d];

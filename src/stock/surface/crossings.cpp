@@ -1,4 +1,4 @@
-// The ends of intervals on lattice edges, and their normals. For stock/surface.
+// Finds the ends of intervals on lattice edges, and their normals. Used by stock/surface.
 
 #include "stock/surface/crossings.h"
 
@@ -14,10 +14,10 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  bool seam = false;  // where two bricks meet, one full up to there and the other empty, and not the blank's: neither knows why
+  bool seam = false;  // between a full and an empty brick, not the blank's surface: neither brick holds the sweep
 };
 
-/// Of all its bodies, from the tip.
+/// Extent of all bodies of a tool, from the tip.
 struct ToolExtent {
   double widest, bottom, top;
 };
@@ -32,7 +32,7 @@ ToolExtent extent_of(const ToolFaces& tool) {
 }  // namespace
 
 struct Crossings::Finder {
-  /// Further intervals by their lines, made when the first is asked for.
+  /// Further intervals sorted by line, built at the first request.
   class FurtherByLine {
    public:
     void forget() { made_ = false; }
@@ -61,14 +61,14 @@ struct Crossings::Finder {
   const Stock& stock;
   const std::vector<ToolFaces>& tools;
   const BricksAround& around;
-  Vec3 corner, from_lattice;  // of the brick, in the work system and from the lattice's corner
+  Vec3 corner, from_lattice;  // corner of the brick in the work system, and from the lattice's corner
   float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
-  std::vector<std::uint32_t> sweeps_near{};  // that may have cut at the brick's seams, found when the first is asked for
+  std::vector<std::uint32_t> sweeps_near{};  // that may have cut at the brick's seams, found at the first request
   bool near_known = false;
 
-  /// Of a sweep that leans, else nullptr.
+  /// Returns the directions of a sweep with a tilted tool, else nullptr.
   const LeanEnds* ends_of(std::int32_t by) const {
     return stock.sweep(std::size_t(by)).leans ? &stock.lean_ends(std::size_t(by)) : nullptr;
   }
@@ -79,7 +79,7 @@ struct Crossings::Finder {
   Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
 };
 
-/// The end of material nearest to the edge's material point.
+/// Returns the end of material nearest to the edge's material point.
 LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   const int f = e.family, u = (f + 1) % 3, v = (f + 2) % 3;
   const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };
@@ -123,7 +123,7 @@ Vec3 Crossings::Finder::place_of(const LatticeEdge& e, const LineEnd& end) const
   return at;
 }
 
-/// By the boxes around their ways.
+/// Finds them by the boxes around their paths.
 void Crossings::Finder::find_sweeps_near() {
   near_known = true;
   std::vector<ToolExtent> extents;
@@ -131,8 +131,8 @@ void Crossings::Finder::find_sweeps_near() {
   const double room = double(cell), reach = double(edge) + room;
   stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
-    bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams stay the blank's
-    const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // however it leans
+    bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams keep of_blank
+    const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // for any tilt
     for (int d = 0; d < 3 && near; ++d) {
       const double least = double(std::min(s.from[d], s.to[d])) + (s.leans ? -anywhere : d == 2 ? tool.bottom : -tool.widest);
       const double most = double(std::max(s.from[d], s.to[d])) + (s.leans ? anywhere : d == 2 ? tool.top : tool.widest);
@@ -142,8 +142,8 @@ void Crossings::Finder::find_sweeps_near() {
   });
 }
 
-/// An end where bricks meet is the blank's only if that ends there. Else a sweep made it that the brick beyond knows nothing of any more:
-/// the first that cut there.
+/// An end where bricks meet belongs to the blank only if the blank ends there. Otherwise a sweep made it that the emptied brick no
+/// longer holds: takes the first sweep that cut there.
 void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end) {
   const Vec3 at = place_of(e, end), in_space = at + corner;
   std::vector<LineRange> ranges;
@@ -200,7 +200,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   for (const LatticeEdge& e : lost_) mend(e, signs);
 }
 
-/// A line that lies in a surface may be cut away where the upright lines, a hair beside it, are not. Then a like edge next to it tells.
+/// A line that lies in a surface may be cut away although the upright lines, very near to it, are not. An adjacent edge with the same
+/// signs then supplies the crossing.
 void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const std::size_t f = std::size_t(e.family);
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };

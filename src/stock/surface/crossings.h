@@ -1,5 +1,5 @@
 #pragma once
-// Where the surface goes through the edges of a brick's lattice cells. For stock/surface.
+// Finds where the surface crosses the edges of a brick's lattice cells. Used by stock/surface.
 
 #include <array>
 #include <bit>
@@ -11,11 +11,11 @@
 
 namespace kadr {
 
-/// Lengths mm, from the brick's corner.
+/// Lengths in mm, from the brick's corner.
 struct Crossing {
   std::array<float, 3> at;
   std::array<float, 3> normal;  // outward
-  std::int32_t by;              // the sweep that cut there, of_blank
+  std::int32_t by;              // the sweep that cut there, or of_blank
 };
 
 /// The lattice edge from a point to the next along an axis.
@@ -24,7 +24,7 @@ struct LatticeEdge {
   std::array<int, 3> point;
 };
 
-/// Of the edges whose points are in the brick or the layer beyond.
+/// Crossings on the edges whose points are in the brick or in the layer beyond it.
 class Crossings {
  public:
   Crossings();
@@ -42,10 +42,11 @@ class Crossings {
 
   std::vector<Crossing> all_;
   std::vector<std::uint16_t> slots_;
-  std::vector<LatticeEdge> lost_;  // no line of the family ends on them
+  std::vector<LatticeEdge> lost_;  // edges on which no line of the family ends
 };
 
-/// Visits (edge, material at its start) of each lattice edge with unlike ends, whose points are at most `last` across.
+/// Calls visit(edge, whether its start is material) for each lattice edge whose ends differ, with points up to `last` across the
+/// edge.
 template <class Visit>
 void each_unlike_edge(const BrickSigns& signs, int last, const Visit& visit) {
   for (int family = 0; family < 3; ++family) {

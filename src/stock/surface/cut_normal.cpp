@@ -1,4 +1,4 @@
-// Where on its way a tool touched a place, and its normal there. For stock/surface/crossings.
+// Finds where on its path a tool touched a point, and its normal there. Used by stock/surface/crossings.
 
 #include "stock/surface/cut_normal.h"
 
@@ -13,20 +13,21 @@ namespace {
 
 using Form = RoundSolid::Form;
 
-/// Faces nearer to a place than this cannot be told apart, mm: the law of stock/cut/sweep_rows.h.
+/// mm: faces nearer to a point than this cannot be distinguished: compare the law of stock/cut/upright_rows.h and level_rows.h
+/// (2e-4).
 constexpr double same_spot = 3e-4;
-constexpr double along_the_line = 0.01;  // of the part of a normal that points along a line
+constexpr double along_the_line = 0.01;  // least component of a normal along the line
 constexpr int most_steps = 60;
-constexpr double same_part = 1e-6;  // of a way, mm
-constexpr double level = 1e-9;      // of how the distance grows, in the length of the way
+constexpr double same_part = 1e-6;  // of a path, mm
+constexpr double level = 1e-9;      // slope of the distance, relative to the length of the path
 constexpr double on_axis = 1e-12;   // mm
 
-/// A face near the place: its distance, its outward normal in the half plane of radius and height.
+/// A face near the point: its distance, and its outward normal in the half plane of radius and height.
 struct Near {
   double distance, radial, up;
 };
 
-/// The place as the tool stands at a part of its way.
+/// The point as seen from the tool at a share of its path.
 struct Seen {
   double x, y, radius, height;  // from the tip
 };
@@ -68,24 +69,24 @@ Near farthest(const BodyFaces& body, const Seen& seen) {
   return best;
 }
 
-/// Of the tool.
+/// The face's normal in the tool's coordinates.
 Vec3 in_space(const Near& face, const Seen& seen) {
   const double per = seen.radius > on_axis ? face.radial / seen.radius : 0;
   return seen.radius > on_axis ? Vec3{seen.x * per, seen.y * per, face.up} : Vec3{face.radial, 0, face.up};
 }
 
-/// A place, and the direction out of the material on its line, as the tool sees them.
+/// A point, and the direction out of the material on its line, in the tool's coordinates.
 struct PlaceSeen {
   Vec3 at, outward;
 };
 
 struct Touching {
   double distance;
-  Vec3 normal;  // of the tool
+  Vec3 normal;  // outward from the tool
 };
 
-/// A line in a plane does not cross it: where the farthest face lies along the line, that one counts of those that cannot be told apart
-/// from it which the line goes through most squarely.
+/// A line does not cross a plane in which it lies. If the farthest face lies along the line, then among the faces that cannot be
+/// distinguished from it the one that the line crosses most nearly at a right angle is used.
 Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
   const Seen seen = way.seen(place.at, part);
   const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
@@ -103,7 +104,8 @@ Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, 
 
 double nearest_part(double over, double length_squared) { return length_squared > 0 ? std::clamp(over / length_squared, 0.0, 1.0) : 0; }
 
-/// On a level way all heights stay, and the nearest part is the nearest in the plane; a ball goes by the distance from its middle.
+/// Closed-form solution. On a level path heights stay constant, so the nearest share is the nearest in the plane; for a ball the
+/// distance from its centre decides. Returns nullopt otherwise.
 std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const Vec3& at) {
   const Vec3 d = way.along, q = at - way.start;
   const double flat = d.x * d.x + d.y * d.y, over = q.x * d.x + q.y * d.y;
@@ -118,18 +120,18 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
   return std::nullopt;
 }
 
-/// How the distance grows along the way.
+/// Slope of the distance along the path.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
-/// How far the tool is from the place at a part of its way.
+/// The tool's distance from the point at a share of its path.
 struct Probe {
   double part;
   Touching touching;
   double grows;
 };
 
-/// Between two of them, of which one comes nearer on the way and the other goes away: where the tangents meet, which finds kinks, by the
-/// straight line between both slopes, which finds what is smooth, and by halves, in turn. Not nearer than `apart` to either.
+/// Returns a share between one where the tool approaches and one where it recedes. In turn: where the tangents meet, which finds
+/// corners; where a straight line between both slopes is zero, which finds smooth minima; and the middle. At least `apart` from both.
 double part_between(const Probe& before, const Probe& after, int step, double apart) {
   const double wide = after.part - before.part, bends = after.grows - before.grows;
   double part = before.part + 0.5 * wide;
@@ -165,7 +167,7 @@ Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
   return size > on_axis ? (1 / size) * v : otherwise;
 }
 
-/// Outward, as the tool sees it.
+/// Outward, in the tool's coordinates.
 Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) {
   double nearest = 1e30;
   Vec3 best = place.outward;
@@ -200,7 +202,8 @@ ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bo
 
 namespace {
 
-/// A place and the way past it, as the tool sees them; of one that leans with the axes of space as it stands in the middle.
+/// A point and the path past it, in the tool's coordinates; for a tilted tool also the axes of space as seen in the middle of the
+/// path.
 struct AsSeen {
   Way way;
   PlaceSeen place;

@@ -1,11 +1,12 @@
 #pragma once
-// The normal of a surface that a sweep has cut: that of the tool where it touched the place. For stock/surface/crossings.
+// The normal of a surface cut by a sweep: the normal of the tool where it touched the point. Used by stock/surface/crossings.
 //
-// A body of a tool is convex, and so is the distance of a place from it over the way. Where that is least the tool touched: its normal
-// there is the surface's. Where the least is a kink, at a rim of the tool, the surface is that which the rim sweeps: between both normals,
-// upright to the way.
+// A body of a tool is convex, and so is its distance from a point as a function of the path. The tool touched where this is least,
+// and its normal there is the surface's. If the minimum is at a corner of the function, at a rim of the tool, the rim swept the
+// surface: the normal is between both normals, perpendicular to the path.
 //
-//   law  upright to what the distance from the swept tool (stock/tool/round_solid.h) is level along   (tests/stock/surface_test)
+//   law  perpendicular to the directions in which the distance from the swept tool (stock/tool/round_solid.h) is constant
+//        (tests/stock/surface_test)
 
 #include <vector>
 
@@ -13,18 +14,18 @@
 
 namespace kadr {
 
-/// The outline of a convex body of a tool, as faces of revolution; its distance from a place is the greatest of theirs.
+/// The outline of a convex body of a tool as faces of revolution; its distance from a point is the greatest distance from these.
 struct BodyFaces {
   struct Side {
     RoundSolid::Form form;
-    double radius, height;            // a place of it; of a ball or torus the middle of its circle
-    double normal_radial, normal_up;  // of a cylinder or cone
-    double circle;                    // radius of the circle
+    double radius, height;            // a point of the face; for a ball or torus the centre of its circle
+    double normal_radial, normal_up;  // for a cylinder or cone
+    double circle;                    // radius of the circle of a ball or torus
   };
   explicit BodyFaces(const ConvexBody& body);
 
   double bottom, top, widest;
-  bool ball;  // with or without a cylinder above
+  bool ball;  // a ball end, with or without a cylinder above
   std::vector<Side> sides;
 };
 
@@ -32,18 +33,18 @@ struct BodyFaces {
 using ToolFaces = std::vector<BodyFaces>;
 ToolFaces faces_of(const ToolShape& tool);
 
-/// A place where a lattice line of the family goes through the surface.
+/// A point where a lattice line of the family crosses the surface.
 struct CutPlace {
   Vec3 at;  // mm from the lattice's corner
   int family;
-  bool leaves;  // the material lies before it on the line
+  bool leaves;  // the material is before the point on the line
 };
 
-/// Whether the sweep has cut a surface there that the line goes through.
-///   ends  of a sweep that leans
+/// True if the sweep has cut a surface there that the line crosses.
+///   ends  directions, for a sweep with a tilted tool
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
-/// Outward, of what is left.
+/// Returns the outward normal of the remaining material.
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
 }  // namespace kadr

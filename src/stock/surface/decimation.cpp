@@ -1,4 +1,4 @@
-// Points go into their neighbours. For stock/surface/simplified_surface.
+// Merges points into their neighbours. Used by stock/surface/simplified_surface.
 
 #include "stock/surface/decimation.h"
 
@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::uint32_t no_index = ~std::uint32_t{0};
 constexpr std::uint32_t most_around = 40;  // triangles at a point
-constexpr std::size_t most_tried = 3;      // neighbours that a point may go into, the best first
-constexpr double worth_trying = 3;         // a neighbour that is so many times what is allowed off the planes around the point
+constexpr std::size_t most_tried = 3;      // neighbours to try for each point, the best first
+constexpr double worth_trying = 3;         // times the permitted distance: limit of a neighbour's distance from the planes around the point
 constexpr int most_passes = 60;
-constexpr double least_height = 1e-3;  // of a triangle, of its longest side: thinner ones have no normal to speak of
-constexpr double turned_little = 0.2;  // cosine between a triangle's normals before and after
+constexpr double least_height = 1e-3;  // of a triangle, relative to its longest side: thinner ones have no reliable normal
+constexpr double turned_little = 0.2;  // least cosine between a triangle's normals before and after
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
@@ -45,8 +45,8 @@ bool Decimation::has(std::uint32_t triangle, std::uint32_t p) const {
   return c[0] == p || c[1] == p || c[2] == p;
 }
 
-/// The triangles around the point and its neighbours.
-///   returns  false: they are no single fan
+/// Collects the triangles around the point, and its neighbours.
+///   returns  false if the triangles do not form a single fan
 bool Decimation::look_around(std::uint32_t u) {
   star_.clear(), ring_.clear();
   ++question_;
@@ -62,7 +62,8 @@ bool Decimation::look_around(std::uint32_t u) {
   return star_.size() >= 3 && ring_.size() == star_.size();
 }
 
-/// Whether the surface stays one without doubled edges: u and v have but the two neighbours in common that their triangles have.
+/// True if the surface stays a manifold without doubled edges: u and v have only the two neighbours in common that belong to their
+/// triangles.
 bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   if (count_[u] + count_[v] - 4 > most_around) return false;
   ++question_;
@@ -82,7 +83,7 @@ bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   return common == 2 && of_both == 2;
 }
 
-/// The triangles that would be there, none of them turned over.
+/// Builds the new triangles. Returns false if one of them would flip or be too thin.
 bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   fresh_.clear();
   for (const Around& a : star_) {
@@ -102,7 +103,8 @@ bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   return !fresh_.empty();
 }
 
-/// Whether u and all that its triangles hold are near enough to those that would be there; which is the nearest.
+/// Checks that u and all points assigned to its triangles are near enough to the new triangles, and finds the nearest triangle of
+/// each.
 bool Decimation::hold_all(std::uint32_t u, double most_off) {
   held_.clear();
   const double most = most_off * most_off;
@@ -177,7 +179,7 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
   return false;
 }
 
-/// Points beside one that has gone wait for the next pass: so triangles grow evenly, and not into fans.
+/// Points next to a removed one wait for the next pass, so that triangles grow evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
   for (int pass = 0, any = 1; pass < most_passes && any != 0 && !stop.asked(); ++pass) {

@@ -1,13 +1,13 @@
 #pragma once
-// Decimation: points of a closed surface go, one by one, as long as none of them is farther than allowed from what is left. For
-// stock/surface/simplified_surface.
+// Decimation: removes points of a closed surface one by one, as long as no removed point is farther than allowed from the simplified
+// surface. Used by stock/surface/simplified_surface.
 //
-//          ring                    A point u goes into a neighbour v: the triangles around u get the corner v instead, and the two between
-//        ·──────·                  u and v go. Points that have gone are held by the triangle nearest to them; before u goes, all that its
-//       ╱ ╲    ╱ ╲                 triangles hold, and u itself, are held against the triangles that would be there. So the distance of
-//      ·── u ─▶ v ──·              every point of the exact surface from the simple one is known at all times (Kobbelt, Campagna and
-//       ╲ ╱    ╲ ╱                 Seidel, A General Framework for Mesh Decimation, 1998).
-//        ·──────·
+//          ring                    Point u is merged into its neighbour v: in the triangles around u, v replaces u, and
+//        ·──────·                  the two triangles with both of them vanish. Removed points are assigned to the
+//       ╱ ╲    ╱ ╲                 triangle nearest to them. Before u goes, u and all points assigned to its triangles
+//      ·── u ─▶ v ──·              are checked against the new triangles. So the distance of every point of the exact
+//       ╲ ╱    ╲ ╱                 surface from the simplified one is known at all times (Kobbelt, Campagna and Seidel,
+//        ·──────·                  A General Framework for Mesh Decimation, 1998).
 
 #include <cstdint>
 #include <vector>
@@ -19,17 +19,18 @@ namespace kadr {
 
 class Decimation {
  public:
-  /// Closed, no edge doubled. Keeps a reference to it.
+  /// Takes a closed mesh without doubled edges, and keeps a reference to it.
   explicit Decimation(const Mesh& exact);
 
-  /// Nothing else can go without a point being farther than that, mm, from the surface; or asked to stop.
+  /// Removes points until every further removal would put a point farther than `most_off` mm from the surface, or until a stop is
+  /// requested.
   void go(double most_off, const StopToken& stop);
   Mesh mesh() const;
 
  private:
   struct Around {
     std::uint32_t triangle;
-    Vec3 normal;  // of length 1, or {}
+    Vec3 normal;  // unit length, or {}
   };
   struct Held {
     std::uint32_t point;
@@ -54,14 +55,14 @@ class Decimation {
   Vec3 point(std::uint32_t i) const { return exact_.point(i); }
 
   const Mesh& exact_;
-  std::vector<std::uint32_t> corners_;         // three a triangle
-  std::vector<std::uint32_t> first_, count_;   // of each point, into around_
+  std::vector<std::uint32_t> corners_;         // three per triangle
+  std::vector<std::uint32_t> first_, count_;   // range of each point in around_
   std::vector<std::uint32_t> around_;          // triangles
-  std::vector<std::uint32_t> holds_, next_;    // the first point that a triangle holds, and after each point the next
-  std::vector<std::uint8_t> waits_, touched_;  // of each point: to be tried again; its triangles have changed in this pass
-  std::vector<std::uint32_t> mark_;            // of each point: the last question in which it was met
+  std::vector<std::uint32_t> holds_, next_;    // the first point assigned to each triangle, and the next one after each point
+  std::vector<std::uint8_t> waits_, touched_;  // for each point: to be tried again; its triangles have changed in this pass
+  std::vector<std::uint32_t> mark_;            // for each point: the last question that met it
   std::uint32_t question_ = 0;
-  // Of the point that is tried:
+  // For the point that is being tried:
   std::vector<Around> star_;
   std::vector<std::uint32_t> ring_;
   std::vector<Candidate> candidates_;

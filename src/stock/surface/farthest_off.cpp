@@ -1,4 +1,4 @@
-// Points of one mesh held against the triangles of another. For stock/surface/simplified_surface.
+// Measures the distance of one mesh from the triangles of another. Used by stock/surface/simplified_surface.
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t triangles_a_share = 256;
 
-/// Visits places of the triangle, its corners among them, in rows along its longest side.
+/// Visits points of the triangle, including its corners, in rows along its longest side.
 template <class Visit>
 void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit& visit) {
   Vec3 p[3];

@@ -1,4 +1,4 @@
-// The sheets of a lattice cell by its corners. For stock/surface/surface.
+// Computes the sheets of a lattice cell from its corners. Used by stock/surface/surface.
 
 #include "stock/surface/sheets.h"
 
@@ -15,7 +15,7 @@ int edge_between(int p, int q) {
   return 4 * family + (p >> u & 1) + 2 * (p >> v & 1);
 }
 
-/// The corners of a face, going round.
+/// The corners of a face in cyclic order.
 std::array<int, 4> corners_of(int face) {
   const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, side = (face & 1) << axis;
   return {side, side | 1 << u, side | 1 << u | 1 << v, side | 1 << v};
@@ -31,7 +31,7 @@ struct Joined {
   }
 };
 
-/// The pairs of edges that the face joins: one, two or none.
+/// The pairs of edges that the face joins: none, one or two.
 struct Pairs {
   int count = 0;
   std::array<std::array<int, 2>, 2> pair{};
@@ -47,7 +47,7 @@ Pairs pairs_of(unsigned signs, int face, bool parts_air) {
     if (is_material(i) != is_material(i + 1))
       crossed[std::size_t(count++)] = edge_between(round[std::size_t(i)], round[std::size_t((i + 1) & 3)]);
   if (count == 2) pairs = {1, {{{crossed[0], crossed[1]}, {}}}};
-  // Edge i runs from corner i to the next: around corner i lie the edges i - 1 and i.
+  // Edge i runs from corner i to the next, so corner i lies between the edges i - 1 and i.
   if (count == 4 && is_material(0) != parts_air) pairs = {2, {{{crossed[3], crossed[0]}, {crossed[1], crossed[2]}}}};
   else if (count == 4) pairs = {2, {{{crossed[0], crossed[1]}, {crossed[2], crossed[3]}}}};
   return pairs;

@@ -1,4 +1,4 @@
-// Decimated, measured, and decimated less where that was too much. For cli/cut.
+// Decimates, measures, and decimates again with less tolerance if the result is too far off. Used by cli/cut.
 
 #include "stock/surface/simplified_surface.h"
 
@@ -10,10 +10,10 @@
 namespace kadr {
 namespace {
 
-constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // of what is allowed, one after the other: what is flat goes first
+constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // of the tolerance, in turn: flat regions are removed first
 constexpr int most_rounds = 4;
-constexpr double of_found = 0.8;   // of the share that would have been right, if places were off in proportion
-constexpr double at_points = 1e9;  // mm: a step that no triangle is larger than
+constexpr double of_found = 0.8;   // safety factor on the tolerance that would be right if the distance were proportional to it
+constexpr double at_points = 1e9;  // mm: a step larger than any triangle, so that only vertices are measured
 
 /// The lists of Decimation and its mesh; then the trees of both surfaces.
 constexpr double bytes_a_triangle = 180;

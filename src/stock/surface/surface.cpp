@@ -1,4 +1,4 @@
-// Parts of the surface brick by brick, joined. For who shows or measures the cut part.
+// Builds the surface brick by brick and joins the parts. Used to show or measure the cut part.
 
 #include "stock/surface/surface.h"
 
@@ -14,10 +14,10 @@ namespace {
 
 using Parts = std::vector<std::unique_ptr<SurfacePart>>;
 
-constexpr std::size_t bricks_at_once = 512;                   // until their points are put together
-constexpr std::size_t points_expected = brick_lines / 2 * 3;  // of a brick that is cut
+constexpr std::size_t bricks_at_once = 512;                   // before their points are joined
+constexpr std::size_t points_expected = brick_lines / 2 * 3;  // for a brick with a surface
 
-/// Each index once, by any of the threads.
+/// Processes each index once, by any of the threads.
 template <class Work>
 void each_side_by_side(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -41,7 +41,7 @@ std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int ed
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
-  return parts[lattice.at(brick)]->point_of(cell, edge);  // signs differ around it: it has a part, and lies within the lattice
+  return parts[lattice.at(brick)]->point_of(cell, edge);  // the signs around it differ, so that brick has a part and is inside the lattice
 }
 
 double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
@@ -49,7 +49,7 @@ double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
   return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
-/// Two triangles between the points of the four cells around the edge, parted by the shorter diagonal.
+/// Adds two triangles between the points of the four cells around the edge, split along the shorter diagonal.
 void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to) const {
   const int f = e.family;
   const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
@@ -67,22 +67,22 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Moves the points of a part behind those that are there.
+/// Appends the points of a part to the surface, and frees them in the part.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // and their memory
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // frees their memory too
 }
 
-/// With all points; a part's own do not wait for those of the last part.
+/// Builds all parts and moves their points to the surface in batches, so that the points are not held twice.
 Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<ToolFaces> tools;
   for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
   Parts parts(stock.lattice().size());
   std::size_t cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
-  // Room that is not used takes no memory, but what grows leaves room behind.
+  // Reserved room that is not used takes no memory, whereas a growing vector leaves freed blocks behind.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {

@@ -1,4 +1,4 @@
-// The nearest face of a ring. For stock/surface/crossings.
+// Finds the nearest face of a ring. Used by stock/surface/crossings.
 
 #include "stock/surface/turned_normal.h"
 
@@ -10,14 +10,14 @@
 namespace kadr {
 namespace {
 
-/// Faces nearer to a place than this cannot be told apart, mm.
+/// mm: faces nearer to a point than this cannot be distinguished.
 constexpr double same_face = 3e-4;
 constexpr double on_the_axis = 1e-12;  // mm
 
 struct NearFace {
   double distance = 1e30;
-  double square = -1;  // part of the normal along the line, towards the side where the material is not
-  Vec3 normal;         // of the material
+  double square = -1;  // component of the normal along the line, positive towards the side without material
+  Vec3 normal;         // outward from the material
 };
 
 double distance_from(const RingSweep::Edge& e, const InsertPoint& p) {
@@ -27,12 +27,12 @@ double distance_from(const RingSweep::Edge& e, const InsertPoint& p) {
   return std::sqrt(dx * dx + dz * dz);
 }
 
-/// The direction lies between both normals, which are less than half a turn apart.
+/// True if the direction lies between both normals, which are less than 180° apart.
 bool is_within(const RingSweep::Arc& a, const InsertPoint& d) {
   return a.first.x * d.z - a.first.z * d.x >= 0 && d.x * a.last.z - d.z * a.last.x >= 0;
 }
 
-/// Of faces that cannot be told apart the one that the line goes through most squarely.
+/// Among faces that cannot be distinguished, keeps the one that the line crosses most nearly at a right angle.
 void take_nearer(NearFace& best, const NearFace& face) {
   if (face.distance < best.distance - same_face || (face.distance < best.distance + same_face && face.square > best.square)) best = face;
 }

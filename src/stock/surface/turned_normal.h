@@ -1,15 +1,15 @@
 #pragma once
-// The normal of a surface that a turning tool has cut: that of the outline of what it swept, where it is nearest. For
+// The normal of a surface cut by a turning tool: the normal of the swept outline where it is nearest. Used by
 // stock/surface/crossings.
 //
-//   law  upright to what the distance from the swept ring is level along   (tests/stock/turn_test)
+//   law  perpendicular to the directions in which the distance from the swept ring is constant   (tests/stock/turn_test)
 
 #include "stock/surface/cut_normal.h"
 
 namespace kadr {
 
-/// Outward, of what is left.
-///   from_axis  the lattice's corner, from the axis that the part spins about
+/// Returns the outward normal of the remaining material.
+///   from_axis  the lattice's corner, relative to the axis that the part spins about
 Vec3 turned_normal(const KeptSweep& sweep, const ToolShape& tool, const CutPlace& place, const Vec3& from_axis);
 
 }  // namespace kadr

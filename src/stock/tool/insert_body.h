@@ -1,5 +1,6 @@
 #pragma once
-// InsertBody: a convex body in the half plane of a turning tool. A part that spins loses the ring that it sweeps (stock/cut/ring_sweep.h).
+// InsertBody: a convex body in the half plane of a turning tool. It removes the ring that it sweeps from a spinning part
+// (stock/cut/ring_sweep.h).
 
 #include <vector>
 
@@ -9,22 +10,22 @@ namespace kadr {
 
 enum class ToolPart : std::uint8_t;
 
-/// A corner of the outline; a sharp one has radius 0.
+/// A corner of the outline; radius 0 is a sharp corner.
 struct InsertCorner {
   InsertPoint centre;
   double radius = 0;
 };
 
-/// The hull of its corners, counter-clockwise (x to the right, z up). The edge behind corner k has the outward normal `outward[k]`; between
-/// two edges the outline turns by less than 180°. Lengths mm, from the programmed point.
+/// The convex hull of its corners, counter-clockwise (x to the right, z up). The edge after corner k has the outward normal
+/// `outward[k]`; the outline turns by less than 180° between two edges. Lengths in mm, from the programmed point.
 struct InsertBody {
   ToolPart part;
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;  // unit vectors
 };
 
-/// Cutting part, what is beyond its edges, holder.
-///   pre  told_fault(geometry) is empty, and it turns
+/// Returns the cutting part, the part beyond its edges, and the holder.
+///   pre  told_fault(geometry) is empty, and it is a turning tool
 std::vector<InsertBody> insert_bodies(const ToolGeometry& geometry);
 
 }  // namespace kadr

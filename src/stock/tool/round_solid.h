@@ -1,5 +1,5 @@
 #pragma once
-// RoundSolid: the convex bodies of revolution about the tool's axis that tools are put together from.
+// RoundSolid: a convex body of revolution about the tool's axis; tools are built from these.
 
 #include <cstdint>
 #include <vector>
@@ -24,11 +24,11 @@ struct RoundSolid {
   double widest() const { return bottom_radius > top_radius ? bottom_radius : top_radius; }
 };
 
-/// What of the tool touches the material.
+/// The part of the tool that touches the material.
 enum class ToolPart : std::uint8_t { cutting, beyond_flutes, shank, holder };
 inline constexpr int tool_parts = 4;
 
-/// Solids whose union is convex: a straight line meets what they sweep along a straight way in one interval.
+/// Solids whose union is convex, so that a straight line meets the volume swept along a straight path in one interval.
 struct ConvexBody {
   ToolPart part = ToolPart::cutting;
   std::vector<RoundSolid> solids;
@@ -38,24 +38,25 @@ struct ConvexBody {
   double widest() const;
 };
 
-/// A tool for the material: cutting part, shank and holder.
+/// A tool as the material meets it: cutting part, shank and holder.
 struct ToolShape {
   ToolGeometry geometry;
   std::vector<ConvexBody> bodies;  // the cutting part's first
-  std::vector<InsertBody> insert;  // of a turning tool, which has no others; the cutting part's first
+  std::vector<InsertBody> insert;  // for a turning tool, which has no other bodies; the cutting part's first
 
   bool turns() const { return !insert.empty(); }
 };
 
-/// By the kinds of design.md 10.
-///   pre  fault_of(geometry) is empty
+/// Builds the solids by the kinds of design.md 10.
+///   pre  told_fault(geometry) is empty
 ToolShape shape_of(const ToolGeometry& geometry);
-/// Nothing of a turning tool but its holder: what it is to the material while its insert is in a groove that goes round in a helix.
+/// Returns a turning tool without its insert. It stands for the tool while the insert is in a helical groove.
 ToolShape holder_of(const ToolShape& tool);
 
-/// Distance of a point from a solid, and the direction in which it grows, in the half plane of radius and height above the tip.
+/// Distance of a point from a solid, and the direction in which the distance grows, in the half plane of radius and height above the
+/// tip.
 struct Away {
-  double distance = 0;  // below 0: inside, mm
+  double distance = 0;  // mm; negative inside
   double radial = 0, axial = 0;
 };
 Away away_from(const RoundSolid& solid, double radius, double height);

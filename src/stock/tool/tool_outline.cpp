@@ -1,4 +1,4 @@
-// The outline of a tool as it is drawn. For view/sheet; tested by tests/stock/tool_outline_test.cpp.
+// Builds the outline of a tool for drawings. Used by view/sheet; tested by tests/stock/tool_outline_test.cpp.
 
 #include "stock/tool/tool_outline.h"
 
@@ -12,9 +12,9 @@
 namespace kadr {
 namespace {
 
-constexpr int quarter_steps = 8;  // of a quarter circle: finer than a pixel of what is drawn of it
+constexpr int quarter_steps = 8;  // per quarter circle: finer than a pixel of the drawing
 
-/// The quarter circle at the end of a ball or a bull nose.
+/// Adds the quarter circle at the end of a ball or bull-nose tool.
 void add_round(const RoundSolid& s, std::vector<ProfilePoint>& outline) {
   const bool ball = s.form == RoundSolid::Form::ball;
   const double flat = ball ? 0 : s.bottom_radius, rise = ball ? s.top_radius : s.top - s.bottom;

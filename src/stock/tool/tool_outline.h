@@ -1,5 +1,5 @@
 #pragma once
-// The outline of a tool as it is drawn: what the cutter takes it for.
+// The outline of a tool for drawings: the shape that the cutting simulation uses.
 
 #include <vector>
 
@@ -7,7 +7,8 @@
 
 namespace kadr {
 
-/// Cutting part, shank and holder from the tip up, round ends in short straight pieces; empty of a turning tool and of one without a shape.
+/// Returns cutting part, shank and holder from the tip upwards, with round ends as short straight pieces; empty for a turning tool
+/// and for a tool without a shape.
 ///   law  no height is below the one before
 std::vector<ProfilePoint> outline_of(const ToolGeometry& tool);
 
