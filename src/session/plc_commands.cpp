@@ -1,4 +1,4 @@
-// What the machine's logic (machine/plc) commands, carried to the controls of its channels. For session/channel_run.
+// Passes the commands of the machine's logic (machine/plc) to the controls of its channels. Used by session/channel_run.
 
 #include "session/plc_commands.h"
 
@@ -11,14 +11,15 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
     const auto each = [&](const auto& act) {
       for (Control* const control : channels) act(*control);
     };
-    std::visit(EachKind{[&](const AnswerBox& answer) { from.set_answer(answer.value); },
-                        [&](const SetSignal& signal) { each([&](Control& c) { c.set_signal(signal.name, signal.value); }); },
-                        [&](const SetSkip& skip) { each([&](Control& c) { c.set_skip(skip.number, skip.on); }); },
-                        [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
-                        [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
-                        [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
-                        [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start: pressed at once anyway
-               command);
+    std::visit(
+        EachKind{[&](const AnswerBox& answer) { from.set_answer(answer.value); },
+                 [&](const SetSignal& signal) { each([&](Control& c) { c.set_signal(signal.name, signal.value); }); },
+                 [&](const SetSkip& skip) { each([&](Control& c) { c.set_skip(skip.number, skip.on); }); },
+                 [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
+                 [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
+                 [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
+                 [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start is pressed at once anyway
+        command);
   }
 }
 
