@@ -40,7 +40,8 @@ class ProgramCheck {
   const Wish wish_;
   const Take take_;
   bool only_subprograms_ = false;  // the file is not run itself, so it needs no end of program
-  std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;  // by channel
+  // reported findings by channel: file, line, column, id
+  std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;
 };
 
 }  // namespace kadr
