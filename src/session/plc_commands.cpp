@@ -11,15 +11,14 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
     const auto each = [&](const auto& act) {
       for (Control* const control : channels) act(*control);
     };
-    std::visit(
-        EachKind{[&](const AnswerBox& answer) { from.set_answer(answer.value); },
-                 [&](const SetSignal& signal) { each([&](Control& c) { c.set_signal(signal.name, signal.value); }); },
-                 [&](const SetSkip& skip) { each([&](Control& c) { c.set_skip(skip.number, skip.on); }); },
-                 [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
-                 [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
-                 [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
-                 [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start is pressed at once anyway
-        command);
+    std::visit(EachKind{[&](const AnswerBox& answer) { from.set_answer(answer.value); },
+                        [&](const SetSignal& signal) { each([&](Control& c) { c.set_signal(signal.name, signal.value); }); },
+                        [&](const SetSkip& skip) { each([&](Control& c) { c.set_skip(skip.number, skip.on); }); },
+                        [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
+                        [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
+                        [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
+                        [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start is pressed at once
+               command);
   }
 }
 
