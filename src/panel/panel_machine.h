@@ -6,7 +6,7 @@
 //                                                                                              and the block it belongs to
 //
 // A stretch starts where the axes are at rest and ends at their next rest: at the end of the program, before a block that holds, or after
-// an entered line. The plan uses the limits of the selected machine: the same code could drive a real one.
+// an entered line. The plan is that of the selected machine: the same code could drive another one.
 
 #include <condition_variable>
 #include <deque>
