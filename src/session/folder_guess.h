@@ -38,8 +38,8 @@ class FolderGuess {
     std::string reason_en, reason_ru;
   };
   struct Answer {
-    Guess guess;                           // set if their control is assumed
-    std::optional<Neighbours> neighbours;  // it is taken for what they are
+    Guess guess;                           // from the program itself
+    std::optional<Neighbours> neighbours;  // set if their control is assumed
     const std::string& control() const { return neighbours ? neighbours->common.control : guess.control; }
   };
   ///   returns  nullopt if the file cannot be read, or the user has named its control

@@ -52,7 +52,7 @@ struct WayRules {
   double above = 2;      // height over the target from which on it moves at feed, mm
   double feed = 100;     // mm/min
 };
-/// Up to the clearance, over the place, down to it: the last way at feed. Motions of no length are left out.
+/// The path: up to the clearance, over the target, down to it, the last part at feed. Motions of zero length are left out.
 std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
 /// The same path in the work coordinates in force there, for restart_blocks(). At least one block names the tool's axis.

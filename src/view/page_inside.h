@@ -161,7 +161,7 @@ struct PageSession::Inside {
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
-  std::unique_ptr<PartRun> part_run;  // nullptr: nothing is cut
+  std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
   std::uint64_t page = 0;             // number of this page in the hub; 0: it has displayed no machine yet
   std::mutex place_lock;              // protects panel_place: an emergency stop comes from another thread
   std::shared_ptr<PanelHub::Place> panel_place;

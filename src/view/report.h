@@ -24,7 +24,7 @@ struct ReportAlarm {
 /// The remaining stock, and the collisions.
 struct ReportPart {
   std::string frame;         // of kind 3 (docs/panel-protocol.md)
-  double cell = 0, off = 0;  // mm: of its lattice; deviation of its triangles from that surface
+  double cell = 0, off = 0;  // mm: cell of its lattice; deviation of the triangles from that surface
   std::string result;        // cut_json()
   struct Hit {
     CutFinding finding;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t piece_of_path = 1;  // kind of the data that follow
 constexpr double first_guess = 12;          // bytes per vertex, packed
-constexpr int most_tries = 4;               // to find a better one than the first that fits
+constexpr int most_tries = 4;               // attempts; more only until one fits
 
 /// From nothing left out to hardly a path: points inside blocks are dropped first, since then each line of the program keeps its
 /// instant.

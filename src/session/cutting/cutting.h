@@ -106,7 +106,7 @@ class Cutting {
     double whole = 0;                // s of the whole motion
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
-    Vec2 radius;                              // turning tools: direction of increasing radius; else 0
+    Vec2 radius;                              // turning tools: unit vector from the axis towards the tool; else 0
     bool in_groove = false, threads = false;  // turning tools: its insert is in a thread; it cuts the thread
     double lead = 0;                          // of the thread, mm; 0: not stated by the program
   };
