@@ -122,7 +122,7 @@ class ChannelRun {
   Status lead(std::size_t axis, double machine);
   /// Exchanges an axis with one of another channel, so that each program drives the other's axis; or ends the exchange.
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
-  /// Exchanges only what stays with an exchange, the limits; the positions are not exchanged.
+  /// Exchanges only what stays exchanged, the names, end positions and zones; the positions of the axes are not exchanged.
   void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
   /// From here on the clock of the outlets counts. It continues the state of the previous clock, but not the time spent so far.
   void change_clock();

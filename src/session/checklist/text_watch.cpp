@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t most_found = 200;
 constexpr std::size_t most_numbers = 10'000;  // of called blocks and programs
 
-/// A mode and the function that cancels it. A program that states the cancelling function before its first motion is safe from a mode
-/// left on.
+/// A mode and the function that cancels it. A mode left on does no harm if the program states one of the two before its first motion.
 struct Mode {
   Function on, off;
 };
