@@ -1,6 +1,6 @@
 #pragma once
-// PanelBlocks: the motions that the control has carried out and the machine has not: to which block an instant of the servo clock belongs,
-// and what is in force then.
+// PanelBlocks: the motions that the control has executed and the machine has not yet. Finds the block that an instant of the servo clock
+// belongs to, and what is in force then.
 
 #include <deque>
 #include <memory>
@@ -11,25 +11,25 @@
 
 namespace kadr {
 
-/// When a block has been carried out.
+/// What is in force after a block.
 struct PanelModes {
   std::vector<InForce> in_force;
   std::vector<AlarmReport::Call> calls;
 };
 
-/// A motion that the machine is on.
+/// A motion that the machine executes.
 struct PanelBlock {
   Origin origin;
-  std::uint64_t motion = 0;  // as AxisMotion counts them, from 1 in each stretch; 0: none
+  std::uint64_t motion = 0;  // numbered by AxisMotion from 1 in each stretch; 0: none
   Axes work{}, machine{};    // coordinates at its end
-  Placement placement;       // of the work coordinates
+  Placement placement;       // of the work coordinate system
   double feed = 0;           // as programmed, mm/min; 0 at rapid
-  bool by_turn = false;      // the feed is one of the spindle's revolution
-  std::uint32_t number = 0;  // of the block in a run without lines of the operator; 0: it is none of the program
-  bool entered = false;      // of a line of the operator, which stands in no file
+  bool by_turn = false;      // the feed is per revolution of the spindle
+  std::uint32_t number = 0;  // of the block in the run, not counting lines of the operator; 0: not of the program
+  bool entered = false;      // from a line of the operator, which is in no file
   std::shared_ptr<const PanelModes> modes;
 
-  /// Work coordinates on the way there.
+  /// Work coordinates during the motion, at machine position `at`.
   Axes work_of(const Axes& at) const {
     if (!placement.is_plain()) return placement.work_of(at);
     Axes now = work;
@@ -42,7 +42,7 @@ class PanelBlocks {
  public:
   void clear() { blocks_.clear(); }
   void add(PanelBlock block) { blocks_.push_back(std::move(block)); }
-  /// That of the motion; those before are forgotten. nullptr: none is known.
+  /// The block of the motion; earlier blocks are forgotten. Returns nullptr if it is not known.
   const PanelBlock* at(std::uint64_t motion) {
     while (blocks_.size() > 1 && blocks_[1].motion <= motion) blocks_.pop_front();
     return blocks_.empty() || motion == 0 ? nullptr : &blocks_.front();

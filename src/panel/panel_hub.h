@@ -1,5 +1,6 @@
 #pragma once
-// PanelHub: the machines that are on, whoever looks at them. Several pages may look at one; one of them holds the controls.
+// PanelHub: the machines that are switched on, for all pages that display them. Several pages may display one machine; one page has
+// control.
 
 #include <cstdint>
 #include <map>
@@ -16,16 +17,16 @@ class PanelHub {
  public:
   static constexpr std::size_t most_machines = 16;
 
-  /// One that is on. It stays as long as somebody has it, switched off or not.
+  /// A machine that is on. It exists as long as somebody holds a pointer to it, switched off or not.
   struct Place {
     std::string name;
-    std::shared_ptr<void> content;  // what the machine's program is made of: outlives it
+    std::shared_ptr<void> content;  // data that the machine's program needs; outlives the machine
     std::unique_ptr<PanelMachine> machine;
-    std::atomic<std::uint64_t> holder{0};  // page; 0: nobody
-    std::string stood;                     // where it stood in mid program when the server ended, as that was kept; empty: nowhere
+    std::atomic<std::uint64_t> holder{0};  // number of the page that has control; 0: none
+    std::string stood;                     // the saved location in mid program when the server last ended; empty: none
   };
 
-  /// A number of its own for each page that looks.
+  /// Returns a unique number for each page.
   std::uint64_t new_page() { return ++pages_; }
 
   std::shared_ptr<Place> find(const std::string& name) const {
@@ -33,13 +34,13 @@ class PanelHub {
     const auto found = places_.find(name);
     return found == places_.end() ? nullptr : found->second;
   }
-  /// False: one of that name is on already, or there are too many.
+  /// Returns false if a machine of that name is on already, or there are too many.
   bool add(const std::shared_ptr<Place>& place) {
     const std::lock_guard hold(lock_);
     return places_.size() < most_machines && places_.emplace(place->name, place).second;
   }
   void remove(const std::string& name) {
-    std::shared_ptr<Place> last;  // goes without the lock
+    std::shared_ptr<Place> last;  // destroyed after the lock is released
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     if (found == places_.end()) return;

@@ -1,4 +1,4 @@
-// What is kept of machines at their panels. For view/page_panel; tested by tests/panel/panel_journal_test.cpp, tests/panel_kills.py.
+// PanelJournal: saved data of panel machines. Used by view/page_panel; tested by tests/panel/panel_journal_test.cpp, tests/panel_kills.py.
 
 #include "panel/panel_journal.h"
 
@@ -9,11 +9,11 @@
 namespace kadr {
 namespace {
 
-constexpr const char* control = "panel";  // whose state it is
+constexpr const char* control = "panel";  // the control that the state file belongs to
 const std::string log_ = "log:";
 
-/// What a server has left that was killed after its file had been deleted: it belongs to nothing any more, and would keep a new file from
-/// being made. It stays beside it, in case somebody misses it.
+/// Renames the log of a server that was killed after its file had been deleted: the log belongs to nothing any more and would prevent a
+/// new file from being created. It is kept under another name in case somebody needs it.
 void put_left_log_aside(const std::string& path) {
   std::error_code none;
   if (!path.empty() && !std::filesystem::exists(path, none) && std::filesystem::exists(path + "-wal", none))

@@ -1,4 +1,4 @@
-// What of a machine is kept, and its tables. For panel/panel_machine; tested by tests/panel/panel_tables_test.cpp, tests/panel_kills.py.
+// PanelMachine: saved data and tables. Used by panel/panel_machine; tested by tests/panel/panel_tables_test.cpp, tests/panel_kills.py.
 
 #include <algorithm>
 
@@ -12,9 +12,9 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double same_place = 1e-9;  // mm, degrees
-constexpr double beside = 1e-6;      // mm, degrees: of what is programmed
+constexpr double beside = 1e-6;      // mm, degrees: distance from the programmed position that counts as off it
 
-/// `now` without what the use of tools has changed: that is no data of the operator's.
+/// `now` without the changes by tool use, which are not the operator's data.
 Setup by_hand(const Setup& before, Setup now) {
   for (auto& [number, row] : now.tool_table) {
     const auto then = before.tool_table.find(number);
@@ -32,7 +32,7 @@ bool are_same(const Setup& a, const Setup& b) {
 
 bool is_same(const PanelSpot& a, const PanelSpot& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
-  if (a.mode == PanelMode::running) return true;  // at each block is enough
+  if (a.mode == PanelMode::running) return true;  // one save per block is enough
   const auto are_near = [](const Axes& one, const Axes& other) {
     return std::equal(one.begin(), one.end(), other.begin(), [](double x, double y) { return std::abs(x - y) <= same_place; });
   };
@@ -45,7 +45,7 @@ void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t
   if (keeper_.event) keeper_.event(kind, text, line);
 }
 
-/// The block that the machine is on, or stands before, or is led to.
+/// Saves the block that the machine is on, or is held before, or moves to.
 void PanelMachine::keep_spot(const PanelState& now) {
   if (!keeper_.spot) return;
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
@@ -53,7 +53,7 @@ void PanelMachine::keep_spot(const PanelState& now) {
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
-  const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;  // it stands where it stood
+  const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;  // the location of the program does not change
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
   if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;  // a block without a motion
@@ -76,7 +76,7 @@ void PanelMachine::keep_spot(const PanelState& now) {
   kept_spot_ = std::move(spot);
 }
 
-/// What has changed since the last time has been changed by that line; 0: not by the program.
+/// Attributes variables that have changed since the last call to that line; 0: not changed by the program.
 void PanelMachine::note_variables(std::uint32_t line) {
   std::map<std::string, double> now;
   for (auto& [name, value] : session_->control().ending().variables) now.emplace(std::move(name), value);
@@ -89,17 +89,18 @@ void PanelMachine::note_variables(std::uint32_t line) {
   variables_ = std::move(now);
 }
 
-/// What a line of the operator (G10) has changed of the tables is as an edit of theirs: neither a reset nor another edit takes it back.
+/// Saves what a line of the operator (G10) has changed in the tables. It counts as an edit of the tables: neither a reset nor another edit
+/// reverts it.
 void PanelMachine::keep_tables(const Setup& before) {
   if (!keeper_.tables) return;
   const Setup now = by_hand(before, session_->control().tables_now());
   if (are_same(before, now)) return;
   if (const std::string fault = keeper_.tables(before, now); !fault.empty()) kept_.told = fault;
-  begin_search();  // the run that places are asked of has them from the start
+  begin_search();  // a search must start with these tables
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
-  const auto tables = std::make_shared<PanelTables>();  // it may come when nobody waits any more
+  const auto tables = std::make_shared<PanelTables>();  // shared: the answer may come when nobody waits any more
   const Answer answer = ask([this, tables]() -> Answer {
     if (!stretch_) note_variables(last_line_);
     tables->state = session_->control().run_state();
@@ -126,7 +127,7 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
   return std::move(*values);
 }
 
-/// A machine is not where its control is: motions of a contour that is being compensated are held back, or lie beside it.
+/// True if the machine is not where its control is: motions of a compensated contour are held back, or have an offset from it.
 bool PanelMachine::is_in_contour() const {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Axes stand = session_->stand(i).machine, programmed = session_->channels()[i].control->tool_position().machine;
@@ -168,7 +169,7 @@ PanelMachine::Answer PanelMachine::take_tables() {
   });
 }
 
-/// As if the program had run to here with these tables; the axes stay where they are.
+/// Applies edited tables as if the program had run to here with them; the axes stay where they are.
 void PanelMachine::look_after_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;

@@ -1,4 +1,4 @@
-// The axes of one channel at a panel. For panel/panel_machine; tested by tests/panel/panel_channels_test.cpp.
+// PanelLane: the axes of one channel at a panel. Used by panel/panel_machine; tested by tests/panel/panel_channels_test.cpp.
 
 #include "panel/panel_lane.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double planned_each = 1;  // s of motion: the first long ones begin at once
+constexpr double planned_each = 1;  // s of motion: so the first long motions start at once
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void PanelLane::take(Leg& leg, const TimedCells& cells, const MotionLimits& limi
 
 void PanelLane::plan(Planned& planned, double dry_feed) {
   planned_ = &planned;
-  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // a deque: it stays where it is
+  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // a deque, so its address stays valid
   planned.on_cells = [this, &leg, &limits = planned.limits()](const TimedCells& cells) { take(leg, cells, limits); };
   planned.number_motions([this, &leg](std::uint64_t motion) {
     pending.motion = motion;
@@ -67,7 +67,7 @@ double PanelLane::ahead() const {
   return seconds - (playing_ != nullptr && at.plays ? at.played : 0);
 }
 
-/// The cells that were planned next. False: not all of them have room.
+/// Offers playback the cells that were planned next. Returns false if not all of them fit.
 bool PanelLane::offer_first(Leg& leg) {
   const TimedCells& cells = leg.to_come.front();
   leg.offered += leg.playback.offer(cells, leg.offered);
@@ -112,7 +112,7 @@ void PanelLane::note_block() {
   if (const PanelBlock* const block = legs_.front().blocks.at(clock.sample().motion)) on = *block;
 }
 
-/// Of the motion that the axes are on: some thousandths of a second late, where it goes from rapid to feed.
+/// Sets the share for the motion that the axes are on: some thousandths of a second late at a change from rapid to feed.
 void PanelLane::set_share(const PanelShares& shares, bool stands) {
   const double spindle = on.by_turn ? std::min(1.0, shares.spindle) : 1;
   const double share = on.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);

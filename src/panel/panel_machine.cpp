@@ -1,4 +1,4 @@
-// A machine before its operator: its thread, and what is asked of it. For view/page_panel; tested by tests/panel/panel_machine_test.cpp.
+// PanelMachine: its thread, and the operator's requests. Used by view/page_panel; tested by tests/panel/panel_machine_test.cpp.
 
 #include "panel/panel_machine.h"
 
@@ -15,13 +15,13 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr auto look_every = std::chrono::milliseconds(4);    // after the stretch under way
+constexpr auto look_every = std::chrono::milliseconds(4);    // interval of checking the current stretch
 constexpr double seen_share = 1e-6;                          // of the planned speed
-constexpr auto seen_within = std::chrono::milliseconds(20);  // axes that hardly can brake
-constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy, and what was asked is not done
-constexpr auto done_within = std::chrono::seconds(60);       // what has begun
+constexpr auto seen_within = std::chrono::milliseconds(20);  // limit for axes that can hardly brake
+constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy, and the request is dropped
+constexpr auto done_within = std::chrono::seconds(60);       // for a request that has started
 
-/// Who asks for the state next sees what came of it.
+/// Waits briefly, so that the caller's next query of the state shows the effect.
 template <class Is>
 void wait_until_seen(Is is) {
   const auto end = std::chrono::steady_clock::now() + seen_within;
@@ -33,13 +33,13 @@ void wait_until_seen(Is is) {
 PanelMachine::~PanelMachine() { switch_off(); }
 
 void PanelMachine::switch_off() {
-  ends_ = true;  // before: it is no emergency stop
+  ends_ = true;  // set first, so that stop_at_once() is no emergency stop
   stop_at_once();
   const std::lock_guard one_at_a_time(off_lock_);
   thread_.wait();
 }
 
-/// Three answers: it is done, with what came of it; it is refused, and will not happen; it has begun, and goes on.
+/// There are three outcomes: the request is done, with its result; it is refused and will not happen; it has started and continues.
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   std::uint64_t number = 0;
@@ -47,7 +47,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(told("the machine is off", "станок выключен"));
     asked_.push_back({[what = std::move(what), lang = told_lang()] {
-                        tell_here_in(lang);  // of whoever asks
+                        tell_here_in(lang);  // the caller's language
                         return what();
                       },
                       {},
@@ -86,8 +86,8 @@ void PanelMachine::carry_out_asked() {
   }
 }
 
-/// What is to be done now; then it waits.
-///   returns  false: the machine is switched off
+/// Does what is due now, then waits.
+///   returns  false if the machine is switched off
 bool PanelMachine::look_round() {
   if (!ends_ && must_stop()) stand_still();
   carry_out_asked();
@@ -105,7 +105,7 @@ void PanelMachine::live() {
   for (bool goes_on = true; goes_on;) {
     try {
       goes_on = look_round();
-    } catch (const std::bad_alloc&) {  // it can make no more of the program: the axes stand
+    } catch (const std::bad_alloc&) {  // out of memory for the program: stops the axes
       stop_at_once();
     }
   }
@@ -135,7 +135,7 @@ void PanelMachine::look_after_stretch() {
   show();
 }
 
-/// Of the block that the machine is on, where it is one of the program; else of the one that comes next.
+/// The line of the block that the machine is on, if it is one of the program; else of the next block.
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
@@ -202,7 +202,7 @@ void PanelMachine::set_share() {
   for (const auto& lane : lanes_) lane->set_share(kept_.shares, holds_ || resets_);
 }
 
-/// From a feed hold it is not answered before the axes move again.
+/// After a feed hold it answers only when the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) {
@@ -239,7 +239,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   });
 }
 
-/// Not answered before the axes are slower: who asks for the state then sees it.
+/// Answers only when the axes are slower, so that the caller's next query of the state shows that.
 PanelMachine::Answer PanelMachine::hold() {
   const double share = lane_->clock.sample().share;
   const Answer held = ask([this]() -> Answer {
@@ -256,7 +256,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // a block without an end is over
+  stops_ = true;  // ends a block that never ends
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -271,7 +271,7 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // its thread is waiting or looks once more before it does
+  const std::lock_guard hold(lock_);  // the thread is waiting, or will check again before it waits
   wakes_.notify_all();
 }
 
@@ -372,7 +372,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  const auto number = std::make_shared<std::size_t>(0);  // it may come when nobody waits any more
+  const auto number = std::make_shared<std::size_t>(0);  // shared: the answer may come when nobody waits any more
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
     if (!point.condition.empty())

@@ -1,13 +1,12 @@
 #pragma once
-// PanelMachine: a machine with its control, as an operator has it before him: a program, stretch by stretch, in true time. It lives in a
-// thread of its own and goes on whoever looks at it; what an operator asks comes from any thread.
+// PanelMachine: a machine with its control, as an operator uses it: it runs a program, stretch by stretch, in real time. It has its own
+// thread and continues whoever displays it; operator requests may come from any thread.
 //
-//   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock, and the
-//   block
-//                                                                                              that it belongs to
+//   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock,
+//                                                                                              and the block it belongs to
 //
-// A stretch begins where the axes stand and ends where they stand again: at the end of the program, before a block that it is held before,
-// after a line that was entered. What it plans is of the machine that it is: the same code would drive another one.
+// A stretch starts where the axes are at rest and ends at their next rest: at the end of the program, before a block that holds, or after
+// an entered line. The plan is that of the selected machine: the same code could drive another one.
 
 #include <condition_variable>
 #include <deque>
@@ -30,12 +29,12 @@
 namespace kadr {
 
 enum class PanelMode : std::uint8_t {
-  standing,  // before a block, or after a line that was entered
+  standing,  // before a block, or after an entered line
   running,
-  held,       // by a feed hold: on its way, or standing
+  held,       // by a feed hold: slowing down, or at rest
   ended,      // the program is over
-  alarm,      // an alarm stopped it
-  emergency,  // stop; reset() leaves it
+  alarm,      // stopped by an alarm
+  emergency,  // emergency stop; reset() ends it
 };
 
 /// One of several channels.
@@ -44,107 +43,107 @@ struct PanelChannel {
   std::vector<std::string> axes;
   ServoSample sample;
   PanelBlock block;                   // that it is on, or was on last
-  AlarmReport::Line line;             // of it
-  std::optional<PanelMeeting> waits;  // with its axes there
+  AlarmReport::Line line;             // of that block
+  std::optional<PanelMeeting> waits;  // set once its axes have arrived
 };
 
-/// What an operator sees.
+/// Everything that an operator sees.
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  PanelShares shares;      // as they are set
+  PanelShares shares;      // as set by the operator
   PanelBlock block;        // that the machine is on, or was on last
-  AlarmReport::Line line;  // of it while it runs, else of the one that comes next
-  bool entered = false;    // a line of the operator is carried out
+  AlarmReport::Line line;  // while the program runs, of that block; else of the next one
+  bool entered = false;    // a line of the operator is being executed
   bool single = false, optional_stop = false;
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
-  std::size_t hit = 0;        // the stop point that it is held by; 0: none
+  std::size_t hit = 0;        // the stop point that holds it; 0: none
   std::string told;           // a message of the program
-  std::string why;            // it stands by "M0", "M1", "restart"; empty: by something else
+  std::string why;            // the reason for a stop: "M0", "M1", "restart"; empty: another reason
   bool asks = false;          // it waits for answer()
-  bool takes_tables = false;  // tables that were edited are being taken over
-  std::string not_kept;       // why what happens is not kept; empty: it is
-  bool goes_there = false;    // it is led to where the program is to go on
+  bool takes_tables = false;  // edited tables are being applied
+  std::string not_kept;       // why events are not being saved; empty: they are
+  bool goes_there = false;    // it moves to the block where the program is to continue
   std::optional<AlarmReport> alarm;
-  std::size_t can_undo = 0;            // lines that were entered
-  std::optional<PanelLimit> limit;     // that acts
-  std::uint64_t blocks = 0;            // carried out by the control, ahead of the machine
-  std::vector<PanelChannel> channels;  // all, where there are several; what stands above is of the program's own
+  std::size_t can_undo = 0;            // number of entered lines
+  std::optional<PanelLimit> limit;     // what limits the speed now
+  std::uint64_t blocks = 0;            // executed by the control, ahead of the machine
+  std::vector<PanelChannel> channels;  // all, if there are several; the members above are of the program's own
 };
 
-/// Where a machine is in its program.
+/// Location of a machine in its program.
 struct PanelSpot {
   PanelMode mode = PanelMode::standing;
   Axes machine{};
-  std::uint32_t number = 0;  // PanelBlock::number of the block that it is on, or stands before; 0: of none
+  std::uint32_t number = 0;  // PanelBlock::number of the current block, or of the next one; 0: none
   std::uint32_t line = 0;
-  std::string file{};          // that the line stands in; empty: the program itself
+  std::string file{};          // file of the line; empty: the program itself
   std::string text{};          // of the line
-  std::vector<Axes> stands{};  // of each channel, by its index, where there are several
+  std::vector<Axes> stands{};  // position of each channel, by index, if there are several
 };
 
-/// Who keeps what happens. Called in the machine's thread.
+/// Saves events of the machine. Called in the machine's thread.
 struct PanelKeeper {
-  /// At each block.
-  ///   returns  an error sentence: it is not kept
+  /// Called at each block.
+  ///   returns  an error sentence if the location cannot be saved
   std::function<std::string(const PanelSpot&)> spot;
   /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
-  /// A line of the operator has changed tables of the control: from the next session on they must be so from the start.
-  ///   returns  an error sentence: they are not kept
+  /// A line of the operator has changed tables of the control: later sessions must start with the changed tables.
+  ///   returns  an error sentence if they cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// The program is about to begin anew: it is the text that lies on the disk now, and stays so until this is called again, whatever is
-  /// saved meanwhile.
+  /// The program is about to start again. From now until the next call the program is the text that is on the disk now, whatever is saved
+  /// meanwhile.
   std::function<void()> begins;
 };
 
-/// A variable that is set.
+/// A variable with a value.
 struct PanelVariable {
   std::string name;
   double value = 0;
-  std::uint32_t line = 0;  // of the program that set it last; 0: the set-up, or a line of the operator
+  std::uint32_t line = 0;  // program line that set it last; 0: the set-up, or a line of the operator
 };
 
-/// Tables as the control has them now.
+/// The present tables of the control.
 struct PanelTables {
-  std::optional<RunState> state;  // nothing: the control does not show them
+  std::optional<RunState> state;  // nullopt: the control does not show them
   std::vector<PanelVariable> variables;
 };
 
-/// An expression that is watched, and its value now.
+/// A watched expression and its present value.
 struct PanelWatch {
   std::string text;
-  std::optional<double> value;  // nothing: it cannot be understood, or is vacant
+  std::optional<double> value;  // nullopt: not understood, or vacant
 };
 
-/// From where the axes stand to where they stand again.
+/// Motion from one rest of the axes to the next.
 struct PanelStretch {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
-  std::size_t channel = 0;           // of a line: its index
-  std::unique_ptr<Planned> by_hand;  // of axes by hand
+  std::size_t channel = 0;           // for a line: the index of its channel
+  std::unique_ptr<Planned> by_hand;  // for motion by hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
 
-/// The way of one channel.
+/// The path of one channel.
 struct PanelWay {
   std::size_t channel = 0;  // its index
   std::vector<WayPoint> way;
 };
 
-/// On its way to where the program is to go on.
+/// State while the machine moves to the block where the program is to continue.
 struct PanelGoing {
   struct Line {
     std::size_t channel;
     std::string text;
   };
   std::shared_ptr<const PanelPlace> place;
-  std::deque<Line> before;    // to be carried out here
-  std::deque<PanelWay> ways;  // one after the other
-  std::deque<Line> after;     // to be carried out there
+  std::deque<Line> before;    // to be executed before the paths
+  std::deque<PanelWay> ways;  // to be travelled one after the other
+  std::deque<Line> after;     // to be executed after the paths
   bool is_there = false;
 };
 
@@ -154,8 +153,8 @@ class PanelMachine {
   static constexpr std::size_t most_entered = 1000, most_undone = 50, most_stops = 100;
 
   ///   returns  an error sentence
-  ///   start    machine coordinates where the axes stand; nothing: where the set-up says
-  ///   stands   those of each of several channels; empty: where the set-up says
+  ///   start    machine coordinates of the axes; nullopt: from the set-up
+  ///   stands   the same for each of several channels; empty: from the set-up
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
                                                                        const std::optional<Axes>& start = {},
                                                                        std::vector<Axes> stands = {});
@@ -163,77 +162,78 @@ class PanelMachine {
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
 
-  /// The axes stand, nothing is kept or told any more; what is asked is refused.
+  /// Stops the axes; nothing is saved or reported any more, and requests are refused.
   void switch_off();
 
   using Answer = tl::expected<void, std::string>;  // an error sentence: why not
-  /// The program goes on from where it is held, or from a feed hold.
-  ///   how  nothing: a block, or to the next stop, by the switch
+  /// Continues the program from where it is held, or from a feed hold.
+  ///   how  nullopt: one block, or up to the next stop, by the single block switch
   Answer run(std::optional<Stepping::How> how = {});
-  /// Feed hold: the axes come to rest on their path.
+  /// Feed hold: the axes slow down and stop on their path.
   Answer hold();
-  /// The program is at its beginning, the axes are where they stand. Ends an alarm and an emergency stop.
+  /// Returns the program to its beginning; the axes stay where they are. Ends an alarm and an emergency stop.
   Answer reset();
-  /// The axes stand within one instant of the clock, wherever they are.
+  /// Emergency stop: the axes stop within one instant of the clock, wherever they are.
   void stop_at_once();
-  /// One block with each run().
+  /// Single block: each run() executes one block.
   Answer set_single(bool on);
-  /// M1 holds.
+  /// Optional stop: M1 holds.
   Answer set_optional_stop(bool on);
   Answer set_skip(int number, bool on);
   Answer set_shares(const PanelShares& shares);
-  /// To a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no; it goes on.
+  /// Answers a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no; the program continues.
   Answer answer(double answer);
-  /// A line of the operator (MDI), carried out at once.
+  /// Executes a line of the operator (MDI) at once.
   Answer enter(const std::string& line);
-  /// The control and the virtual machine are as they were before the last line that was entered: not for a machine of iron.
+  /// Restores control and virtual machine to the state before the last entered line: not possible on a real machine.
   Answer undo();
-  /// Axes by hand, relative, in machine coordinates: `way` mm or degrees, `feed` mm/min or degrees/min; 0: as fast as they can.
+  /// Moves an axis by hand, relative, in machine coordinates: `way` in mm or degrees, `feed` in mm/min or degrees/min; 0: as fast as
+  /// possible.
   ///   channel  its number; 0: the program's own
   Answer jog(const std::string& axis, double way, double feed, int channel = 0);
-  /// Axes by hand, motion by motion, of the program's own channel.
+  /// Moves the axes of the program's own channel by hand, motion by motion.
   Answer lead(const std::vector<WayPoint>& way);
-  ///   returns  its number
+  ///   returns  the number of the stop point
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
 
-  /// Values of expressions as the program would write them.
+  /// Evaluates expressions as the program would write them.
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
-  /// It stands, so that take_tables() can be called.
+  /// Succeeds if the machine is at rest, so that take_tables() can be called.
   Answer may_take_tables();
-  /// The set-up that PanelOpens gives is another one: it is in force from here on, wherever the program stands.
+  /// PanelOpens returns a changed set-up: it applies from here on, wherever the program is.
   Answer take_tables();
 
-  /// A place where the program could go on, as far as it has been found.
+  /// Searches for a block where the program could continue. Returns what is found so far.
   PanelSearch::Answer find(const PanelSearch::Wish& wish) {
-    if (state().takes_tables) return {};  // it is being searched for that
+    if (state().takes_tables) return {};  // a search for the tables is in progress
     return search_->find(wish);
   }
-  /// What leads there from where the machine stands.
-  ///   returns  that of the program's own channel, then those of PanelPlace::beside, in their order
+  /// What restores the state of that place, starting from the present state of the machine.
+  ///   returns  the sheet of the program's own channel, then those of PanelPlace::beside, in their order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
-  /// The machine is led there, then stands before the block as if the program had run.
-  ///   left  keys (key_of; of other channels with their number before: "2/tool:") of what stays as it is now
-  ///   ways  of the sheets, or others that end there, one after the other; a channel without one stands there
+  /// Moves the machine to the place, and holds it before the block as if the program had run to there.
+  ///   left  keys (key_of; for other channels with their number as a prefix: "2/tool:") of items that keep their present value
+  ///   ways  of the sheets, or others with the same ends, one after the other; a channel without a path is in place already
   Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways);
 
-  /// Called in its thread with each step that the control carries out, of program, lines and axes by hand, in their order; ahead of the
-  /// machine. Before the first run().
+  /// Called in the machine's thread with each step that the control executes, of program, lines and motion by hand, in order and ahead of
+  /// the machine. Set it before the first run().
   void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
   const std::vector<std::string>& axes() const { return lane_->axes; }
-  /// Of the channel with this index, as long as it is on.
+  /// Axes of the channel with this index; valid as long as the machine is on.
   const std::vector<std::string>& axes(std::size_t channel) const { return lanes_[channel]->axes; }
   std::size_t channel_count() const { return lanes_.size(); }
   int number_of(std::size_t channel) const { return lanes_[channel]->number; }
-  /// The program's own.
+  /// Index of the program's own channel.
   std::size_t own() const { return own_; }
 
  private:
   using Stretch = PanelStretch;
-  /// A line was entered.
+  /// The state before a line was entered.
   struct Before {
     Stepping::Memory stepping;
     Axes machine;
@@ -248,13 +248,13 @@ class PanelMachine {
 
   PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
-  // panel_machine.cpp: its thread, and what is asked of it
+  // panel_machine.cpp: its thread, and the requests
   Answer ask(std::function<Answer()> what);
   void live();
   bool look_round();
   void carry_out_asked();
   void look_after_stretch();
-  /// An emergency stop that has not been seen to yet.
+  /// True after an emergency stop that the machine's thread has not handled yet.
   bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
@@ -315,35 +315,35 @@ class PanelMachine {
   const PanelKeeper keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::unique_ptr<PanelLane>> lanes_;  // of all channels, as long as it lives
-  PanelLane* lane_ = nullptr;                      // of the program's own, by its index
+  std::vector<std::unique_ptr<PanelLane>> lanes_;  // of all channels; never replaced
+  PanelLane* lane_ = nullptr;                      // of the program's own channel, for use by its thread
   std::size_t own_ = 0;
 
-  // of its thread
-  std::atomic<bool> stops_{false};  // the session, from any thread
+  // used by its thread only, except for stops_
+  std::atomic<bool> stops_{false};  // stops the session; set by any thread
   std::optional<Axes> start_;       // of the run: PanelStart
-  std::vector<Axes> stands_;        //
+  std::vector<Axes> stands_;        // likewise
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
-  std::optional<Stepping::How> how_;  // of the stretch that run() begins; nothing: by the switch
+  std::optional<Stepping::How> how_;  // for the stretch that run() starts; nullopt: by the switch
   bool holds_ = false;                // by a feed hold
-  bool resets_ = false;               // as soon as the axes stand
-  bool goes_on_ = false;              // the program is not over: held before a block of one of its channels
-  Control* asks_ = nullptr;           // whose program asks
+  bool resets_ = false;               // reset as soon as the axes are at rest
+  bool goes_on_ = false;              // the program has not ended: a block of one of its channels is held
+  Control* asks_ = nullptr;           // the control whose program asks a question
   std::vector<Before> before_;
   std::optional<PanelGoing> going_;
-  std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks of lines of the operator; carried out before the one under way
-  std::optional<PanelSearch::Wish> retables_;      // where it stands, with other tables
-  std::optional<Setup> tables_before_;             // of the line of the operator under way
+  std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks in lines of the operator; blocks executed before the current line
+  std::optional<PanelSearch::Wish> retables_;      // the present location, searched again with other tables
+  std::optional<Setup> tables_before_;             // before the line of the operator that is being executed
   PanelSpot kept_spot_;
-  bool has_moved_ = false;  // else what is kept is where it stood when it was switched on
+  bool has_moved_ = false;  // false: the saved location is that of switching on
   std::map<std::string, double> variables_;
-  std::map<std::string, std::uint32_t> set_by_;  // line; of those that the program has set
-  std::uint32_t last_line_ = 0;                  // of the block under way
-  PanelState kept_;                              // what of the state lasts: switches, stop points, what was told
+  std::map<std::string, std::uint32_t> set_by_;  // by variable: the program line that set it last
+  std::uint32_t last_line_ = 0;                  // of the current block
+  PanelState kept_;                              // the lasting part of the state: switches, stop points, message
 
-  // between threads
+  // shared between threads
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;

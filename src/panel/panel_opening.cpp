@@ -1,4 +1,4 @@
-// A machine's program from its beginning: its session, and what of the machine obeys it. For panel/panel_machine; tested by
+// PanelMachine: opens the session of its program at the beginning, and applies the switches. Used by panel/panel_machine; tested by
 // tests/panel/panel_machine_test.cpp, tests/panel/panel_channels_test.cpp.
 
 #include "config/told.h"
@@ -11,7 +11,7 @@ using Failed = tl::unexpected<std::string>;
 
 }  // namespace
 
-/// Once; a program has as many channels as it had.
+/// Called once; the number of channels never changes after that.
 tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
                                                                             const std::optional<Axes>& start, std::vector<Axes> stands) {
   std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
@@ -39,7 +39,7 @@ PanelMachine::Answer PanelMachine::make_lanes() {
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
     if (i != own_) lanes_[i]->clock.stand_at(stands_[i]);
-  lane_ = lanes_[own_].get();  // others read it from now on
+  lane_ = lanes_[own_].get();  // from now on other threads read it
   return {};
 }
 
@@ -50,7 +50,7 @@ void PanelMachine::obey_switches() {
   }
 }
 
-/// The program from its beginning.
+/// Opens a session at the beginning of the program.
 PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& start) {
   stops_ = false;
   auto opened = opens_(start, StopToken(stops_));
@@ -61,7 +61,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
     kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
-  control.hand_over_each_block();  // a stop holds before the very next one
+  control.hand_over_each_block();  // so a stop holds before the very next block
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
   stepping_->keep(kept_.stops);
@@ -107,7 +107,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
     if (i != own_) session_->stand_at(i, stands_.back());
   }
   if (search_) begin_search();
-  session_->alone(session_->own());  // the others begin with the first run()
+  session_->alone(session_->own());  // the others start with the first run()
   const Session::State state = stepping_->go(Stepping::How::block);
   kept_.asks = false;
   stand_here();
@@ -117,17 +117,17 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   return {};
 }
 
-/// A program that cannot be read any more is over: alarm and emergency stop end all the same, so that the axes can be moved by hand.
+/// If the program can no longer be read, it is over: alarm and emergency stop end all the same, so that the axes can be moved by hand.
 PanelMachine::Answer PanelMachine::start_over() {
   Answer opened = open(lane_->clock.sample().machine);
   if (!opened) kept_.mode = PanelMode::ended, kept_.alarm.reset();
   return opened;
 }
 
-/// The run that places are asked of is this one.
+/// Makes this run the one that searches use.
 void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip, kept_.optional_stop}); }
 
-/// What is shown while nothing has moved yet.
+/// Sets what is displayed before anything has moved.
 void PanelMachine::stand_here() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Control& control = *session_->channels()[i].control;

@@ -1,5 +1,5 @@
 #pragma once
-// What a panel's machine is begun with: its program from the beginning, and how its operator has set it.
+// What a panel machine starts with: a session of its program, and the operator's settings.
 
 #include <functional>
 #include <memory>
@@ -12,16 +12,16 @@
 
 namespace kadr {
 
-/// Makes a session of the program from its beginning, with `start` as machine coordinates where the axes stand (nothing: those of the
-/// set-up). From any thread.
+/// Opens a session of the program at its beginning, with the axes at `start` in machine coordinates (nullopt: as the set-up states). May be
+/// called from any thread.
 ///   returns  an error sentence
 using PanelOpens =
     std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
 
-/// Of a run.
+/// The start of a run.
 struct PanelStart {
-  std::optional<Axes> axes;    // machine coordinates; nothing: those of the set-up
-  std::vector<Axes> stands{};  // of each channel, by its index; the program's own is `axes`. Empty: those of the set-up
+  std::optional<Axes> axes;    // machine coordinates; nullopt: from the set-up
+  std::vector<Axes> stands{};  // of each channel, by index; the program's own uses `axes`. Empty: from the set-up
   std::set<int> skip;
   bool optional_stop = false;
   friend bool operator==(const PanelStart&, const PanelStart&) = default;

@@ -1,5 +1,5 @@
-// Going on in mid program: the machine is led to the place, then its control remembers all as if the program had run. For
-// panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelMachine: continues in mid program: moves the machine to the place, then restores the control's memory as if the program had run.
+// Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include <fmt/core.h>
 
@@ -17,8 +17,8 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return told("a value has no room in a word of this control", "значение не помещается в слово этой системы"); }
 
-constexpr double nowhere = -1e9;   // mm: a clearance that leads over nothing
-constexpr double at_place = 1e-3;  // mm, degrees: what is led there by a way that a person has seen in thousandths
+constexpr double nowhere = -1e9;   // mm: a clearance so low that the path does not rise
+constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path rounded to thousandths
 
 }  // namespace
 
@@ -30,7 +30,7 @@ PanelMachine::Answer PanelMachine::may_go_there() const {
   return {};
 }
 
-/// Of a channel, from where its axes stand.
+/// The sheet of a channel, from the present position of its axes.
 tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
                                                                      const WayRules& rules) const {
   Control& control = *session_->channels()[channel].control;
@@ -43,11 +43,11 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place,
                                                                         const WayRules& rules) {
-  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // it may come when nobody waits any more
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the answer may come when nobody waits any more
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     WayRules of_others = rules;
-    of_others.clearance = nowhere;  // it is one of the own channel's work coordinates
+    of_others.clearance = nowhere;  // the clearance is in work coordinates of the own channel
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
@@ -62,8 +62,8 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
   return std::move(*sheets);
 }
 
-/// Within the ways of the axes.
-///   returns  where it ends, or an error sentence
+/// Checks a path against the limits of the axes.
+///   returns  its end, or an error sentence
 tl::expected<Axes, std::string> PanelMachine::end_of(const PanelWay& way) const {
   const PanelLane& lane = *lanes_[way.channel];
   Axes at = lane.clock.sample().machine;
@@ -100,7 +100,7 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, co
   return leads;
 }
 
-/// The lines of a channel, before and after the ways. Keys of other channels have their numbers before them.
+/// Prepares the lines of a channel, before and after the paths. Keys of other channels have the channel number as a prefix.
 PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block,
                                            const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
@@ -173,7 +173,7 @@ void PanelMachine::go_along(const PanelWay& way) {
   begin_by_hand(*lanes_[way.channel], motions);
 }
 
-/// The next of what leads there. Called while the axes stand.
+/// Performs the next part of the move to the place. Called while the axes are at rest.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelGoing& going = *going_;
   if (!going.before.empty()) {
@@ -209,19 +209,19 @@ void PanelMachine::carry_out(std::deque<PanelGoing::Line>& lines) {
   begin_line(line.text, line.channel);
 }
 
-/// The axes stand at the place: from here on it is as if the program had run.
+/// The axes have arrived: from here on the state is as if the program had run.
 PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
   for (const PanelBeside& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
   return remember(place);
 }
 
-/// The control is as the one that has come there.
+/// Restores the control to the state of one that has run to the place.
 PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored)
     return Failed(told("a file that the program had called is not as it was", "файл, который вызывала УП, изменился"));
   obey_switches();
-  before_.clear();  // nothing leads back behind this
+  before_.clear();  // lines before this one cannot be undone
   entered_ = 0;
   last_line_ = place.restart.at.line;
   note_variables(0);
@@ -234,7 +234,7 @@ PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   return {};
 }
 
-/// It waits for others, or goes on with them.
+/// Sets another channel to its place: it waits for others, or continues with them.
 void PanelMachine::stand_beside(const PanelBeside& channel) {
   PanelLane& lane = *lanes_[channel.channel];
   lane.start_over();
@@ -249,7 +249,7 @@ void PanelMachine::stand_beside(const PanelBeside& channel) {
   lane.go_on();
 }
 
-/// The other channels have carried out as many blocks as there, and who waits stands where it does.
+/// True if the other channels have executed as many blocks as at the place, and those that wait are in the same position.
 bool PanelMachine::stand_as_in(const PanelPlace& place) const {
   for (const PanelBeside& channel : place.beside) {
     const PanelLane& lane = *lanes_[channel.channel];

@@ -1,4 +1,4 @@
-// Places of a machine's program, found beside it. For panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSearch: finds places in a machine's program. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_search.h"
 
@@ -26,7 +26,7 @@ void PanelSearch::begin(const PanelStart& start) {
   {
     const std::lock_guard hold(lock_);
     to_begin_ = start;
-    stops_ = true;  // what is under way
+    stops_ = true;  // stops the search in progress
     answer_.reset();
   }
   wakes_.notify_all();
@@ -68,14 +68,14 @@ void PanelSearch::live() {
   forget();
 }
 
-/// What looks at the session goes before it.
+/// Destroys the objects that use the session before the session.
 void PanelSearch::forget() {
   own_is_over_ = false;
   run_.stepping.reset(), run_.checkpoints.reset(), run_.session.reset();
   run_ = {};
 }
 
-/// As the machine begins, with nobody looking.
+/// Opens a session as the machine does, without observers.
 std::unique_ptr<Session> PanelSearch::open() {
   auto opened = opens_(start_.axes, StopToken(stops_));
   if (!opened) {
@@ -99,7 +99,7 @@ std::unique_ptr<Session> PanelSearch::open() {
   return session;
 }
 
-/// One that goes round for ever does not keep the search from its end.
+/// Ends another channel together with the own one, so that a channel with an endless program cannot keep the search from ending.
 void PanelSearch::end_with_own(Control& other) {
   other.holds_before = [this](const Origin&) { return own_is_over_; };
 }
@@ -113,7 +113,7 @@ void PanelSearch::prepare(const PanelStart& start) {
   session->control().watch_calls();
   session->together().over = [this, own = session->own()](std::size_t channel) { own_is_over_ = own_is_over_ || channel == own; };
   auto checkpoints = std::make_unique<Checkpoints>(*session);
-  (void)checkpoints->run();  // to where it stands: nobody can go on after that
+  (void)checkpoints->run();  // up to where it stops: nothing can continue after that
   run_.stepping = std::make_unique<Stepping>(*session);
   run_.checkpoints = std::move(checkpoints);
   run_.session = std::move(session);
@@ -138,7 +138,7 @@ std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& targe
   return search_block(*session, stepping, target);
 }
 
-/// Of the block that it would begin next; it is not carried out. What it leaves of the session is not gone on with.
+/// Finds the block that the channel would start next, without executing it. The session cannot be continued after that.
 void PanelSearch::find_next(PanelBeside& channel) {
   Session& session = *run_.session;
   Control& control = *session.channels()[channel.channel].control;
@@ -151,7 +151,7 @@ void PanelSearch::find_next(PanelBeside& channel) {
   end_with_own(control);
 }
 
-/// They stand where the own channel has left them.
+/// The other channels, as they are when the own channel has reached the place.
 std::vector<PanelBeside> PanelSearch::beside() {
   Session& session = *run_.session;
   std::vector<PanelBeside> all;
@@ -177,14 +177,14 @@ std::vector<PanelBeside> PanelSearch::beside() {
   return all;
 }
 
-/// From the beginning, each channel to its own block.
+/// Runs from the beginning, each channel to its own block.
 void PanelSearch::run_apart(const Wish& wish) {
   run_.session = open();
   if (!run_.session) return;
   Session& session = *run_.session;
   session.control().watch_calls();
   run_.stepping = std::make_unique<Stepping>(session);
-  session.alone(session.own());  // it begins with that
+  session.alone(session.own());  // it starts with the own channel
   (void)run_.stepping->go(Stepping::How::block);
   for (std::size_t i = 0; i < session.channels().size() && i < wish.blocks.size(); ++i)
     if (i != session.own())

@@ -1,6 +1,6 @@
 #pragma once
-// PanelSearch: finds places of a machine's program, in a thread of its own, beside the machine: what is in force there, and all that the
-// control remembers. Once through the whole program with checkpoints; then any line of a long one is there at once.
+// PanelSearch: finds places in a machine's program, in its own thread in parallel with the machine: what is in force there, and the whole
+// state of the control. It first runs through the whole program with checkpoints; then any line of a long program is found quickly.
 //
 //   begin(start) ──▶ first pass ──▶ find(wish): not ready … a place, or why there is none
 
@@ -19,29 +19,29 @@
 
 namespace kadr {
 
-/// Where one of the other channels stands then: between two of its blocks, as the control has come to them by its clock (session/channels).
+/// State of another channel then: between two of its blocks, as far as the control has run by its clock (session/channels).
 struct PanelBeside {
   std::size_t channel = 0;  // its index
   int number = 1;
-  Restart restart;  // `at`: its block that comes next, or is under way
+  Restart restart;  // `at`: its next block, or the current one
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
   Placement placement;
-  std::optional<Control::Meeting> waits;  // at a waiting code
+  std::optional<Control::Meeting> waits;  // set at a waiting code
   bool in_block = false;
-  bool is_over = false;      // its program
-  std::uint64_t blocks = 0;  // carried out
+  bool is_over = false;      // its program has ended
+  std::uint64_t blocks = 0;  // number of blocks executed
 };
 
-/// A place where the program could go on.
+/// A place where the program could continue.
 struct PanelPlace {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;                    // of the work coordinates
-  Stepping::Memory memory;                // of a control that has come there
-  bool in_block = false;                  // over a hole of a cycle
-  std::optional<BlockSearch> by_control;  // its own block search, where it has one
+  Placement placement;                    // of the work coordinate system
+  Stepping::Memory memory;                // state of a control that has run to here
+  bool in_block = false;                  // over a hole of a canned cycle
+  std::optional<BlockSearch> by_control;  // result of the control's own block search, if it has one
   std::vector<PanelBeside> beside;        // the other channels
 };
 
@@ -49,34 +49,34 @@ class PanelSearch {
  public:
   struct Wish {
     StopPoint target;
-    std::uint32_t hole = 0;               // of a cycle: over that one; 0: before the block
-    bool by_control = false;              // its own block search too: once more through the whole program
-    std::vector<std::uint64_t> blocks{};  // that each channel has carried out then, by its index; empty: by the clock of the own one
+    std::uint32_t hole = 0;               // of a canned cycle: the place over this hole; 0: before the block
+    bool by_control = false;              // use the control's own block search too: another run through the whole program
+    std::vector<std::uint64_t> blocks{};  // executed by each channel then, by index; empty: by the clock of the own channel
     friend bool operator==(const Wish&, const Wish&) = default;
   };
   struct Answer {
     bool ready = false;
-    std::shared_ptr<const PanelPlace> place{};  // nullptr, where it is ready: there is none
-    std::string error{};                        // why
+    std::shared_ptr<const PanelPlace> place{};  // nullptr if ready: there is no such place
+    std::string error{};                        // why there is none
   };
 
   explicit PanelSearch(PanelOpens opens);
   ~PanelSearch();
-  PanelSearch(const PanelSearch&) = delete;  // its thread looks at it
+  PanelSearch(const PanelSearch&) = delete;  // its thread uses this object
   PanelSearch& operator=(const PanelSearch&) = delete;
 
-  /// The run that places are asked of is another one.
+  /// Replaces the run in which places are searched.
   void begin(const PanelStart& start);
-  /// At once: what is known of it now. A wish other than the one before begins a new search.
+  /// Returns immediately with what is known now. A request other than the previous one starts a new search.
   Answer find(const Wish& wish);
 
  private:
-  /// Of one run.
+  /// Everything that belongs to one run.
   struct Run {
     std::unique_ptr<Session> session;
     std::unique_ptr<Checkpoints> checkpoints;
     std::unique_ptr<Stepping> stepping;
-    std::string error;  // it could not be opened
+    std::string error;  // set if it could not be opened
     bool is_there = false;
   };
 
@@ -94,10 +94,10 @@ class PanelSearch {
   std::unique_ptr<Session> open();
 
   const PanelOpens opens_;
-  // of its thread
+  // used by its thread only
   Run run_;
   PanelStart start_;
-  bool own_is_over_ = false;  // the program of the own channel, of several
+  bool own_is_over_ = false;  // with several channels: the own channel's program has ended
   std::atomic<bool> stops_{false};
 
   std::mutex lock_;
@@ -107,7 +107,7 @@ class PanelSearch {
   std::optional<Wish> wish_;
   Lang lang_{};
   bool searching_ = false;
-  std::optional<Answer> answer_;  // to wish_
+  std::optional<Answer> answer_;  // the answer to wish_
   Thread thread_;
 };
 

@@ -1,4 +1,4 @@
-// The sheet of a restart. For panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSheet: the sheet of a restart. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_sheet.h"
 
@@ -19,7 +19,7 @@ const CodeRow* row_of(const InForce& one, const ControlDef& def) {
   return one.kind != Kind::code || found == def.codes.end() ? nullptr : &*found;
 }
 
-/// The machine does it, not the control alone.
+/// True if the machine performs it, not the control alone.
 bool is_done_by_machine(const InForce& one, const ControlDef& def) {
   switch (one.kind) {
     case Kind::tool:
@@ -39,14 +39,14 @@ PanelSheet::By by_what(const InForce& one, const ControlDef& def) {
   return is_done_by_machine(one, def) ? PanelSheet::By::line : PanelSheet::By::memory;
 }
 
-/// Blocks that set these and nothing else. Empty: none can.
+/// Blocks that set exactly these items. Empty if no block can.
 Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, const ControlDef& def) {
   auto blocks = restart_blocks(def, things, things, {});
   if (!blocks) return fail(blocks.error());
   return std::move(blocks->blocks);
 }
 
-/// A line can say it: it changes neither how the tool moves nor where its path lies.
+/// True if a line can set the item again: it affects neither how the tool moves nor where its path is.
 bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
   if (!row.wanted || !row.now) return false;
   switch (row.now->kind) {
@@ -98,7 +98,7 @@ Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std
   });
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows) {
-    const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);  // the change may have stopped it
+    const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);  // the tool change may have stopped it
     if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.wanted);
   }
   return lines_of(things, def);

@@ -1,4 +1,4 @@
-// A stretch of a panel's machine: what the session makes of the program, in the servo clock's time. For panel/panel_machine.
+// PanelMachine: runs a stretch: turns the session's steps into motion in the servo clock's time. Used by panel/panel_machine.
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double nearly_there = 1e-6;  // mm, degrees
-constexpr double farthest = 1e5;       // mm, degrees by hand at a time
+constexpr double farthest = 1e5;       // mm, degrees: longest single motion by hand
 
 }  // namespace
 
-/// Before the planner gets it.
+/// Observes each step before the planner receives it.
 void PanelMachine::look(PanelLane& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;
@@ -54,16 +54,16 @@ void PanelMachine::look(PanelLane& lane, Control& control, const Step& step) {
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
-/// The planner of a channel begins where its axes will stand.
+/// Starts a leg: its planner starts where the axes will be at rest.
 void PanelMachine::begin_leg(std::size_t channel) {
   PanelLane& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };  // without the planner before
+  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };  // drops the old planner
   lane.plan(session_->plan(channel), kept_.shares.dry_feed);
   session_->change_outlets();
 }
 
-/// Waiting codes: legs of motion end there, and begin anew.
+/// Handles waiting codes: legs of motion end there, and new ones start.
 void PanelMachine::watch_channels() {
   if (is_alone()) return;
   ChannelOutlets& together = session_->together();
@@ -92,7 +92,7 @@ void PanelMachine::watch_channels() {
       };
 }
 
-/// `channel`: of a line.
+/// `channel`: for a line, its channel.
 void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   Stretch& stretch = stretch_.emplace();
   stretch.of = of, stretch.channel = channel;
@@ -106,13 +106,14 @@ void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   play();
 }
 
-/// The next look round makes its motions: who asked for it is answered at once, however long the program calculates before it moves.
+/// Starts the stretch; its motion is computed in the next look_round(). So the caller gets an answer at once, however long the program
+/// calculates before it moves.
 void PanelMachine::play() {
   kept_.mode = PanelMode::running;
   set_share();
 }
 
-/// A line of the operator.
+/// Starts a line of the operator.
 void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   note_variables(last_line_);
   entering_from_ = session_->channels()[channel].control->blocks();
@@ -127,7 +128,7 @@ void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   begin(Stretch::Of::line, channel);
 }
 
-/// It is over: the channel is held before the block that it was held before.
+/// Ends a line of the operator: the channel is held again before the same block.
 void PanelMachine::end_line() {
   const std::size_t channel = stretch_->channel;
   PanelLane& lane = *lanes_[channel];
@@ -173,7 +174,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   return {};
 }
 
-/// Along the axes of the machine, however the frame lies.
+/// The position without frame, for motion along the machine's axes.
 ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
   ToolPosition stand = session_->stand(channel);
   stand.turn.reset(), stand.space.reset();
@@ -207,14 +208,14 @@ void PanelMachine::begin_by_hand(PanelLane& lane, const std::vector<Motion>& mot
   play();
 }
 
-/// So much is planned that no clock comes to its end before more is.
+/// Plans enough that no clock runs out of motion before more is planned.
 void PanelMachine::provide() {
   const auto any = [this](bool (PanelLane::*is)() const) {
     return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
   };
   const auto must_go_on = [&] {
     return any(&PanelLane::wants_more) || !any(&PanelLane::is_planned);
-  };  // else it waits, or is over: for what comes of it
+  };  // else the lane waits or is over: run on to what follows
   while (!stretch_->planned_all && must_go_on() && !any(&PanelLane::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }
@@ -230,7 +231,7 @@ bool PanelMachine::is_over() const {
   return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
 }
 
-/// The axes stand at its end.
+/// The axes have stopped at the end of the stretch.
 void PanelMachine::end_stretch() {
   for (const auto& lane : lanes_) lane->settle();
   const Stretch::Of of = stretch_->of;
@@ -246,10 +247,10 @@ void PanelMachine::end_stretch() {
       for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
       return is;
     };
-    const Axes& aim = lanes_[i]->pending.machine;  // of the motion by hand, in one of them
+    const Axes& aim = lanes_[i]->pending.machine;  // of the motion by hand of one lane
     const Control& control = *session_->channels()[i].control;
     if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
-    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // what the planner's sums have left
+    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // removes rounding errors of the planner
   }
   if (of != Stretch::Of::hand) show_what_is_in_force();
   if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
@@ -266,7 +267,8 @@ void PanelMachine::end_stretch() {
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
 }
 
-/// Blocks behind the last motion have changed it, with no motion to show it by: the zero too, unless a contour holds a motion back.
+/// Updates what is displayed: blocks after the last motion may have changed it, without a motion to show it; also the zero, unless a
+/// contour holds a motion back.
 void PanelMachine::show_what_is_in_force() {
   const bool in_contour = is_in_contour();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
@@ -279,7 +281,7 @@ void PanelMachine::show_what_is_in_force() {
   }
 }
 
-/// The axes stay where they are.
+/// Drops the stretch; the axes stay where they are.
 void PanelMachine::drop_stretch() {
   for (const auto& lane : lanes_) lane->drop();
   stretch_.reset();

@@ -1,4 +1,4 @@
-// The servo clock. For panel/panel_machine; tested by tests/panel/servo_clock_test.cpp.
+// ServoClock. Used by panel/panel_machine; tested by tests/panel/servo_clock_test.cpp.
 
 #include "panel/servo_clock.h"
 
@@ -32,9 +32,9 @@ ServoClock::~ServoClock() {
 void ServoClock::play(Playback* playback) {
   std::unique_lock hold(idle_lock_);
   playback_.store(nullptr, std::memory_order_release);
-  idles_.wait(hold, [this] { return idle_; });  // within an instant
+  idles_.wait(hold, [this] { return idle_; });  // at most one instant
   if (playback == nullptr) return;
-  now_.played = 0, now_.motion = 0, now_.tag = 0;  // a line that was entered stands in a file that is there no more
+  now_.played = 0, now_.motion = 0, now_.tag = 0;  // the file of an entered line no longer exists
   now_.plays = true;
   show();
   playback_.store(playback, std::memory_order_release);
@@ -97,7 +97,7 @@ void ServoClock::show() {
   shown_ = now_;
 }
 
-/// Who reads at this very moment sees the next instant.
+/// Publishes the sample unless a reader holds the lock; that reader gets the next one.
 void ServoClock::show_if_free() {
   if (const std::unique_lock hold(shown_lock_, std::try_to_lock); hold) shown_ = now_;
 }

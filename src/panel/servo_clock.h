@@ -1,8 +1,8 @@
 #pragma once
-// ServoClock: the machine's clock. A thread of its own that at each instant takes the next positions of the axes off a Playback, and shows
-// where they are. Nothing that plans, serves or draws can hold it up.
+// ServoClock: the machine's clock. Its thread takes the next positions of the axes from a Playback at each instant, and publishes where
+// the axes are. Planning, serving and drawing cannot delay it.
 //
-//   who plans ──offer──▶ Playback ──▶ one position an instant ──▶ sample(), from any thread
+//   planner ──offer──▶ Playback ──▶ one position per instant ──▶ sample(), from any thread
 
 #include <atomic>
 #include <condition_variable>
@@ -17,16 +17,16 @@ namespace kadr {
 
 /// Where the axes are at an instant of the clock.
 struct ServoSample {
-  std::uint64_t instant = 0;  // counted while it plays
+  std::uint64_t instant = 0;  // number of instants, counted while it plays
   Axes machine{};             // mm, degrees
-  std::uint64_t tag = 0;      // Spent::of(): the line that it belongs to
+  std::uint64_t tag = 0;      // Spent::of(): the line it belongs to
   std::uint64_t motion = 0;   // Playback::motion()
-  double share = 1;           // of the planned speed that has been reached
-  double played = 0;          // s on the plan that are through
-  double speed = 0;           // of X, Y, Z together, mm/min
-  bool plays = false;         // motion is to come
+  double share = 1;           // reached share of the planned speed
+  double played = 0;          // s of the plan that have been played
+  double speed = 0;           // of X, Y, Z combined, mm/min
+  bool plays = false;         // motion is still to come
   bool held = false;          // by an override of 0
-  double late = 0;            // s by which an instant came too late, the greatest so far
+  double late = 0;            // s by which an instant was late, the maximum so far
 };
 
 class ServoClock {
@@ -34,14 +34,14 @@ class ServoClock {
   /// `rate`: Hz. `stand`: machine coordinates at the start. `roles`: of the axes.
   ServoClock(double rate, const Axes& stand, const AxisRoles& roles);
   ~ServoClock();
-  ServoClock(const ServoClock&) = delete;  // its thread looks at it
+  ServoClock(const ServoClock&) = delete;  // its thread uses this object
   ServoClock& operator=(const ServoClock&) = delete;
 
-  /// From the next instant on. nullptr: the axes stand where they are; then the one before is no longer looked at.
+  /// Plays from the next instant on. nullptr: the axes stay where they are. On return the previous playback is no longer used.
   void play(Playback* playback);
-  /// The axes are put there; nothing is played.
+  /// Sets the position of the axes; nothing is played.
   void stand_at(const Axes& machine);
-  /// Emergency stop: from the next instant on no position is handed out until release(). From any thread.
+  /// Emergency stop: from the next instant on no position is output until release(). May be called from any thread.
   void stop_at_once() { stopped_.store(true, std::memory_order_release); }
   void release() { stopped_.store(false, std::memory_order_release); }
   bool was_stopped() const { return stopped_.load(std::memory_order_acquire); }
@@ -58,12 +58,12 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // something is to be played
-  std::condition_variable idles_;  // the thread waits
+  std::condition_variable wakes_;  // there is something to play
+  std::condition_variable idles_;  // the thread is waiting
   bool idle_ = false;
-  ServoSample now_;  // of the clock's thread; of others while it waits
+  ServoSample now_;  // written by the clock's thread; by others only while it waits
 
-  mutable std::mutex shown_lock_;  // the clock never waits for it while it plays
+  mutable std::mutex shown_lock_;  // while it plays, the clock never waits for this lock
   ServoSample shown_;
   Thread thread_;
 };

@@ -1,4 +1,4 @@
-// The WebSocket of a page. For server/http_server; tested by tests/serve.py.
+// Connection: the WebSocket of a page. Used by server/http_server; tested by tests/serve.py.
 
 #include "server/connection.h"
 
@@ -12,9 +12,9 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr std::size_t most_unsent = std::size_t{8} << 20;           // bytes that wait for the page
-constexpr std::size_t most_questions = 256;                         // that wait for their answers
-constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  //
+constexpr std::size_t most_unsent = std::size_t{8} << 20;           // bytes waiting to be sent to the page
+constexpr std::size_t most_questions = 256;                         // waiting for their answers
+constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  // likewise
 
 }  // namespace
 
@@ -27,10 +27,10 @@ void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   beast::error_code ignored;
   beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true),
-                                                       ignored);  // else a second answer waits 40 ms for the first one's receipt
+                                                       ignored);  // else a second answer waits 40 ms for the first one's acknowledgement
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::most_message);
-  socket_.auto_fragment(false);  // else a long frame goes out 4 KiB at a time
+  socket_.auto_fragment(false);  // else a long frame is sent in pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
@@ -45,7 +45,7 @@ void Connection::read() {
   });
 }
 
-/// What asks to stop acts at once, also on what waits before it.
+/// A request to stop acts at once, also on the requests that wait before it.
 void Connection::take_message() {
   std::string text = beast::buffers_to_string(buffer_.data());
   buffer_.consume(buffer_.size());
@@ -67,7 +67,8 @@ void Connection::take_message() {
   read();
 }
 
-/// Of the session's thread. What a session holds is much: it goes here, so that the network's thread need not wait, and back to the system.
+/// Runs in the session's thread. A session holds much memory: it is destroyed here, so that the network's thread need not wait for that,
+/// and the memory returns to the system.
 void Connection::answer_all() {
   while (answer_next()) {
   }
@@ -80,7 +81,7 @@ void Connection::answer_all() {
   ::malloc_trim(0);
 }
 
-/// returns  false: it was the last one
+/// returns  false if it was the last one
 bool Connection::answer_next() {
   Question question;
   {
@@ -96,7 +97,7 @@ bool Connection::answer_next() {
   bool goes_on = false;
   try {
     goes_on = session_->take(question.text);
-  } catch (const std::exception&) {  // memory: this page's session is over, the others go on
+  } catch (const std::exception&) {  // out of memory: ends this page's session, the others continue
   }
   if (!goes_on) boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close_when_sent(); });
   return goes_on;
@@ -120,7 +121,7 @@ void Connection::write_next() {
   {
     const std::lock_guard hold(lock_);
     if (over_ || out_.empty()) return;
-    out = &out_.front();  // stays where it is until it has gone
+    out = &out_.front();  // its address stays valid until it is sent
   }
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -139,7 +140,7 @@ void Connection::write_next() {
   });
 }
 
-/// What has been said to the page still goes to it.
+/// Closes the connection after everything still pending has been sent to the page.
 void Connection::close_when_sent() {
   {
     const std::lock_guard hold(lock_);

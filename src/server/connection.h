@@ -1,5 +1,5 @@
 #pragma once
-// Connection: the WebSocket of one page. The network's thread reads and writes, a thread of its own answers.
+// Connection: the WebSocket of one page. The network's thread reads and writes; each connection has its own thread that answers.
 
 #include <atomic>
 #include <boost/beast/core.hpp>
@@ -19,13 +19,13 @@ using PageRequest = boost::beast::http::request<boost::beast::http::string_body>
 
 class Connection : public PageLine, public std::enable_shared_from_this<Connection> {
  public:
-  /// `sessions`: that are open; counted down when this one is over. What it is given must outlive it.
+  /// `sessions`: counts the open sessions, and is decremented when this one ends. The arguments must outlive this object.
   Connection(boost::beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions);
   ~Connection() override;
 
   void accept(const PageRequest& request);
 
-  // ---- of the thread that answers
+  // ---- called by the thread that answers
   bool text(std::string message) override { return send({std::move(message), false}); }
   bool frame(std::string bytes) override { return send({std::move(bytes), true}); }
 
@@ -51,15 +51,15 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<std::atomic<int>> sessions_;
-  std::mutex lock_;                       // of all below
-  std::unique_ptr<PageSession> session_;  // nullptr: it is over
+  std::mutex lock_;                       // protects all members below
+  std::unique_ptr<PageSession> session_;  // nullptr: the session has ended
   std::condition_variable news_;
   std::deque<Question> questions_;
   std::size_t question_bytes_ = 0;
   std::deque<Outgoing> out_;  // the first one is being written
   std::size_t unsent_ = 0;    // bytes
-  bool hurries_ = false;      // what is being answered is to end at once: it does not wait for the page to take off what was sent
-  bool ends_ = false;         // it is closed when all is sent
+  bool hurries_ = false;      // the current answer is to end at once, without waiting for the page to receive what was sent
+  bool ends_ = false;         // to be closed when everything is sent
   bool over_ = false;
 };
 

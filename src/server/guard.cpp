@@ -1,4 +1,4 @@
-// Whose requests are served. For server/http_server; tested by tests/server/guard_test.cpp.
+// Guard. Used by server/http_server; tested by tests/server/guard_test.cpp.
 
 #include "server/guard.h"
 

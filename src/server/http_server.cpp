@@ -1,4 +1,4 @@
-// Who asks for what over HTTP. For cli/serve; tested by tests/serve.py.
+// HttpServer. Used by cli/serve; tested by tests/serve.py.
 
 #include "server/http_server.h"
 
@@ -22,7 +22,7 @@ using Response = http::response<http::string_body>;
 
 constexpr std::uint32_t most_header = 16 << 10, most_body = 1 << 10;  // bytes
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
-constexpr int most_requests = 512;  // connections at a time that have not become sessions
+constexpr int most_requests = 512;  // simultaneous connections that have not become sessions
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -55,7 +55,7 @@ std::string_view view_of(beast::string_view text) { return {text.data(), text.si
 
 constexpr std::string_view plain = "text/plain; charset=utf-8";
 
-/// Of a request that is no WebSocket.
+/// Answers a request that is no WebSocket.
 Response answer_to(const PageRequest& request) {
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     Response refused = answer(request, http::status::method_not_allowed, plain, "GET, HEAD\n");
@@ -91,7 +91,7 @@ struct HttpServer::Inside : std::enable_shared_from_this<Inside> {
 
 namespace {
 
-/// One connection until it has become a session or is over.
+/// A connection until it becomes a session or ends.
 class Request : public std::enable_shared_from_this<Request> {
  public:
   struct Shared {
@@ -162,7 +162,7 @@ void HttpServer::Inside::accept() {
     if (!error && self->requests < most_requests)
       std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
     if (!error) return self->accept();
-    self->rest.expires_after(std::chrono::milliseconds(50));  // no more descriptors: some will come back
+    self->rest.expires_after(std::chrono::milliseconds(50));  // out of file descriptors: retry when some are free
     self->rest.async_wait([self](beast::error_code stopped) {
       if (!stopped) self->accept();
     });
@@ -194,7 +194,7 @@ void HttpServer::run() {
     try {
       inside_->network.run();
       over = true;
-    } catch (const std::bad_alloc&) {  // of one connection, which is over with it
+    } catch (const std::bad_alloc&) {  // out of memory for one connection, which has ended
     }
   }
 }

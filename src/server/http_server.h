@@ -1,5 +1,5 @@
 #pragma once
-// HttpServer: HTTP and WebSocket for the page, one PageSession a connection, each with a thread of its own; one thread for the network.
+// HttpServer: HTTP and WebSocket for the page: one PageSession per connection, each with its own thread, and one thread for the network.
 
 #include <cstdint>
 #include <functional>
@@ -16,18 +16,18 @@ class HttpServer {
  public:
   static constexpr int most_sessions = 32;
 
-  /// Listens, on a free port where 0 is asked for. `page` must outlive it.
+  /// Starts listening, on any free port if the port is 0. `page` must outlive the server.
   ///   returns  an error sentence
   static tl::expected<std::unique_ptr<HttpServer>, std::string> listen(const ServedAddress& address, const PageServer& page);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// With the port that it got.
+  /// The address with the actual port.
   const ServedAddress& address() const;
   /// Serves until stop().
   void run();
-  /// From any thread.
+  /// May be called from any thread.
   void stop();
 
  private:

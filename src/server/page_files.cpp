@@ -1,4 +1,4 @@
-// What a browser is told of a file. For server/http_server.
+// Content types of files. Used by server/http_server.
 
 #include "server/page_files.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The built page, embedded by dev/embed.cpp.
+// The files of the built page, embedded by dev/embed.cpp.
 
 #include <string_view>
 
@@ -7,10 +7,10 @@
 
 namespace kadr {
 
-/// Names from the page's folder on: "index.html". Empty: the program was built without it, where there was no npm.
+/// Names are relative to the page's folder: "index.html". Empty if the program was built without npm, and so without the page.
 std::span<const EmbeddedFile> page_files();
 
-/// By its ending.
+/// Content type by the file's ending.
 std::string_view content_type(std::string_view name);
 
 }  // namespace kadr

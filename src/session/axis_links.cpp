@@ -1,4 +1,4 @@
-// AxisLinks: axes of one channel that follow those of another, or are exchanged with them (spec/nct/20 20.2, 20.3). For
+// AxisLinks: axes of one channel that follow axes of another channel, or are exchanged with them (spec/nct/20 20.2, 20.3). Used by
 // session/channels; tested by tests/cases/nct/20-channels.cases.
 
 #include "session/axis_links.h"
@@ -16,7 +16,7 @@ std::optional<AxisLinks::Place> AxisLinks::place_of(int number) const {
   return std::nullopt;
 }
 
-/// Through others too.
+/// True also if the axis follows the master through other axes.
 bool AxisLinks::follows(Place axis, Place master) const {
   if (axis == master) return true;
   return std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& link) {
@@ -36,7 +36,7 @@ bool AxisLinks::may_link(const LinkedAxis& link) const {
   return !leads && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
 }
 
-/// Where the master's program has it while it is parked (20.2), else where it stands.
+/// Machine position of the master: its programmed position while it is parked (20.2), else its actual one.
 double AxisLinks::master_at(const LinkedAxis& link) const {
   const Control& control = *channels_[link.to_channel].control;
   const bool parked = control.is_parked(link.to_axis);
@@ -84,7 +84,7 @@ void AxisLinks::relink(std::size_t channel) {
 Status AxisLinks::carry(std::size_t moved) {
   for (LinkedAxis& link : links_) {
     if (link.to_channel != moved || link.far.link != AxisLink::follows) continue;
-    if (channels_[link.channel].control->is_parked(link.far.axis)) {  // INFERRED: it goes on from where it stands
+    if (channels_[link.channel].control->is_parked(link.far.axis)) {  // INFERRED: it continues later from its present position
       link.lead = lead_of(link);
       continue;
     }

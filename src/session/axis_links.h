@@ -1,10 +1,10 @@
 #pragma once
-// AxisLinks: axes of one channel that follow those of another, or are exchanged with them (nct 20.2, 20.3).
+// AxisLinks: axes of one channel that follow axes of another channel, or are exchanged with them (nct 20.2, 20.3).
 //
-//   machine's logic ─▶ Control::far_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower stands there
+//   machine's logic ─▶ Control::far_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower has moved along
 //
-// INFERRED: the follower's way is part of the master's motion and no action of its own. An exchanged axis has the position, the end
-// positions and the name (of alarms) of the one that it drives; times stay those of the programmed axis.
+// INFERRED: the travel of the follower is part of the master's motion and no action of its own. An exchanged axis has the position, the end
+// positions and the name (in alarms) of the axis that it drives; times remain those of the programmed axis.
 
 #include <memory>
 #include <optional>
@@ -18,11 +18,11 @@ namespace kadr {
 
 struct Channel;
 
-/// Whose is which, and how far apart they go.
+/// One link: which axis follows, or is exchanged with, which other axis, and their offset.
 struct LinkedAxis {
   std::size_t channel = 0;  // index
   FarAxis far;
-  std::size_t to_channel = 0, to_axis = 0;  // the master, or the one that it is exchanged with
+  std::size_t to_channel = 0, to_axis = 0;  // the master axis, or the axis exchanged with
   double lead = 0;                          // machine = lead + sign · machine of the master
 };
 
@@ -32,14 +32,14 @@ class AxisLinks {
   AxisLinks(const std::vector<Channel>& channels, const std::vector<std::unique_ptr<ChannelRun>>& runs)
       : channels_(channels), runs_(runs) {}
 
-  /// The machine's logic has asked for something in this channel.
+  /// The machine's logic has requested or ended links in this channel.
   void relink(std::size_t channel);
-  /// The axes of a channel have moved: what follows them goes with them.
-  ///   alarms  of a follower's limits
+  /// The axes of a channel have moved: moves the axes that follow them.
+  ///   alarms  if a follower exceeds its limits
   Status carry(std::size_t moved);
 
   const std::vector<LinkedAxis>& memory() const { return links_; }
-  /// The channels stand as they did then.
+  /// Restores the links. The channels must be restored to the same time.
   void remember(const std::vector<LinkedAxis>& then);
 
  private:

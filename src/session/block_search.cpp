@@ -1,5 +1,5 @@
-// BlockSearch: the control's own block search (spec/nct 13.1, 12.1, 23.1.11). For the debugger, the panel, whoever embeds Kadr; tested by
-// tests/session/block_search_test.cpp.
+// BlockSearch: the control's own block search (spec/nct 13.1, 12.1, 23.1.11). Used by the debugger, the panel, embedding programs; tested
+// by tests/session/block_search_test.cpp.
 
 #include "session/block_search.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// The M code that an action was commanded by; 0: it is of none that the machine's logic gets.
+/// The M code that commanded an action; 0 if no M code did that the machine's logic receives.
 std::uint32_t m_code_of(const Action& action) {
   constexpr std::uint32_t none = 0, of_coolant[] = {9, 7, 8};
   return by_kind(
@@ -32,7 +32,7 @@ std::uint32_t m_code_of(const Action& action) {
            Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(none));
 }
 
-/// Notes the codes that go by.
+/// Collects the codes of the actions that pass.
 class Collector {
  public:
   explicit Collector(const SearchRules& rules) : rules_(rules) {}
@@ -48,7 +48,7 @@ class Collector {
       return static_cast<std::int64_t>(code) >= g.first && static_cast<std::int64_t>(code) <= g.second;
     });
     const bool in_group = group != rules_.groups.end();
-    // Of a group only the last one stays; of no group, the last of each code.
+    // Of a group only the last code is kept; without a group, the last use of each code.
     auto& list = in_group ? grouped_ : others_;
     const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
     std::erase_if(list, [&](const auto& noted) { return noted.first == key; });
@@ -68,7 +68,7 @@ class Collector {
   std::optional<BlockSearch::Code> tool_;
 };
 
-/// The outlets get nothing but what the collector sees; afterwards they are as before.
+/// Detaches the outlets, so that only the collector sees the actions. The destructor restores them.
 class Unseen {
  public:
   Unseen(Session& session, Collector& collector) : session_(session), before_(session.outlets()) {

@@ -1,6 +1,6 @@
 #pragma once
-// BlockSearch: the control's own block search, where it has one (nct 13.1): what it brings before the program goes on, and what it forgets.
-// Beside a restart (session/restart), which brings all that was in force.
+// BlockSearch: the control's own block search, if it has one (nct 13.1): which functions it executes before the program continues, and
+// which it forgets. A restart (session/restart), in contrast, restores everything that was in force.
 
 #include <string>
 #include <vector>
@@ -10,27 +10,28 @@
 namespace kadr {
 
 struct BlockSearch {
-  /// M code, or the tool change: "M8"; "T5", or "T5 M6" where M6 does it.
+  /// An M code, or the tool change: "M8"; "T5", or "T5 M6" if M6 changes the tool.
   struct Code {
     std::string text;
     Origin origin;  // where it was programmed last
     Action action;  // of the machine
   };
-  /// Modal codes, feed, speed, offsets, variables, and where the tool must be: as if everything before had run (INFERRED, 13.1).
+  /// Modal codes, feed, speed, offsets, variables, and the required tool position: as if everything before had been executed (INFERRED,
+  /// 13.1).
   Restart restart;
-  /// Carried out when the search ends, in this order: of each group of the machine builder (N1341 to N1372) the last one programmed, in the
-  /// order of their last use; then the tool change (N1338 #0: on T or on M6).
+  /// Executed when the search ends, in this order: of each group of the machine builder (N1341 to N1372) the code programmed last, sorted
+  /// by last use; then the tool change (N1338 #0: on T or on M6).
   std::vector<Code> carried_out;
-  /// M codes of no group: the manual does not say what becomes of them; in the order of their last use.
+  /// M codes of no group, sorted by last use; the manual does not say what becomes of them.
   std::vector<Code> of_no_group;
-  /// Of the spindle and the coolant: in force in the program there, and not brought by `carried_out`.
+  /// Spindle and coolant states in force in the program there, which `carried_out` does not restore.
   std::vector<InForce> forgotten;
 };
 
-/// Searches from where the session stands to the first block for which the target holds; #_BSEARCH is 1 meanwhile (23.1.11). Nothing is
-/// handed to the outlets.
+/// Searches from the session's present position to the first block that matches the target; #_BSEARCH is 1 meanwhile (23.1.11). The outlets
+/// receive nothing.
 ///   pre      the control has a block search: Control::search_rules()
-///   returns  nothing: the block is not reached; the session tells what came instead
+///   returns  nullopt if the block is not reached; the state of the session says why
 std::optional<BlockSearch> search_block(Session& session, Stepping& stepping, const StopPoint& target);
 
 }  // namespace kadr

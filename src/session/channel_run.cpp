@@ -1,4 +1,4 @@
-// One channel on its way: program → control → path → machine → Steps → whoever looks. For session/channels, cli.
+// ChannelRun: runs one channel: program → control → path → machine → Steps → observers. Used by session/channels, cli.
 
 #include "session/channel_run.h"
 
@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr unsigned shown_each = 64;  // batches between two looks of the onlooker
+constexpr unsigned shown_each = 64;  // batches between two calls of the onlooker
 
-/// What the corners of `path` may expect after a batch.
+/// What the corner calculation of `path` may expect after a batch.
 ContourCorners::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running:
@@ -23,10 +23,10 @@ ContourCorners::Follows behind(Control::State state) {
   }
 }
 
-/// More is to come at once.
+/// Returns true if more batches follow immediately.
 bool goes_on(Control::State state) { return state == Control::State::running || state == Control::State::held; }
 
-/// What a control asks that looks at a contour before it is carried out: all of it is there at once.
+/// Computes the corners of a whole contour, for a control that checks the contour before it executes it.
 std::optional<Alarm> corners_of(ActionBatch& contour, const Axes& from) {
   const auto fault = ContourCorners(ToolPosition{from, from, nullptr}).take(contour, ContourCorners::Follows::nothing);
   return fault ? std::optional(fault->alarm) : std::nullopt;
@@ -69,13 +69,13 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
 }
 
 ChannelRun::~ChannelRun() {
-  ahead_.reset();  // before what the control calls goes
+  ahead_.reset();  // before the objects that the control calls back are destroyed
   control_.on_block = nullptr;
   control_.on_signal = nullptr;
   control_.on_warning = nullptr;
 }
 
-/// Beside a compensated contour the control knows the programmed point only.
+/// On a compensated contour the control has only the programmed point, so the position comes from the machine.
 void ChannelRun::note_place() {
   if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
@@ -86,7 +86,7 @@ ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
   return State::stopped;
 }
 
-/// lang, control: blocks → actions.
+/// Rooms lang and control: turns blocks into actions.
 Control::State ChannelRun::next_batch() {
   if (!to_come_.empty()) {
     RunAhead::Batch next = std::move(to_come_.front());
@@ -103,7 +103,8 @@ Control::State ChannelRun::next_batch() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
-  // It pays only where the rooms after the control have about as much to do: else handing over costs more than it saves.
+  // A thread pays only if the rooms after the control have about as much work as the control: else passing batches costs more than it
+  // saves.
   const bool contour = queued_ ? queued_->at_work() : compensation_.at_work();
   const bool pays = (outlets_.works_long || contour) && !control_.holds_before;
   if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
@@ -136,11 +137,11 @@ std::optional<CompensationFault> ChannelRun::compensate(Control::State state, bo
   return queued_->take(batch_, last ? QueuedCompensation::Follows::nothing : QueuedCompensation::Follows::more);
 }
 
-/// What the control has handed over goes through the rooms after it.
+/// Passes the batch of the control through the rooms after it.
 ChannelRun::State ChannelRun::take(Control::State state) {
   if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
   else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
-  const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ is settled() only
+  const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ must be used through settled() only
   const auto corner_fault = corners_.take(batch_, behind(state));             // path: calculated corners, roundings
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
@@ -155,7 +156,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
     const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
-    if (taken.refused) control_.refused();  // it hands over each block then: it is not ahead
+    if (taken.refused) control_.refused();  // it hands over each block from then on, so it is not ahead
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
       return stop(report);
@@ -190,7 +191,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
-/// An alarm of `path`: the control was ahead of it.
+/// Reports an alarm of room `path`: the control was ahead of it. Returns false if the run stops.
 bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
   const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
@@ -308,8 +309,9 @@ void ChannelRun::wait_until(double at) {
   now_.spent_then = spent().now;
 }
 
-/// out: trace, summary, plot; here alone it is told where the tool stands before each action, and when that happens.
-///   from  before the batch
+/// Passes the batch to the outlets (trace, summary, plot). Only here each action gets the tool position before it and the time at which
+/// it begins.
+///   from  position before the batch
 void ChannelRun::hand_out(ToolPosition from) {
   const auto leads = [](const auto& space) { return space && space->leads_tip(); };
   const bool led = leads(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
@@ -332,7 +334,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
     if (outlets_.silent) return;
-    const bool moves = step.motion() != nullptr;  // another tool, only when all motions of the one before are through
+    const bool moves = step.motion() != nullptr;  // a tool change reaches the outlets only after all motions of the tool before it
     if (moves && outlets_.step) outlets_.step(step);
     if (look_ahead_) look_ahead_->consume(step);
     else if (outlets_.timed) outlets_.timed(step, 0);
@@ -343,7 +345,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   });
 }
 
-/// A motion whose feed some axis may not reach.
+/// True for a motion with a feed that some axis may not reach.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
@@ -362,7 +364,7 @@ void ChannelRun::watch_gear(const Action& action) {
                               action.origin));
 }
 
-/// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.
+/// Room motion: warns once of a feed that an axis cannot reach; such a motion is timed at the rapid rate of that axis.
 void ChannelRun::watch_feed(const Step& step) {
   constexpr double rounding = 1e-9;
   const Motion& motion = *step.motion();

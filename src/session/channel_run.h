@@ -1,6 +1,6 @@
 #pragma once
-// One channel on its way: program → control → path → machine → Steps → whoever looks. The one place where the rooms are put together; the
-// channels of one machine side by side: session/channels.
+// ChannelRun: runs one channel: program → control → path → machine → Steps → observers. This is the one place where these rooms are
+// connected. session/channels runs the channels of one machine in parallel.
 
 #include <deque>
 #include <functional>
@@ -27,53 +27,53 @@ namespace kadr {
 /// Virtual time since the start, s.
 struct VirtualTime {
   double now = 0;
-  double cutting = 0;  // of it at feed
+  double cutting = 0;  // part of `now` spent at feed
 };
 VirtualTime virtual_time(const TimeSplit& split);
 
-/// Shown how far a run has come: a bar.
+/// Displays the progress of a run, e.g. as a bar.
 class Onlooker {
  public:
   virtual ~Onlooker() = default;
-  /// Something is to be shown; asked often.
+  /// Returns true if something is due to be displayed. Called often.
   virtual bool is_due() const = 0;
-  /// The control stands still meanwhile.
+  /// The control does not run meanwhile.
   virtual void show(const Control& control) = 0;
 };
 
-/// What looks at a run.
+/// The observers of a run.
 struct Outlets {
-  std::function<void(const Step&)> step{};  // after the machine has taken its action; missing: nobody looks
-  /// The same with the time that the machine takes, where something limits the speed (ChannelRun::look_ahead): later then, `longer` s than
-  /// it was timed.
+  std::function<void(const Step&)> step{};  // called after the machine has accepted the action; empty: nobody observes
+  /// The same with the time that the machine takes, if something limits the speed (ChannelRun::look_ahead): called later, and the step
+  /// takes `longer` s more than it was timed.
   std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
-  /// An alarm; true: go on with the next block (checking).
+  /// Called at an alarm. Returns true to continue with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  Onlooker* onlooker = nullptr;                     // shown the run now and then
-  TimeEstimate* clock = nullptr;                    // times the steps; missing: counted here, if somebody asks
-  bool wants_times = false;                         // of the steps: who looks asks for them always
+  Onlooker* onlooker = nullptr;                     // called now and then
+  TimeEstimate* clock = nullptr;                    // times the steps; nullptr: the run keeps its own clock, if times are requested
+  bool wants_times = false;                         // the steps must always carry times
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
-  std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
-  StopToken stop{};                                 // asked after each batch
-  bool works_long = false;                          // on each step: writes or draws it
-  bool silent = false;                              // steps and warnings are not handed over: the program is only looked through
+  std::function<bool()> writable{};                 // returns false if output could not be written; empty: nothing is written
+  StopToken stop{};                                 // polled after each batch
+  bool works_long = false;                          // the observer does much work per step: writes or draws it
+  bool silent = false;                              // steps and warnings are not passed on: the program is only scanned
 };
 
-/// How a run came to its end.
+/// How a run ended.
 struct Stopped {
   std::optional<AlarmReport> report{};          // the alarm that stopped it, if one did
-  std::optional<ToolPosition> machine_stood{};  // where, if that is not where the control is: it was ahead, or knows no offset
-  int channel = 0;                              // in which the alarm arose, if not in this one (several channels)
+  std::optional<ToolPosition> machine_stood{};  // set if it differs from the control's: that was ahead, or ignores an offset
+  int channel = 0;                              // the channel that raised the alarm, if it is another one (several channels)
 };
 
-/// The machine's logic, and the channels it acts on.
+/// The machine's logic (PLC), and the channels that it acts on.
 struct Logic {
   Plc plc;
   std::vector<Control*> channels;
 };
 
-/// One channel on its way: its control, its part of the machine, its clock. What it is made of must outlive it.
+/// One channel in execution: its control, its part of the machine, its clock. The constructor's arguments must outlive it.
 class ChannelRun {
  public:
   ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
@@ -82,66 +82,66 @@ class ChannelRun {
   ~ChannelRun();
 
   enum class State : std::uint8_t { running, waiting, held, stopped, ended };
-  /// Carries out what the control hands over at once.
+  /// Executes what the control passes on at once.
   ///   waiting  for other channels: Control::meeting()
-  ///   held     before a block: Control::holds_before() asked for it
-  ///   stopped  by an alarm: stopped() tells
+  ///   held     before a block, by Control::holds_before()
+  ///   stopped  by an alarm, see stopped()
   State step();
-  /// Something that all channels do together happens now: to the outlets.
+  /// Passes on to the outlets an action that all channels execute together at this time.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
-  /// It does not go on, for what is no fault of a block.
+  /// Stops the run for a reason that is no fault of a block.
   void refuse(const Alarm& alarm);
   void warn(const AlarmReport& warning);
 
-  /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have a clock.
+  /// Virtual time in s, including waiting. It counts from the first call on, unless the outlets have a clock.
   double now();
-  /// It has waited for other channels.
+  /// States that this channel has waited for others until `at`.
   void wait_until(double at);
   double waited() const { return now_.waited; }
 
-  /// From here on Outlets::timed gets what these rules make of the steps. Of a channel alone: several wait for each other by their
-  /// programmed times, and their speeds are not planned.
+  /// From here on Outlets::timed receives the steps timed by these rules. For a single channel only: several channels wait for each other
+  /// by their programmed times, and their speeds are not planned.
   void look_ahead(const SpeedRules& rules);
-  /// Nothing follows: what the rooms hold back to see ahead is let out, as if the program ended here.
-  ///   returns  stopped  by an alarm of theirs
+  /// States that nothing follows: actions that the rooms keep back for look-ahead are emitted as if the program ended here.
+  ///   returns  stopped  if that raised an alarm
   State let_out();
   void finish();
-  /// Blocks that the control has carried out, as far as the rooms after it have come.
+  /// Number of blocks that the control has executed, as far as the rooms after the control have processed them.
   std::uint64_t blocks() const { return blocks_; }
-  /// The control, to be asked for something: it stands still, as far ahead as it goes.
+  /// Returns the control for queries, once its thread has stopped as far ahead as it may go.
   Control& settled();
-  /// Where the machine stands.
+  /// The position of the machine.
   const ToolPosition& position() const { return machine_.position(); }
   void stand_at(const Axes& machine);
 
-  // ---- axes that hang on those of other channels (nct 20.2, 20.3)
+  // ---- axes that are linked to axes of other channels (nct 20.2, 20.3)
   void hang(std::size_t axis, bool on) { machine_.hang(axis, on); }
-  /// The axis goes along to there.
+  /// Moves a linked axis to this machine position.
   ///   alarms  as VirtualMachine::follow()
   Status lead(std::size_t axis, double machine);
-  /// The axis drives that of another channel, which drives this one; or each its own again.
+  /// Exchanges an axis with one of another channel, so that each program drives the other's axis; or ends the exchange.
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
-  /// What stays so, of an exchange: not where the axes stand.
+  /// Exchanges only what stays exchanged, the names, end positions and zones; the positions of the axes are not exchanged.
   void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
-  /// From here on the clock of the outlets counts; it goes on as the one before stood, but for the times spent so far.
+  /// From here on the clock of the outlets counts. It continues the state of the previous clock, but not the time spent so far.
   void change_clock();
-  /// The alarm that stopped it is answered for: it may go on.
+  /// Acknowledges the alarm that stopped the run: it may continue.
   void acknowledge() { stopped_ = {}; }
 
-  /// What is remembered from step to step, its own.
+  /// The run's own state between steps.
   struct Clocks {
-    double waited = 0;      // s, in all
-    double goes_on_at = 0;  // time at which it waited last …
-    double spent_then = 0;  // … and what it had spent until then: no sum that rounding could put out of order
+    double waited = 0;      // s, total
+    double goes_on_at = 0;  // time at which the last waiting ended …
+    double spent_then = 0;  // … and the time spent until then. Two values, since rounding in a running sum could change the order of steps
     bool too_fast_told = false;
     WhirlWatch whirls{};
     GearWatch gear{};
   };
-  /// All that decides how it goes on, its rooms included: a value.
+  /// Everything that determines how the run continues, its rooms included, as a value.
   struct Memory {
     Snapshot control;
-    std::vector<RunAhead::Batch> to_come;  // that the control had carried out already
+    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed ahead
     ContourCorners::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
     std::shared_ptr<const QueuedCompensation::Memory> queued;
@@ -151,10 +151,10 @@ class ChannelRun {
     Clocks own;
     Stopped stopped;
   };
-  /// Nothing while the control waits for a probe.
+  /// Returns nullopt while the control waits for a probe.
   std::optional<Memory> memory();
-  /// Goes on from there.
-  ///   alarms  those of Control::restore()
+  /// Continues from this state.
+  ///   alarms  as Control::restore()
   Status remember(const Memory& memory);
 
  private:
@@ -176,23 +176,23 @@ class ChannelRun {
 
   Control& control_;
   const Setup& setup_;
-  const bool knows_rates_;  // a machine is chosen, or the set-up states rates
+  const bool knows_rates_;  // a machine is selected, or the set-up states rapid rates
   const Outlets& outlets_;
   Logic& logic_;
   ContourCorners corners_;
   RadiusCompensation compensation_;
-  std::optional<QueuedCompensation> queued_;  // instead, for a control that queues its contours
+  std::optional<QueuedCompensation> queued_;  // replaces compensation_ if the control queues its contours
   VirtualMachine machine_;
   Rates rates_;
-  double least_most_;                      // of the axes' rapid rates
+  double least_most_;                      // the lowest of the axes' rapid rates
   TimeEstimate* clock_;                    // of the outlets, or …
-  std::optional<TimeEstimate> own_clock_;  // … the one begun when somebody asked; else nullptr
-  std::optional<LookAhead> look_ahead_;    // where something limits the speed
+  std::optional<TimeEstimate> own_clock_;  // … the run's own, created at the first query; until then nullptr
+  std::optional<LookAhead> look_ahead_;    // set if something limits the speed
   Clocks now_;
   ActionBatch batch_;
-  std::optional<RunAhead> ahead_;            // where nothing after the control tells it what to do
-  std::deque<RunAhead::Batch> to_come_;      // of a snapshot: the control is ahead by them
-  std::vector<AlarmReport> early_warnings_;  // of the batch taken last
+  std::optional<RunAhead> ahead_;            // set if nothing after the control affects what it executes
+  std::deque<RunAhead::Batch> to_come_;      // from a snapshot: batches by which the control is ahead
+  std::vector<AlarmReport> early_warnings_;  // of the batch read last
   unsigned steps_ = 0;
   std::uint64_t blocks_ = 0;
   Stopped stopped_;

@@ -1,4 +1,4 @@
-// The channels of one machine side by side in virtual time (nct 1.2, 14.5). For cli.
+// Channels: runs the channels of one machine in parallel in virtual time (nct 1.2, 14.5). Used by cli.
 
 #include "session/channels.h"
 
@@ -15,14 +15,14 @@
 namespace kadr {
 namespace {
 
-/// Control of one channel.
+/// Creates the control of one channel. Returns a fault if the set-up does not fit.
 SetupFault open_channel(Channel& channel, const ControlDef& def, Program program, RunLimits limits,
                         const std::shared_ptr<SharedMemory>& shared) {
   channel.control = std::make_unique<Control>(def, channel.setup, std::move(program), limits, shared);
   return channel.control->setup_fault();
 }
 
-/// Where a program that writes nothing would write, and may call files from.
+/// The folder of files for a program that writes none: from there it may call files.
 std::string folder_of(const std::string& program) {
   const auto folder = std::filesystem::path(program).parent_path();
   return folder.empty() ? "." : folder.string();
@@ -65,7 +65,7 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   if (setup.channels.contains(setup.channel))
     return refused(fmt::format("channel {} is the program's own", setup.channel), fmt::format("канал {} — самой УП", setup.channel));
   const std::string file = program.file;
-  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // nobody has said which
+  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // the caller has not set the folder
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels;
   const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {
@@ -179,7 +179,8 @@ void Channels::end() {
   show_past();
 }
 
-/// Tables and parameters that a block of one channel has changed are those of all from the next block on, whoever carries it out.
+/// Tables and parameters that a block of one channel has changed apply to all channels from the next block on, whichever channel executes
+/// it.
 void Channels::share(std::size_t by) {
   if (channels_[by].control->common_version() == common_[by]) return;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -188,7 +189,7 @@ void Channels::share(std::size_t by) {
   }
 }
 
-/// Axes of other channels follow those of this one. False: one of them must not, and the run stops.
+/// Moves the axes of other channels that follow this channel's axes. Returns false if one of them must not move, and the run stops.
 bool Channels::carry(std::size_t by) {
   const Status carried = links_.carry(by);
   if (carried) return true;
@@ -251,15 +252,15 @@ Status Channels::remember(const Memory& memory) {
 
 void Channels::begin_waiting(std::size_t i) {
   const auto& meeting = channels_[i].control->meeting();
-  if (!meeting) return;  // the machine's logic has taken the waiting away already
+  if (!meeting) return;  // the machine's logic has cancelled the waiting already
   states_[i] = State::waiting;
-  if (only_) return;  // nobody else comes
+  if (only_) return;  // no other channel runs, so none arrives
   if (outlets_.waits) outlets_.waits(i, *meeting);
   rendezvous_.arrive(channels_[i].number, meeting->code, meeting->channels, now(i));
   while (const auto met = rendezvous_.next()) release(*met, i);
 }
 
-/// They go on together; one line of the trace for all, of the channel that came last.
+/// The channels that have met continue together; the trace gets one line for all, from the channel that arrived last.
 void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   const Origin origin = channels_[last].control->meeting()->origin;
   std::vector<std::size_t> all;
@@ -274,7 +275,7 @@ void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   runs_[last]->show({origin, Sync{met.code, met.channels, met.at}});
 }
 
-/// CP_NOWT has come while they waited.
+/// Continues the channels whose waiting the signal CP_NOWT has cancelled.
 void Channels::wake(double at) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i] != State::waiting || channels_[i].control->meeting()) continue;
@@ -285,8 +286,8 @@ void Channels::wake(double at) {
   }
 }
 
-/// Nothing can run and nobody can come: an alarm in each channel that waits.
-///   returns  true: they were passed over (checking), the channels go on
+/// No channel can run and none can arrive: raises an alarm in each channel that waits.
+///   returns  true if the alarms were passed over (checking) and the channels continue
 bool Channels::end_deadlock() {
   bool goes_on = true;
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -318,7 +319,7 @@ void Channels::stop_all(std::size_t by) {
   }
 }
 
-/// What a channel that waits will do comes after what the others do before they release it.
+/// Shows the past steps. Whatever a waiting channel will do comes after what the others do before they release it.
 void Channels::show_past() {
   std::vector<double> clocks(states_.size(), std::numeric_limits<double>::infinity());
   double lowest = std::numeric_limits<double>::infinity();

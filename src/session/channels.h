@@ -1,8 +1,8 @@
 #pragma once
-// The channels of one machine side by side in virtual time (nct 1.2, 14.5).
+// Channels: runs the channels of one machine in parallel in virtual time (nct 1.2, 14.5).
 //
-//   The channel whose clock is lowest runs its next block; of equal ones the lowest number. At a waiting code it stops until all
-//   channels that P names have come; they go on at the time of the last. What they do is shown in the order of virtual time.
+//   The channel with the lowest clock runs its next block; of equal clocks the lowest channel number. At a waiting code it stops until all
+//   channels that P names have arrived; they continue at the time of the last one. Their steps are shown in the order of virtual time.
 
 #include <deque>
 #include <functional>
@@ -19,53 +19,53 @@ namespace kadr {
 
 struct Channel {
   int number = 1;
-  Setup setup;  // as this channel sees it
+  Setup setup;  // as this channel has it
   std::unique_ptr<Control> control;
 };
 
-/// A key of the set-up that the control has not, in one of several channels (0: there is one only).
+/// A key of the set-up that the control does not support, and the channel concerned (0: there is only one).
 struct ChannelsFault {
   SetupFault fault;
   int channel = 0;
 };
 
-/// The program's own channel and those of the set-up, in the order of their numbers. The program of channel n is the file
-/// channelN.nct in the folder of the main program: subprograms are looked for there.
+/// Opens the program's own channel and the channels of the set-up, sorted by number. The program of channel n is the file channelN.nct in
+/// the folder of the main program; subprograms are searched there.
 tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
                                                                 RunLimits limits);
 
-/// What a channel beside the program's own starts with: parameters, machine, panel and tool tables are the machine's; offsets, work
-/// zeros, variables and positions its own, all 0 (INFERRED).
+/// The initial set-up of a channel other than the program's own: parameters, machine, panel and tool tables belong to the machine and are
+/// shared; offsets, work zeros, variables and positions belong to the channel and are all 0 (INFERRED).
 Setup setup_of_channel(const Setup& main, int number);
 
-/// What looks at the channels: their own outlets, by index; and, in the order of time, what these have handed to show().
+/// Observers of the channels: the outlets of each, by index; and those that receive, in the order of time, what was given to show().
 struct ChannelOutlets {
   std::vector<Outlets> own;
-  bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED), or only its own (checking)
+  bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED); false: only its own (checking)
   std::function<void(std::size_t channel, const Step&)> in_order;
-  /// A channel waits for others; all that it has done before is handed out.
+  /// A channel starts waiting for others; everything that it has done before has been passed on.
   std::function<void(std::size_t channel, const Control::Meeting&)> waits;
-  /// They go on together: they have met, or the one need not wait any more.
+  /// These channels continue together: they have met, or the only one no longer needs to wait.
   std::function<void(const std::vector<std::size_t>& channels)> met;
-  /// The program of a channel is over.
+  /// The program of a channel has ended.
   std::function<void(std::size_t channel)> over;
 };
 
-/// Steps of several channels, sorted by the time at which they begin. They come later than the machine takes them: each is kept with
-/// where the tool stood then.
+/// Sorts the steps of several channels by the time at which they begin. A step is emitted later than the machine executes it, so it is
+/// kept with the tool position it began at.
 class InOrder {
  public:
   explicit InOrder(std::size_t channels) : queues_(channels) {}
-  /// In the order of time, channel by channel.
+  /// Each channel must put its steps in the order of time.
   void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
   using Sink = std::function<void(std::size_t channel, const Step&)>;
-  /// Emits what nothing can come before any more. `clocks`: from which time on each channel may still put something.
+  /// Emits the steps that no later put() can precede. `clocks`: the time from which on each channel may still put a step.
   void release(const std::vector<double>& clocks, const Sink& sink);
 
  private:
   struct Entry {
-    std::uint64_t number;  // of equal times the first one put
+    std::uint64_t number;  // of equal times, the step that was put first comes first
     KeptStep kept;
     double at() const { return kept.begins; }
     bool before(const Entry& other) const { return at() < other.at() || (at() == other.at() && number < other.number); }
@@ -76,37 +76,37 @@ class InOrder {
 
 class Channels {
  public:
-  /// `profile`, `setup`: of the machine.
+  /// `profile`, `setup`: those of the machine.
   Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
   ~Channels();
   Channels(const Channels&) = delete;  // the controls call it back
   Channels& operator=(const Channels&) = delete;
 
-  /// Carries the next block of the channel whose time is lowest out.
-  ///   returns  ended: nothing more can come
+  /// Executes the next block of the channel with the lowest time.
+  ///   returns  ended if no channel can continue
   ChannelRun::State step();
-  /// How each came to its end, by index.
+  /// How each channel ended, by index.
   const std::vector<Stopped>& stopped() const { return stopped_; }
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
   const ToolPosition& position(std::size_t channel) const { return runs_[channel]->position(); }
-  /// The axes of a channel have been moved by hand.
+  /// States that the axes of a channel have been moved by hand.
   void stand_at(std::size_t channel, const Axes& machine) { runs_[channel]->stand_at(machine); }
-  /// A line has been entered in this channel: it goes on alone, until all() calls.
+  /// A line has been entered in this channel: only this channel runs until all() is called.
   void only(std::size_t channel);
-  /// All go on again; an alarm that stopped the one is answered for.
+  /// All channels run again; the alarm that stopped the single one is acknowledged.
   void all();
-  /// A channel that is held stays where it is, and the others go on until each is held, waits or has ended.
+  /// A channel that is held stays there, while the others continue until each is held, waiting or ended.
   void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
-  /// An outlet's step: it is shown when its time has come.
+  /// Takes a step from an outlet; it is shown when its time has come.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
  private:
   enum class State : std::uint8_t { running, waiting, ended, stopped };
 
  public:
-  /// All that decides how they go on: a value.
+  /// Everything that determines how the channels continue, as a value.
   struct Memory {
     std::vector<ChannelRun::Memory> runs;
     Plc plc;
@@ -145,11 +145,11 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   InOrder order_;
-  std::vector<std::uint64_t> common_;  // versions of what they have in common, as it was when all had the same
+  std::vector<std::uint64_t> common_;  // versions of the shared data of each channel, when all of them last agreed
   bool over_ = false;
   bool each_holds_ = false;
-  std::vector<bool> held_;  // where each_holds_
-  /// One that goes on alone, and how all stood before.
+  std::vector<bool> held_;  // used if each_holds_
+  /// The channel that runs alone, and the states of all before that.
   struct Only {
     std::size_t channel;
     std::vector<State> states;

@@ -1,4 +1,4 @@
-// Snapshots of a run every so many blocks. For whoever reaches places of long programs; tested by tests/session/checkpoints_test.cpp.
+// Snapshots of a run every so many blocks. Used to reach blocks in long programs; tested by tests/session/checkpoints_test.cpp.
 
 #include "session/checkpoints.h"
 
@@ -29,7 +29,7 @@ Session::State Checkpoints::run() {
   return state;
 }
 
-/// A stretch begins. What the control has come to so far belongs to the one before.
+/// Starts a new segment. The lines collected so far belong to the previous one.
 void Checkpoints::keep() {
   auto now = session_.snapshot();
   if (!now) return;
@@ -52,7 +52,7 @@ void Checkpoints::thin_out() {
 bool Checkpoints::may_hold(const LineMarks& marks, const StopPoint& target) const {
   if (target.line == 0) return true;
   if (target.file.empty()) return marks.may_hold(0, target.line);
-  return true;  // which number its file has is known where it is called
+  return true;  // the file's number becomes known only when it is called
 }
 
 Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& target) {

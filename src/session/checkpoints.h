@@ -1,11 +1,11 @@
 #pragma once
-// Checkpoints: snapshots of a run every so many blocks, so that any line of a long program is reached without running all that comes
-// before it. Block search, restart in mid program, a slider over the program stand on it.
+// Checkpoints: takes a snapshot of a run every so many blocks, so that any line of a long program can be reached without running everything
+// before it. Block search, restart in mid program, and a slider over the program are built on it.
 //
-//   first pass   ●────────●────────●────────●──        a snapshot, then a stretch with the marks of its lines
-//   a line       the first stretch that may hold it: from its snapshot on, block by block
+//   first pass   ●────────●────────●────────●──        a snapshot, then a segment with the marks of its lines
+//   a line       the first segment that may contain it: from its snapshot on, block by block
 //
-// Constant memory: where there are too many, every second one goes.
+// Memory is constant: when there are too many snapshots, every second one is dropped.
 
 #include <cstdint>
 #include <vector>
@@ -17,21 +17,23 @@ namespace kadr {
 
 class Checkpoints {
  public:
-  /// Of a session that has not begun; it must outlive this. Of several channels lines and blocks are the program's own.
-  ///   each  blocks between two at first
-  ///   most  of them; each more than some 100 KB (Session::snapshot)
+  /// For a session that has not started and that outlives this object. With several channels, lines and blocks are those of the program's
+  /// own.
+  ///   each  blocks between two snapshots at first
+  ///   most  number of snapshots; each takes more than some 100 KB (Session::snapshot)
   explicit Checkpoints(Session& session, std::uint64_t each = 8192, std::size_t most = 128);
   ~Checkpoints();
   Checkpoints(const Checkpoints&) = delete;  // the control notes its lines here
   Checkpoints& operator=(const Checkpoints&) = delete;
 
-  /// The first pass: until the session stands.
+  /// The first pass: runs the session until it stops.
   Session::State run();
 
-  /// After it: held before the first block for which it holds, its `pass` counted from the beginning of the program.
-  ///   pre      `stepping` is of the same session
-  ///   returns  held; or what the session is where nothing does
-  ///   alarms   those of Session::restore()
+  /// After run(): goes to the first block that matches the target, whose `pass` counts from the beginning of the program, and is held
+  /// before it.
+  ///   pre      `stepping` belongs to the same session
+  ///   returns  held; or the state of the session if no block matches
+  ///   alarms   as Session::restore()
   Result<Session::State> reach(Stepping& stepping, const StopPoint& target);
 
   std::size_t count() const { return all_.size(); }
@@ -39,8 +41,8 @@ class Checkpoints {
  private:
   struct Checkpoint {
     SessionSnapshot snapshot;
-    LineMarks marks;           // of the stretch that follows
-    std::uint64_t blocks = 0;  // that the control has carried out before it
+    LineMarks marks;           // lines of the segment that follows
+    std::uint64_t blocks = 0;  // that the control had executed by then
   };
   void keep();
   void thin_out();
@@ -49,7 +51,7 @@ class Checkpoints {
   Session& session_;
   std::uint64_t each_;
   std::size_t most_;
-  LineMarks marks_;  // of the stretch under way
+  LineMarks marks_;  // lines of the segment in progress
   std::vector<Checkpoint> all_;
 };
 

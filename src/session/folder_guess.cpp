@@ -1,4 +1,5 @@
-// Guesses of programs that lie together. For cli/guessed_control and view/opening; tested by tests/guess.py, tests/serve_guess.py.
+// Guesses the controls of programs that are in one folder. Used by cli/guessed_control and view/opening; tested by tests/guess.py,
+// tests/serve_guess.py.
 
 #include "session/folder_guess.h"
 
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t whole_sample = 256 << 10;
-constexpr std::size_t short_sample = 16 << 10;  // of a neighbour
+constexpr std::size_t short_sample = 16 << 10;  // for a neighbour
 
 std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   if (!opened.source) return std::nullopt;
@@ -32,7 +33,7 @@ std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   return text;
 }
 
-/// Regular files of a folder, called as the folder is; in their order.
+/// Regular files of a folder, sorted; their paths begin as `folder` is given.
 std::vector<std::string> files_of(const std::string& folder, std::size_t most, const std::function<bool(const fs::path&)>& fits) {
   std::vector<std::string> names;
   std::error_code error;
@@ -44,14 +45,14 @@ std::vector<std::string> files_of(const std::string& folder, std::size_t most, c
   return names;
 }
 
-/// Rows of [guess] of the control files that lie in the folder: a factory's own control is told from others, too.
+/// Rows of [guess] of the control files in the folder: so a factory's own control can be guessed, too.
 std::vector<GuessRows> own_rows(const std::string& folder, const FileDoor* door) {
   constexpr std::size_t most_files = 100;
   std::vector<GuessRows> all;
   for (const std::string& file : files_of(folder, most_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
     const auto text = read_file(file, limits::config_file_bytes, door);
     if (!text || text->find("[guess]") == std::string::npos) continue;
-    const auto table = toml_tools::parsed(*text, file);  // whoever runs it is told what is wrong with the file
+    const auto table = toml_tools::parsed(*text, file);  // errors of the file are reported when it is used
     const toml::table* const guess = table && table->contains("id") ? (*table)["guess"].as_table() : nullptr;
     auto rows = guess == nullptr ? tl::unexpected<std::string>("") : guess_rows_of(*guess, file);
     if (!rows) continue;
@@ -63,14 +64,14 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileDoor* door)
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
 
-/// "/folder/part.nc": what it and the folder it lies in are called.
+/// The end of the path that guesses use, "/folder/part.nc": the names of the file and of its folder.
 std::string called(const std::string& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error).lexically_normal();
   return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
-/// Programs of the folder beside those of `but`, those named next to them.
+/// Programs of the folder that are not in `but`: those next to them by name.
 std::vector<std::string> others_beside(const std::string& folder, const std::vector<std::string>& but) {
   constexpr std::size_t most_looked_at = 2000, most = 12;
   const auto names = files_of(folder, most_looked_at, [](const fs::path& path) {
@@ -98,7 +99,7 @@ FolderGuess::FolderGuess(GuessWays ways, const std::vector<std::string>& files) 
     if (guesses_.contains(file)) of_folder[folder_of(file)].push_back(file);
   }
   for (const auto& [folder, its_files] : of_folder) take_neighbours(folder, its_files);
-  std::map<std::string, std::vector<std::string>> below;  // files of a folder, and of those below it
+  std::map<std::string, std::vector<std::string>> below;  // key: folder; its files and those of its subfolders
   for (const auto& [file, guess] : guesses_)
     for (fs::path folder = folder_of(file);; folder = folder.parent_path()) {
       below[folder.string()].push_back(file);
@@ -118,7 +119,7 @@ void FolderGuess::take(const std::string& file, std::size_t most_bytes) {
   if (most_bytes == whole_sample) try_guess(guess, *text);
 }
 
-/// Of a folder of which few programs are named, and one is not sure: others that lie there.
+/// If few programs of a folder are given, and one of them is not certain: reads others of the folder too.
 void FolderGuess::take_neighbours(const std::string& folder, const std::vector<std::string>& of) {
   constexpr std::size_t many = 12;
   const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });
@@ -141,12 +142,12 @@ void FolderGuess::take_folder(const std::string& folder, const std::vector<std::
   folders_[folder] = found;
 }
 
-/// Decided by a file of the same folder or of one above; else what the folder as a whole is like.
+/// Returns what a file of the same folder, or of one above, decides; else what the folder as a whole suggests.
 std::optional<FolderGuess::Neighbours> FolderGuess::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {
     const auto found = folders_.find(folder.string());
-    if (found == folders_.end()) return std::nullopt;  // its files do not agree
+    if (found == folders_.end()) return std::nullopt;  // its files disagree
     if (!found->second.file.empty()) return found->second;
     if (!folder.has_relative_path() || folder == folder.parent_path()) break;
   }

@@ -1,6 +1,6 @@
 #pragma once
-// The control of programs for which none is named: guessed from their texts, their names, and what lies beside them. For the commands and
-// the page alike.
+// FolderGuess: guesses the control of programs for which the user names none, from their texts, their names and the files next to them.
+// Used by the commands and the page alike.
 
 #include <functional>
 #include <map>
@@ -14,35 +14,35 @@
 
 namespace kadr {
 
-/// How the files are asked.
+/// How the files are opened and read.
 struct GuessWays {
-  std::function<std::string(const std::string& file)> named{};  // a control that somebody names for it: it is not guessed; empty: none
+  std::function<std::string(const std::string& file)> named{};  // the control that the user names: not guessed then; empty: none
   SaidEncoding encoding{};
   const FileDoor* door = nullptr;     // opens them; nullptr: the file system
-  std::optional<std::string> text{};  // of the only file, in the place of what it holds
+  std::optional<std::string> text{};  // contents of the only file, used instead of reading it
 };
 
-/// The beginning of a program as text.
-///   returns  nothing: it cannot be read, errno tells why
+/// Reads the beginning of a program as text.
+///   returns  nullopt if the file cannot be read; errno says why
 std::optional<std::string> beginning_of_program(const std::string& file, const SaidEncoding& encoding, const FileDoor* door = nullptr);
 
-/// A program without a decisive mark is taken for what those of its folder are, or of the nearest folder above it. Where few programs of a
-/// folder are named, some of the others that lie there are looked at, too.
+/// A program without a decisive mark is assigned the control of the programs in its folder, or in the nearest folder above. If only a few
+/// programs of a folder are given, some of the others in the folder are read too.
 class FolderGuess {
  public:
   FolderGuess(GuessWays ways, const std::vector<std::string>& files);
 
   struct Neighbours {
     CommonGuess common;
-    std::string file;  // that shows it; empty: none alone
+    std::string file;  // the file that is evidence for it; empty: no single file
     std::string reason_en, reason_ru;
   };
   struct Answer {
-    Guess guess;                           // its own
-    std::optional<Neighbours> neighbours;  // it is taken for what they are
+    Guess guess;                           // from the program itself
+    std::optional<Neighbours> neighbours;  // set if their control is assumed
     const std::string& control() const { return neighbours ? neighbours->common.control : guess.control; }
   };
-  ///   returns  nothing: it cannot be read, or has a control named
+  ///   returns  nullopt if the file cannot be read, or the user has named its control
   std::optional<Answer> of(const std::string& file) const;
 
  private:
@@ -53,12 +53,12 @@ class FolderGuess {
   std::string named(const std::string& file) const { return ways_.named ? ways_.named(file) : std::string(); }
 
   GuessWays ways_;
-  std::map<std::string, std::vector<GuessRows>> rows_;  // of a folder's own controls
-  std::map<std::string, Guess> guesses_;                // of the files that can be read and have no control named
+  std::map<std::string, std::vector<GuessRows>> rows_;  // of a folder's own control files
+  std::map<std::string, Guess> guesses_;                // of the files that can be read and whose control is not named
   std::map<std::string, Neighbours> folders_;
 };
 
-/// The guess that a page shows: the neighbours' control with its reason, where it is taken for that.
+/// The guess that a page displays: with the neighbours' control and its reason, if that is assumed.
 Guess with_neighbours(const FolderGuess::Answer& answer);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// From a machine's file to the set-up. For session; tests/session/give_machine_test.cpp.
+// Copies from a machine's file into the set-up. Used by session; tested by tests/session/give_machine_test.cpp.
 
 #include "session/give_machine.h"
 
@@ -24,7 +24,7 @@ bool says_kinematics(const Setup& setup) {
                      [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
 }
 
-/// X, Y, Z first, then the others of the chains as they carry each other.
+/// X, Y, Z first, then the other axes of the chains, in the order in which they carry each other.
 std::vector<std::string> axes_of(const MachineProfile& profile) {
   std::vector<std::string> axes = {"X", "Y", "Z"};
   for (const auto* chain : {&profile.chains.tool, &profile.chains.part})
@@ -33,11 +33,11 @@ std::vector<std::string> axes_of(const MachineProfile& profile) {
   return axes;
 }
 
-/// N3205: code of a line's direction, with its inclination; nothing: it lies in none of the planes (25.1, spec/nct/25a 3).
+/// N3205: code of the direction of a line, with its inclination; nullopt if the line is in none of the planes (25.1, spec/nct/25a 3).
 struct DirectionCode {
   int code = 0;
   double inclination = 0;
-  bool turned = false;  // the code says the opposite direction
+  bool turned = false;  // the code means the opposite direction
 };
 std::optional<DirectionCode> code_of(Vec3 d) {
   const double parts[] = {d.x, d.y, d.z};

@@ -1,6 +1,6 @@
 #pragma once
-// What the control of a machine has been told by its builder, from the machine's file, where the set-up says nothing: end positions of the
-// axes, and of a machine with rotary axes its kinematics (nct N3200 to N3224) and which axes it has.
+// give_machine: copies into the set-up, where it says nothing, what the builder of the machine sets on the control. Source is the machine's
+// file: end positions of the axes and, for a machine with rotary axes, its kinematics (nct N3200 to N3224) and its list of axes.
 
 #include "config/control_def.h"
 #include "config/machine_profile.h"
@@ -8,8 +8,8 @@
 
 namespace kadr {
 
-/// Does nothing of parameters for a control that has none of those numbers. A chain that they cannot say is left out: the first code that
-/// needs it tells so.
+/// Leaves out parameters that the control does not have, and a chain that they cannot express: the first code that needs the chain raises
+/// an alarm.
 void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control);
 
 }  // namespace kadr

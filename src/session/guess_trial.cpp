@@ -1,4 +1,4 @@
-// For session/folder_guess; tested by tests/guess.py.
+// Used by session/folder_guess; tested by tests/guess.py.
 
 #include "session/guess_trial.h"
 
@@ -29,14 +29,14 @@ std::string beginning_of(std::string_view sample) {
   return std::string(sample.substr(0, end));
 }
 
-/// It says that the text is not written in this control's language: of characters, codes and words. Others depend on the machine, the
-/// set-up, and files that are not here.
+/// True if the alarm says that the text is not in this control's language: an alarm about characters, codes or words. Other alarms depend
+/// on the machine, the set-up, and files that are missing here.
 bool is_of_language(const Alarm& alarm) {
   if (alarm.severity != Severity::alarm) return false;
   return alarm.id <= AlarmId::not_together && alarm.id != AlarmId::program_start_missing && alarm.id != AlarmId::end_of_block_missing;
 }
 
-/// How many kinds of such alarms the reading gives.
+/// Number of distinct alarms of that kind while this control reads the text.
 std::size_t faults_of(const std::string& control, const std::string& text) {
   auto def = load_control(control);
   auto machine = load_machine("generic");

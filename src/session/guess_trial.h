@@ -1,6 +1,6 @@
 #pragma once
-// A weak guess of a control is tried: the controls that may be meant read the beginning of the program; one that finds nothing wrong in its
-// codes and words wins over one that does.
+// guess_trial: checks a weak guess of a control. Each control that is possible reads the beginning of the program; one that reports no
+// unknown code or word is preferred to one that does.
 
 #include <string_view>
 
@@ -8,8 +8,8 @@
 
 namespace kadr {
 
-/// A decisive guess, and one of nothing that Kadr reads, stay as they are.
-///   sample  the beginning of the program, UTF-8; no more than some hundred lines of it are read
+/// Leaves the guess as it is if it is decisive, or if Kadr reads no such file.
+///   sample  the beginning of the program, UTF-8; only some hundred lines of it are read
 void try_guess(Guess& guess, std::string_view sample);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it. For cli/run_view.
+// Planned: plans the axes of one channel in time with the least-time planner (docs/planner.md). Used by cli/run_view.
 
 #include "session/planned.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it.
+// Planned: plans the axes of one channel in time with the least-time planner (docs/planner.md), and passes the plan to its observers.
 
 #include <cstdio>
 #include <functional>
@@ -15,33 +15,33 @@ namespace kadr {
 
 class Planned {
  public:
-  /// `stand`: where the axes stand at the start. `stop`: what was planned until then is handed out, and then nothing more.
+  /// `stand`: position of the axes at the start. `stop`: when requested, what is planned by then is passed on, and nothing after it.
   Planned(const Channel& channel, const MachineProfile& profile, const ToolPosition& stand, StopToken stop = {});
   Planned(const Planned&) = delete;  // the planner calls it back
   Planned& operator=(const Planned&) = delete;
 
-  /// The file stays the caller's.
+  /// The caller keeps and closes the file.
   void write_samples(std::FILE* file, SampleOptions options);
 
-  /// The tool's tip at the same instants; after write_samples(). The file stays the caller's.
+  /// Writes the position of the tool tip at the same instants; call after write_samples(). The caller keeps and closes the file.
   void write_tips(std::FILE* file);
 
-  /// The plan ends with the samples: nobody looks at more of it. After write_samples().
+  /// Ends the plan with the samples, as nothing else observes it. Call after write_samples().
   void end_with_samples() { ends_with_samples_ = true; }
 
-  /// Finds the lines that lose most time.
+  /// Records which lines lose most time.
   void ask_why() { lost_time_.emplace(limits_); }
 
-  /// Keeps what draw_speed() draws.
+  /// Records what draw_speed() draws.
   void record_speed() { record_.emplace(limits_); }
 
-  /// Colours a picture that takes each step before consume(); it must outlive this.
+  /// Colours a picture, which must receive each step before consume() does and must outlive this.
   void colour(Plot& plot);
 
-  /// Gets the cells as they are planned (session/player).
+  /// Receives the cells as they are planned (session/player).
   std::function<void(const TimedCells&)> on_cells{};
 
-  /// Called for each motion before it is planned: Playback::motion() of its positions.
+  /// Called for each motion before it is planned, with the number that Playback::motion() gives for its positions.
   void number_motions(std::function<void(std::uint64_t motion)> on_motion) {
     motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
   }
@@ -56,7 +56,7 @@ class Planned {
   void consume(const Step& step) { motion_.consume(step); }
   const MotionLimits& limits() const { return limits_; }
 
-  /// What it remembers from step to step; the tables of ask_why(), record_speed(), colour() are not in it.
+  /// The state between steps; the tables of ask_why(), record_speed(), colour() are not included.
   struct Memory {
     AxisMotion::Snapshot motion;
     PlannedTime time;
@@ -65,23 +65,23 @@ class Planned {
   Memory memory();
   void remember(const Memory& memory);
 
-  /// All samples so far could be written; else the error of the system.
+  /// True if all samples so far could be written; else error() is the errno of the failure.
   bool ok() const { return !writer_ || writer_->ok(); }
   int error() const { return writer_ ? writer_->error() : 0; }
 
-  /// The axes come to rest. False: not all could be written.
+  /// Plans the axes to a stop at the end. Returns false if not all output could be written.
   bool finish();
 
-  /// It was asked to stop before the end.
+  /// True if a stop was requested before the end.
   bool stopped() const;
-  /// After finish(): what is wrong with the plan or its samples. `control`: that carried the program out.
+  /// After finish(): problems of the plan or its samples. `control`: the one that executed the program.
   std::vector<AlarmReport> reports(const Control& control) const;
 
-  /// None, where the planner found no plan by an error of its own, or planned only so far as samples are wanted.
+  /// nullptr if the planner failed by an error of its own, or planned only as far as samples are requested.
   const PlannedTime* time() const { return motion_.ended() == PlanEnd::too_slow || motion_.ended() == PlanEnd::enough ? nullptr : &time_; }
-  /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
+  /// After ask_why() and finish(): the table of lost time. `control`: the one that executed the program.
   std::string why(const Control& control, Lang lang) const;
-  /// Where record_speed() was called, after finish(). Returns an error sentence.
+  /// After record_speed() and finish(). Returns an error as a sentence.
   tl::expected<void, std::string> draw_speed(const ResultFile& file, const PlotTitle& title) const {
     return draw_speed_page(file, *record_, axes_, title);
   }

@@ -1,4 +1,4 @@
-// Player: a session in the machine's time. For whoever embeds Kadr; tested by tests/session/player_test.cpp.
+// Player: plays a session in the machine's time. Used by embedding programs; tested by tests/session/player_test.cpp.
 
 #include "session/player.h"
 
@@ -13,7 +13,7 @@ Player::Player(Session& session, double rate)
 
 Player::~Player() { planned_.on_cells = nullptr; }
 
-/// The cells that were planned next. False: not all of them have room.
+/// Offers playback the cells that were planned next. Returns false if not all of them fit.
 bool Player::offer() {
   const TimedCells& cells = to_come_.front();
   offered_ += playback_.offer(cells, offered_);
@@ -24,8 +24,8 @@ bool Player::offer() {
   return true;
 }
 
-/// Enough is there for the next instant: it will not brake for want of cells. No more than that is offered, so that a feed hold is the same
-/// however far the session has gone on.
+/// Provides enough cells for the next instant, so that playback does not brake for lack of cells. No more is offered, so that a feed hold
+/// has the same result however far the session is ahead.
 void Player::provide() {
   constexpr double enough = 3 * Playback::reserve;
   while (true) {

@@ -1,8 +1,8 @@
 #pragma once
-// Player: a session in the machine's time. Whoever has the servo clock asks for the axes' next positions; the session goes on as far as
-// the planner must see ahead. Feed hold, resume and override act between any two positions.
+// Player: plays a session in the machine's time. The caller has the servo clock and requests the next positions of the axes; the session
+// continues as far as the planner must look ahead. Feed hold, resume and override act between any two positions.
 //
-//   next() ◀── Playback ◀── cells of the planner ◀── Session::go_on(), when less than some seconds are there
+//   next() ◀── Playback ◀── cells of the planner ◀── Session::go_on(), when fewer than some seconds are available
 
 #include <deque>
 
@@ -13,29 +13,29 @@ namespace kadr {
 
 class Player {
  public:
-  /// Of the session's own channel; it has not begun, has no planner yet, and must outlive this.
+  /// Plays the session's own channel. The session has not started, has no planner yet, and must outlive this.
   ///   rate  of the servo clock, Hz
   Player(Session& session, double rate);
   ~Player();
   Player(const Player&) = delete;  // the planner calls it back
   Player& operator=(const Player&) = delete;
 
-  /// Positions at the next instants, `count` rows of all axes: machine coordinates, mm or degrees.
-  ///   returns  rows; fewer: the motion is over, the last one before was its end
+  /// Writes the positions at the next instants, `count` rows of all axes: machine coordinates, mm or degrees.
+  ///   returns  number of rows; fewer than `count` if the motion is over: then the last row was its end
   std::size_t next(double* positions, std::size_t count);
   bool done() const { return playback_.done(); }
 
-  /// 0 … 1 of the planned speed, from the next instant on: along the path, within the limits of the axes.
+  /// Sets the speed to 0 … 1 of the planned speed from the next instant on: along the path, within the limits of the axes.
   void override_to(double share) { playback_.override_to(share); }
   void hold() { override_to(0); }
-  /// It stands by a feed hold: further positions are the same.
+  /// True if a feed hold has stopped the axes: further positions are the same.
   bool is_held() const { return playback_.is_held(); }
-  /// The share that has been reached.
+  /// The share of the planned speed that is reached now.
   double share() const { return playback_.share(); }
-  /// What the last position belongs to: the program's line.
+  /// The program line that the last position belongs to.
   Spent at() const { return Spent::of(playback_.tag()); }
 
-  /// What the session stands at, further on by what is seen ahead.
+  /// State of the session, which is further on than the positions by the look-ahead.
   Session::State state() const { return state_; }
 
   struct Memory {
@@ -47,7 +47,7 @@ class Player {
     Session::State state = Session::State::running;
     bool planned_all = false;
   };
-  /// Between two positions. Nothing while the control waits for a probe.
+  /// Takes a snapshot between two positions. Returns nullopt while the control waits for a probe.
   std::optional<Memory> snapshot();
   ///   alarms  those of Session::restore()
   Status restore(const Memory& from);
@@ -61,9 +61,9 @@ class Player {
   Planned& planned_;
   std::size_t axes_;
   Playback playback_;
-  std::deque<TimedCells> to_come_;  // planned and not offered yet …
-  bool begun_ = false;              // … but for some of the first,
-  std::size_t offered_ = 0;         // so many
+  std::deque<TimedCells> to_come_;  // planned and not offered to playback yet …
+  bool begun_ = false;              // … except the beginning of the first …
+  std::size_t offered_ = 0;         // … of which this many are offered
   Session::State state_ = Session::State::running;
   bool planned_all_ = false;
 };

@@ -1,4 +1,4 @@
-// What the machine's logic (machine/plc) commands, carried to the controls of its channels. For session/channel_run.
+// Passes the commands of the machine's logic (machine/plc) to the controls of its channels. Used by session/channel_run.
 
 #include "session/plc_commands.h"
 
@@ -17,7 +17,7 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
                         [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
                         [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
                         [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
-                        [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start: pressed at once anyway
+                        [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},  // Start is pressed at once
                command);
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the machine's logic (machine/plc) commands, carried to the controls of its channels.
+// Passes the commands of the machine's logic (machine/plc) to the controls of its channels.
 
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Signals, switches and spindles are the machine's: all channels see them (INFERRED). An answer goes to the channel that asked.
+/// Signals, switches and spindles belong to the machine: all channels receive them (INFERRED). An answer goes to the channel that asked.
 void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A program read back: its motions in work coordinates. For cli/mill.
+// Reads a program back as its motions in work coordinates. Used by cli/mill.
 
 #include "session/program_moves.h"
 
@@ -37,7 +37,7 @@ Result<std::vector<Move>> program_moves(const ControlDef& def, const std::string
     if (state == Control::State::stopped) return fail(control.report().alarm);
     if (state != Control::State::running) break;
   }
-  if (!moves.empty()) moves.erase(moves.begin());  // straight up, wherever the tool stood
+  if (!moves.empty()) moves.erase(moves.begin());  // the first motion is straight up, from wherever the tool is
   return moves;
 }
 

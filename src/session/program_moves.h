@@ -1,5 +1,5 @@
 #pragma once
-// A program read back: its motions in work coordinates. Tables, zeros and correctors are empty, as the program was written for.
+// Reads a program back as its motions in work coordinates. Tables, work offsets and correctors are empty, as the program assumes.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace kadr {
 
-/// The motions of a program, as the control's interpreter makes them; it starts at the control's zero.
-///   alarms  those of the program
+/// Returns the motions of a program, as the control's interpreter creates them; the program starts at the control's zero.
+///   alarms  as the program raises
 Result<std::vector<area::Move>> program_moves(const ControlDef& def, const std::string& program);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Restart in mid program. For the panel, whoever embeds Kadr; tested by tests/session/restart_test.cpp.
+// Restart in mid program. Used by the panel and embedding programs; tested by tests/session/restart_test.cpp.
 
 #include "session/restart.h"
 
@@ -17,7 +17,8 @@ bool same_value(const InForce& a, const InForce& b) {
   return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
 }
 
-/// Holes are places over which the tool comes down. Where it stands over the first one already, that one begins at R.
+/// True if two positions differ across the normal. A drilled hole is a position over which the tool moves down; if the tool is over the
+/// first one already, that hole begins at R.
 bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
@@ -33,21 +34,21 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping) 
 
 bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
-  control.hand_over_each_block();  // a cycle hands over a motion at a time then
+  control.hand_over_each_block();  // then a canned cycle hands over one motion at a time
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
   std::optional<Axes> over;
   std::uint32_t holes = 0;
   bool went_down = false;
-  double level = 0;  // that it has come down to first
+  double level = 0;  // depth of the first move down
   Axes last = control.tool_position().work;
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
     const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
-    const bool rises = moved_down && now[normal] > last[normal];  // up to R first: the hole is somewhere else
+    const bool rises = moved_down && now[normal] > last[normal];  // up to R first: this is not the position of the hole
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
-    const bool is_out = now[normal] >= level - tol::same_point;  // and not shifted on its ground
+    const bool is_out = now[normal] >= level - tol::same_point;  // the tool is not shifted at the bottom of the hole
     if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {
       restart.in_force = control.in_force();
@@ -112,7 +113,7 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   next[n] = std::min(at[n], near);
   if (at[n] > near) go(next, normal, true);
   next[n] = end;
-  go(next, normal, at[n] < end);  // upwards at rapid: it is out of the material
+  go(next, normal, at[n] < end);  // upwards at rapid: the tool is out of the material
   return way;
 }
 
@@ -127,7 +128,7 @@ std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, cons
   };
   for (const WayPoint& point : way) add(point);
   const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockWay& block) { return block.along_tool; });
-  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});  // no motion, but a length is taken with it
+  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});  // no motion, but it makes the tool length offset effective
   return blocks;
 }
 

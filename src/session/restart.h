@@ -1,6 +1,7 @@
 #pragma once
-// Restart in mid program: what must be in force before a block, what of it is otherwise now, and the way there. All values: to be shown,
-// changed, written as blocks (out/program/restart_blocks) or carried out line by line (Stepping::enter).
+// Restart in mid program: computes what must be in force before a block, how the present state differs from that, and the path to the
+// block. All results are values, which can be shown, changed, written as blocks (out/program/restart_blocks) or executed line by line
+// (Stepping::enter).
 
 #include <optional>
 #include <vector>
@@ -11,51 +12,51 @@
 
 namespace kadr {
 
-/// Where a program is to go on.
+/// Where a program is to continue.
 struct Restart {
   Origin at;                      // the block that comes next
   std::vector<InForce> in_force;  // before it
-  ToolPosition stand;             // where the tool must be
-  std::size_t normal = 2;         // axis of the plane's normal: along which the tool comes down
+  ToolPosition stand;             // required tool position
+  std::size_t normal = 2;         // axis normal to the plane, along which the tool approaches
 };
 
-/// By silent interpretation from where the session stands to the target's line, pass, call, condition; `hole` of a cycle that the block
-/// drills: over that one, counted from 1 (0: before the block).
-///   returns  nothing: it is not reached; the session tells what came instead
+/// Interprets silently from the session's present position to the target's line, pass, call or condition. If the block drills with a canned
+/// cycle, `hole` selects the position over its n-th drilled hole, counted from 1 (0: before the block).
+///   returns  nullopt if the target is not reached; the state of the session says why
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole = 0);
-/// The session is held: what goes on from here.
+/// The session is held: returns what is required to continue from here. Returns nullopt if it is not held.
 std::optional<Restart> restart_here(Session& session, const Stepping& stepping);
 
-/// Carries the block that it is held before out, until the tool is over the n-th hole of its cycle, counted from 1; `restart` gets what is
-/// in force there.
-///   returns  false: it has not so many
+/// Executes the block that the session is held before, until the tool is over the n-th drilled hole of its canned cycle, counted from 1.
+/// Sets in `restart` what is in force there.
+///   returns  false if there are fewer holes
 bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
 
-/// Something that is not as it must be.
+/// One item that differs from what is required.
 struct Difference {
-  std::optional<InForce> wanted;  // nothing: it is set and must not be (a variable)
-  std::optional<InForce> now;     // nothing: it is not set
+  std::optional<InForce> wanted;  // nullopt: it is set and must not be (a variable)
+  std::optional<InForce> now;     // nullopt: it is not set
 };
-/// `now`: what is in force where the machine stands. Thing by thing, in the order of `wanted`.
+/// `now`: what is in force at the machine. Returns the differences item by item, in the order of `wanted`.
 std::vector<Difference> differences(const std::vector<InForce>& wanted, const std::vector<InForce>& now);
 
-/// A straight motion of the way there, machine coordinates.
+/// A straight motion of the path to the block, machine coordinates.
 struct WayPoint {
   bool rapid = true;
   AxisMask named = 0;
   Axes machine{};
-  double feed = 0;  // mm/min, of those at feed
+  double feed = 0;  // mm/min, if not rapid
 };
 struct WayRules {
-  double clearance = 0;  // work coordinate along the normal above which nothing is in the way, mm
-  double above = 2;      // mm over the place from which on it goes at feed
+  double clearance = 0;  // work coordinate along the normal above which nothing obstructs the tool, mm
+  double above = 2;      // height over the target from which on it moves at feed, mm
   double feed = 100;     // mm/min
 };
-/// Up to the clearance, over the place, down to it: the last way at feed. Motions of no length are left out.
+/// The path: up to the clearance, over the target, down to it, the last part at feed. Motions of zero length are left out.
 std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
-/// The same in the work coordinates that are in force there, for restart_blocks(); one block at least names the axis of the tool.
-///   pre  the frame is not turned (no G68): else no words say them
+/// The same path in the work coordinates in force there, for restart_blocks(). At least one block names the tool's axis.
+///   pre  the frame is not rotated (no G68): else no words can express the path
 std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// RunAhead: the control interprets the next batches in a thread of its own while the rooms after it take the last one (design.md 1). For
+// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (design.md 1). Used by
 // session/channel_run.
 
 #include "session/run_ahead.h"
@@ -15,7 +15,7 @@ RunAhead::~RunAhead() {
   thread_.wait();
 }
 
-/// What the thread may wait for has changed.
+/// Signals that the condition the thread waits for may have changed.
 void RunAhead::give_way() {
   if (beside_) {
     news_.fetch_add(1, std::memory_order_release);
@@ -45,7 +45,7 @@ void RunAhead::work() {
   }
 }
 
-/// The next batch, made by whichever side has the control free: the one that needs it does not wait for the other to be given a processor.
+/// Creates the next batch in whichever thread gets the control first: the thread that needs it does not wait until the other is scheduled.
 template <class Wanted>
 void RunAhead::make_or_wait(const Wanted& wanted) {
   if (in_hand_.exchange(1, std::memory_order_acquire) != 0)

@@ -1,4 +1,4 @@
-// Session: opening, going on, snapshot. For cli, fuzz, bench and whoever embeds Kadr; tested by tests/session.
+// Session: opens, runs and snapshots a session. Used by cli, fuzz, bench and embedding programs; tested by tests/session.
 
 #include "session/session.h"
 
@@ -52,7 +52,7 @@ std::optional<SpeedRules> Session::look_ahead() {
   const Control& control = *channels_.front().control;
   SpeedRules rules = speed_rules(channels_.front().setup, control.axes(), spec_.machine);
   if (control.has_machine_parameters()) obey_parameters(rules, channels_.front().setup, control.axes());
-  else rules.blend = spec_.machine.tolerance;  // INFERRED: of all that state no limit at corners
+  else rules.blend = spec_.machine.tolerance;  // INFERRED: as for every control that states no limit at corners
   if (rules.in_force) rules_ = rules;
   return rules_;
 }
@@ -68,7 +68,7 @@ void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!planned_[i] || attached_[i]) continue;
     attached_[i] = true;
-    outlets_.own[i].wants_times = true;  // without them the planner knows no feed
+    outlets_.own[i].wants_times = true;  // without times the planner has no feed
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);
@@ -76,7 +76,7 @@ void Session::attach_planners() {
   }
 }
 
-/// The rooms are put together when it is known who looks.
+/// Connects the rooms, once the observers are known.
 void Session::begin() {
   begun_ = true;
   attach_planners();
@@ -120,9 +120,9 @@ Session::State Session::together(ChannelRun::State state) {
   return stood ? State::stopped : State::ended;
 }
 
-/// The program begins at the block that `search` names, as the control's own block search brings it there (nct 13.1). INFERRED: how the
-/// axes come to where the block begins is not said; they stand there.
-///   returns  nothing: it goes on; else how it came to stand
+/// Starts the program at the block that `search` names, the way the control's own block search does (nct 13.1). INFERRED: the manual does
+/// not say how the axes reach the start of that block; they are placed there.
+///   returns  nullopt if the run continues; else the state in which it stopped
 std::optional<Session::State> Session::begin_by_search() {
   const auto asked = std::exchange(control().holds_before, nullptr);
   const std::vector<InForce> at_first = control().in_force();

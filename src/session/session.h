@@ -1,15 +1,15 @@
 #pragma once
-// Session: a program being run, or those of all channels of a machine. The one door for whoever runs programs: cli, page, debugger,
-// library (design.md 9).
+// Session: one run of a program, or of the programs of all channels of a machine. Everything that runs programs uses this interface: cli,
+// page, debugger, library (design.md 9).
 //
 //   auto session = Session::open({control, machine, setup, program, limits});
-//   (*session)->outlets().step = [](const Step& step) { … };                    // who looks
+//   (*session)->outlets().step = [](const Step& step) { … };                    // observes the run
 //   while ((*session)->go_on() == Session::State::running) {}
 //
-//   program ─▶ ChannelRun (control → path → machine) ─▶ Steps ─▶ outlets ─▶ LookAhead ─▶ outlets, in the machine's time
+//   program ─▶ ChannelRun (control → path → machine) ─▶ Steps ─▶ outlets ─▶ LookAhead ─▶ outlets, with the time the machine takes
 //                                                            └─▶ Planned: axes in time, samples
 //
-// All that decides how it goes on is a value: snapshot(), restore().
+// The whole state that determines how the run continues is a value: snapshot(), restore().
 
 #include <memory>
 #include <optional>
@@ -23,16 +23,16 @@
 
 namespace kadr {
 
-/// What is run, and on what.
+/// What to run, and with which control, machine and set-up.
 struct SessionSpec {
   std::shared_ptr<const ControlDef> control;
   MachineProfile machine;
   Setup setup;
   Program program;
-  RunLimits limits{};  // its `stop` ends a run
+  RunLimits limits{};  // its `stop` ends a run early
 };
 
-/// Copies share what they hold.
+/// Cheap to copy: copies share the content.
 class SessionSnapshot {
  public:
   struct Content;
@@ -45,88 +45,90 @@ class SessionSnapshot {
 
 class Session {
  public:
-  /// A key of the set-up that the control has not: told.
+  /// Returns an error if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<Session>, ChannelsFault> open(SessionSpec spec);
   ~Session();
-  Session(const Session&) = delete;  // its rooms point to each other
+  Session(const Session&) = delete;  // its members point to each other
   Session& operator=(const Session&) = delete;
 
-  // ---- what it is made of
+  // ---- its parts
   const ControlDef& def() const { return *spec_.control; }
   const MachineProfile& machine() const { return spec_.machine; }
   const Setup& setup() const { return spec_.setup; }
-  /// All channels, in the order of their numbers.
+  /// All channels, sorted by their numbers.
   std::vector<Channel>& channels() { return channels_; }
   const std::vector<Channel>& channels() const { return channels_; }
-  /// The program's own channel.
+  /// Index of the channel that runs the program itself (the others run programs of the set-up's channels).
   std::size_t own() const { return own_; }
   Control& control() { return *channels_[own_].control; }
   const Control& control() const { return *channels_[own_].control; }
-  /// The same to be asked by an outlet in the middle of a step: the control may be ahead in a thread of its own, and stands still now.
+  /// The control, for an outlet that queries it in the middle of a step: the control may run ahead in its own thread, and this call makes
+  /// that thread stop first.
   Control& settled_control();
 
-  // ---- who looks: before the first go_on()
+  // ---- observers: set them before the first go_on()
   Outlets& outlets(std::size_t channel) { return outlets_.own[channel]; }
   Outlets& outlets() { return outlets(own_); }
   ChannelOutlets& together() { return outlets_; }
-  /// The steps get the time that the machine takes, where something limits the speed: Outlets::timed. Of a channel alone.
-  ///   returns  the rules; nothing: the programmed times hold
+  /// Gives the steps the time that the machine takes, through Outlets::timed, if something limits the speed. For a single channel only.
+  ///   returns  the rules in force; nullopt if nothing limits the speed and the programmed times are kept
   std::optional<SpeedRules> look_ahead();
-  /// The axes in time by the planner of least time.
+  /// Plans the axes in time with the least-time planner.
   Planned& plan(std::size_t channel, const StopToken& stop = {});
   Planned* planned(std::size_t channel) { return planned_[channel].get(); }
-  /// Of several channels: this step is shown when its time has come.
+  /// With several channels: shows this step as soon as the virtual time has reached it.
   void show(std::size_t channel, const Step& step) { channels_run_->show(channel, step); }
 
-  // ---- going on
+  // ---- running
   enum class State : std::uint8_t {
     running,
     held,     // before a block, by Control::holds_before
-    stopped,  // by an alarm: stopped() tells
+    stopped,  // by an alarm, see stopped()
     ended,
   };
-  /// Carries out as much as is handed over at once: some dozen actions of the only channel, a block of the one whose time is lowest.
+  /// Executes what the control passes on at once: some dozen actions of a single channel, or one block of the channel with the lowest time.
   State go_on();
-  /// Until it stands.
+  /// Calls go_on() until the session no longer runs.
   State run();
-  /// Nothing more is to come: what the rooms hold back to see ahead is let out, as if the program ended here. Of a channel alone.
+  /// States that nothing follows: steps that are kept back for look-ahead are emitted as if the program ended here. For a single channel
+  /// only.
   State stop_here();
-  /// The alarm that stopped it is answered for: it goes on with the next block, as after a reset of the control.
+  /// Acknowledges the alarm that stopped the run: it continues with the next block, as after a reset of the control.
   void acknowledge() { acknowledge(own_); }
   void acknowledge(std::size_t channel);
-  /// The operator enters a line (MDI): it is carried out next, also after the program's end or an alarm; then the program goes on.
+  /// The operator enters a line (MDI): it is executed next, even after the end of the program or an alarm; then the program continues.
   ///   pre  held, stopped or ended; no block is open (Control::in_block)
   void enter(const std::string& line) { enter(line, own_); }
   void enter(const std::string& line, std::size_t channel);
-  /// Of several channels this one alone goes on, until it stands the next time. enter() calls it for the program's own.
+  /// Of several channels, only this one continues, until it next stops or is held. enter() calls it for the program's own channel.
   void alone(std::size_t channel);
-  /// Of several channels each stays where it is held, by its Control::holds_before, until all are held, wait or have ended.
+  /// Of several channels, each stays where its Control::holds_before holds it, until all are held, waiting or ended.
   void hold_each(bool on) {
     if (channels_run_) channels_run_->hold_each(on);
   }
-  /// Where the machine stands.
+  /// The position of the machine.
   ToolPosition stand(std::size_t channel) const;
   ToolPosition stand() const { return stand(own_); }
-  /// The axes of a channel have been moved by hand: they stand there now, machine coordinates.
-  ///   pre  no block of it is open
+  /// States that the axes of a channel have been moved by hand and are now at this position, in machine coordinates.
+  ///   pre  no block of the channel is open
   void stand_at(const Axes& machine) { stand_at(own_, machine); }
   void stand_at(std::size_t channel, const Axes& machine);
-  /// Who looks has changed in mid program: the outlets' clock counts from here, plan() and look_ahead() begin here.
+  /// States that the observers have changed in mid program: the clock of the outlets counts from here, plan() and look_ahead() start here.
   void change_outlets();
-  /// Blocks that the control of a channel alone has carried out, as far as the rooms after it have come.
+  /// Number of blocks that the control of a single channel has executed, as far as the rooms after the control have processed them.
   std::uint64_t blocks() const { return alone_ ? alone_->blocks() : control().blocks(); }
-  /// How a channel came to its end.
+  /// How a channel ended.
   const Stopped& stopped(std::size_t channel) const;
   const Stopped& stopped() const { return stopped(own_); }
-  /// s in which a channel has waited for others.
+  /// Time that a channel has waited for others, s.
   double waited(std::size_t channel) const;
 
   // ---- snapshot
-  /// All that decides how it goes on, between two calls of go_on(); not what the outlets have made of it, but for the planner's.
-  /// Nothing while a probe is waited for.
+  /// Everything that determines how the run continues, taken between two calls of go_on(). It includes the state of the planners, but
+  /// nothing else that outlets have computed. Returns nullopt while the control waits for a probe.
   std::optional<SessionSnapshot> snapshot();
-  /// Goes on from there; `from` may be of another session of the same program, control, machine, set-up and outlets.
-  ///   alarms  those of Control::restore()
+  /// Continues from the snapshot, which may come from another session with the same program, control, machine, set-up and outlets.
+  ///   alarms  as Control::restore()
   Status restore(const SessionSnapshot& from);
 
  private:
@@ -144,12 +146,12 @@ class Session {
   std::vector<std::unique_ptr<Planned>> planned_;
   std::optional<SpeedRules> rules_;
   bool begun_ = false;
-  bool searched_ = false;       // as the set-up's `search` asks for
-  std::vector<bool> attached_;  // Session::planned_ gets the steps
-  // one channel alone, or …
+  bool searched_ = false;       // the block search that the set-up's `search` requests is done
+  std::vector<bool> attached_;  // Session::planned_ receives the steps
+  // either a single channel …
   std::optional<Logic> logic_;
   std::unique_ptr<ChannelRun> alone_;
-  // … several
+  // … or several
   std::unique_ptr<Channels> channels_run_;
   State state_ = State::running;
 };

@@ -1,4 +1,5 @@
-// Stepping: where a session is held. For cli/debug, cli/run (--from, --to), session/restart; tested by tests/session/stepping_test.cpp.
+// Stepping: decides where a session is held. Used by cli/debug, cli/run (--from, --to), session/restart; tested by
+// tests/session/stepping_test.cpp.
 
 #include "session/stepping.h"
 
@@ -16,14 +17,14 @@ struct Relation {
   std::string_view written;
   Op op;
 };
-// The longer ones first.
+// Longer operators first, so that "<=" is not read as "<".
 constexpr std::array relations = {Relation{"<=", Op::less_equal},    Relation{">=", Op::greater_equal}, Relation{"==", Op::equal},
                                   Relation{"!=", Op::not_equal},     Relation{"<>", Op::not_equal},     Relation{"<", Op::less},
                                   Relation{">", Op::greater},        Relation{"EQ", Op::equal},         Relation{"NE", Op::not_equal},
                                   Relation{"GE", Op::greater_equal}, Relation{"GT", Op::greater},       Relation{"LE", Op::less_equal},
                                   Relation{"LT", Op::less}};
 
-/// Where a relation stands outside of all brackets.
+/// Finds a relation that is outside all brackets. Returns its position.
 std::optional<std::pair<std::size_t, Relation>> relation_in(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -88,14 +89,14 @@ bool Stepping::asks_for(const Origin& origin, bool same_line) const {
   }
 }
 
-/// In the spindle, where somebody asks for that.
+/// Notes the tool in the spindle, if a stop point or the target asks for a tool.
 void Stepping::note_tool() {
   const auto asks = [](const StopPoint& point) { return point.tool != 0; };
   if (!(target_ && asks(*target_)) && std::none_of(points_.begin(), points_.end(), [&](const auto& p) { return asks(p.second); })) return;
   tool_before_ = std::exchange(tool_, session_.control().state_now().tool);
 }
 
-/// Is it held before this block?
+/// Returns true if the session is to be held before this block.
 bool Stepping::asked(const Origin& origin) {
   if (std::exchange(again_, false)) return false;
   const Origin before = std::exchange(last_, origin);
@@ -123,7 +124,7 @@ bool Stepping::asked(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  again_ = next_.has_value() && !session_.control().in_block();  // in the middle of one: that has been asked for
+  again_ = next_.has_value() && !session_.control().in_block();  // in the middle of a block: the control has asked about it already
   depth_ = next_ ? next_->depth : 0;
   next_.reset();
   hit_ = 0;

@@ -1,10 +1,10 @@
 #pragma once
-// Stepping: a session block by block, into, over and out of calls, to a line, a pass, a call, a condition; lines of the operator between
-// two blocks. The debugger, restart in mid program and the panel are made of it.
+// Stepping: runs a session block by block, into, over and out of calls, up to a line, a pass, a call or a condition, and executes lines
+// of the operator between two blocks. The debugger, restart in mid program and the panel are built on it.
 //
-//   held before a block ── go(how) ──▶ held before the next one that `how` or a stop point asks for, or over
+//   held before a block ── go(how) ──▶ held before the next block that `how` or a stop point selects, or ended
 //
-// Of several channels the program's own is stepped; the others go on in virtual time beside it.
+// With several channels, the program's own channel is stepped; the others continue in virtual time in parallel.
 
 #include <cstdint>
 #include <functional>
@@ -17,68 +17,69 @@
 
 namespace kadr {
 
-/// Where a program is to be held: before a block for which all that is given holds.
+/// Where a program is to be held: before a block for which every given condition is true.
 struct StopPoint {
   std::uint32_t line = 0;                // 0: any
-  std::string file{};                    // path or its last part; empty: the main program
-  std::uint32_t pass = 0;                // that the line comes for so many times since stepping began; 0: each time
+  std::string file{};                    // path or its last component; empty: the main program
+  std::uint32_t pass = 0;                // the line must come for the n-th time since stepping began; 0: every time
   std::string call{};                    // the first block of a call: "O100", "L02" as Control::calls() names it
-  std::string condition{};               // "#100 > 5", or a value that is not 0
+  std::string condition{};               // "#100 > 5", or a value, which counts as true if it is not 0
   std::uint32_t number = 0;              // of the block in the run (Origin::number); 0: any
-  std::uint32_t tool = 0;                // comes into the spindle; 0: any
-  std::optional<std::uint32_t> block{};  // its number N in the file
+  std::uint32_t tool = 0;                // that comes into the spindle with the block; 0: any
+  std::optional<std::uint32_t> block{};  // its N number in the file
   friend bool operator==(const StopPoint&, const StopPoint&) = default;
 };
 
 class Stepping {
  public:
-  /// The session has not begun; it must outlive this.
+  ///   pre  the session has not started yet; it must outlive this object
   explicit Stepping(Session& session);
   ~Stepping();
   Stepping(const Stepping&) = delete;  // the control calls it back
   Stepping& operator=(const Stepping&) = delete;
 
   enum class How : std::uint8_t {
-    block,  // the next one, also one without an action; of a call: its first
-    over,   // the next one that is not of a call made by this
-    out,    // the first one after the innermost call
-    free,   // until a stop point
+    block,  // hold before the next block, even one without an action; a call: before its first block
+    over,   // hold before the next block that is not part of a call that this one makes
+    out,    // hold before the first block after the innermost call
+    free,   // run until a stop point
   };
-  /// The first time: before the first block, unless `free`.
+  /// The first call holds before the first block, unless `free`.
   Session::State go(How how);
-  /// Held before the first block for which it holds, stop points or not; or, ran_out(), before the first one after so many.
+  /// Runs until it is held before the first block that matches `target`, ignoring stop points. Gives up after `most_blocks`: then it is
+  /// held before the next block, and ran_out() is true.
   Session::State go_to(const StopPoint& target, std::uint64_t most_blocks = ~std::uint64_t{0});
   bool ran_out() const { return ran_out_; }
-  /// The block that it is held before begins: what is handed over at once.
+  /// Starts the block that it is held before: executes what the control passes on at once.
   Session::State begin_block();
-  /// After the block that line `line` of the main program holds, the calls that it makes included.
+  /// Runs until it is held after the block in line `line` of the main program, including the calls that the block makes.
   Session::State go_past(std::uint32_t line);
 
-  /// go() and enter() bit by bit, for whoever has more to do meanwhile: after begin(), begin_entering() Session::go_on() until it is not
-  /// running; then, where a line was entered, end_entering().
+  /// go() and enter() in small steps, for callers that do other work meanwhile: call begin() or begin_entering(), then Session::go_on()
+  /// until it no longer runs; after an entered line, call end_entering().
   void begin(How how);
   void begin_entering(const std::string& line);
   void end_entering(Session::State came_to);
-  /// On the way of begin(): held before the next block that comes, whatever it is.
+  /// After begin(): holds before the next block, whatever it is.
   void hold_next() { hold_asked_ = true; }
 
   /// Called before each block of the program, held or not.
   std::function<void(const Origin&)> on_asked;
 
-  /// The block that comes next; nothing: it is not held.
+  /// The block that comes next; nullopt if the session is not held.
   const std::optional<Origin>& next() const { return next_; }
-  /// Its line, as it is shown.
+  /// The text of its line, as it is displayed.
   AlarmReport::Line line() const;
 
-  /// The operator enters a line (MDI): it is carried out in the present state, and the session is held where it was.
-  ///   returns  stopped: by an alarm of the line; it is held where it was all the same
+  /// The operator enters a line (MDI): it is executed in the present state, and the session is held again before the same block.
+  ///   returns  stopped, if the line raised an alarm; even then the session is held before the same block
   Session::State enter(const std::string& line);
-  /// The value of an expression as the program would write it: a watch.
+  /// Evaluates an expression as the program would write it: a watch of the debugger.
   Result<double> value(std::string_view expression) const { return session_.control().evaluate(expression); }
-  /// Is it true? `A op B` with < <= > >= == != or EQ NE GT GE LT LE between two values, or a value that is not 0.
+  /// Evaluates a condition: `A op B`, where op is < <= > >= == != or EQ NE GT GE LT LE, or a single value, which is true if it is not 0.
   Result<bool> holds(std::string_view condition) const;
 
-  /// Where it is held and how it goes on: a value. Stop points are not in it.
+  /// Where the session is held and how it continues, as a value. Stop points are not included.
   struct Memory {
     SessionSnapshot session;
     std::optional<Origin> next;
@@ -86,22 +87,22 @@ class Stepping {
     std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen;
   };
   std::optional<Memory> snapshot() const;
-  /// Held there again.
-  ///   alarms  those of Session::restore()
+  /// Restores the session and holds it there again.
+  ///   alarms  as Session::restore()
   Status restore(const Memory& from);
-  /// The session goes on from there; the target's line has come `passed` times before.
+  /// Restores the session and continues towards `target`, whose line has been executed `passed` times before.
   Status restore(const SessionSnapshot& from, const StopPoint& target, std::uint32_t passed);
 
-  /// Its number from 1 on.
+  /// Adds a stop point. Returns its number, from 1 on.
   std::size_t add(StopPoint point);
-  /// Those of another run, by their numbers.
+  /// Replaces the stop points by those of another run, keyed by number.
   void keep(std::map<std::size_t, StopPoint> points) { points_ = std::move(points); }
-  /// False: there is none of that number.
+  /// Returns false if no stop point has this number.
   bool remove(std::size_t number);
   const std::map<std::size_t, StopPoint>& points() const { return points_; }
-  /// The number of the stop point that it is held by; 0: none.
+  /// The number of the stop point that holds the session; 0: none.
   std::size_t hit() const { return hit_; }
-  /// How often a line has come so far.
+  /// How often a line has been reached so far.
   std::uint32_t passes(std::uint32_t line, const std::string& file = {}) const;
 
  private:
@@ -116,22 +117,22 @@ class Stepping {
 
   Session& session_;
   How how_ = How::block;
-  std::size_t depth_ = 0;                   // of calls, where it was held
-  std::optional<StopPoint> target_;         // of go_to
-  std::uint32_t past_ = 0;                  // of go_past: the line; 0: none
-  std::optional<std::size_t> past_at_;      // its depth, once it has come
-  bool again_ = false;                      // the block that it is held before is asked for once more: it goes on
-  std::uint64_t most_ = ~std::uint64_t{0};  // of go_to: blocks asked for
+  std::size_t depth_ = 0;                   // call depth where it was held
+  std::optional<StopPoint> target_;         // set by go_to
+  std::uint32_t past_ = 0;                  // set by go_past: the line; 0: none
+  std::optional<std::size_t> past_at_;      // call depth of that line, once it is reached
+  bool again_ = false;                      // the control asks again about the block it was held before: do not hold
+  std::uint64_t most_ = ~std::uint64_t{0};  // limit of go_to: number of blocks
   bool ran_out_ = false;
-  bool entered_ = false;  // a line of the operator is being carried out
+  bool entered_ = false;  // a line of the operator is being executed
   bool hold_asked_ = false;
-  std::optional<Origin> stood_;  // before a line was entered
+  std::optional<Origin> stood_;  // the next block before a line was entered
   std::size_t hit_ = 0;
   std::optional<Origin> next_;
-  Origin last_;                               // asked for
-  std::uint32_t tool_ = 0, tool_before_ = 0;  // in the spindle then, and the block before; where a stop point asks for one
+  Origin last_;                               // the block asked about last
+  std::uint32_t tool_ = 0, tool_before_ = 0;  // in the spindle at that block and at the one before; kept only if a stop point names a tool
   std::map<std::size_t, StopPoint> points_;
-  std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen_;  // by file and line: how often it came, of lines asked for
+  std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen_;  // (file, line): how often reached; stop points only
 };
 
 }  // namespace kadr

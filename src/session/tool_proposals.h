@@ -1,6 +1,6 @@
 #pragma once
-// ToolProposals: what the comments of a program say of its tools. For the templates of kadr setup and for the page; nobody uses them
-// unseen.
+// ToolProposals: tools that the comments of a program describe. Used by the templates of kadr setup and by the page; a person checks them
+// before they are used.
 
 #include <cstdint>
 #include <map>
@@ -14,13 +14,13 @@
 
 namespace kadr {
 
-/// Texts by line number, from 1.
+/// Texts by line number, counted from 1.
 using ProgramLines = std::map<std::uint32_t, std::string>;
 
-/// Of the program itself, as far as anybody writes comments: what a machine has made has none beyond.
+/// Lines of the program itself, up to a number beyond which only machines write programs, without comments.
 ProgramLines lines_of(const Control& control);
 
-/// Figures of its comments are inches where they say nothing else. After the run.
+/// True if figures of its comments are in inches unless they state a unit. Call after the run.
 ///   moved  the motions of that run
 bool comments_in_inches(const Control& control, const MotionUnits& moved);
 
@@ -32,13 +32,14 @@ struct ToolProposal {
 
 class ToolProposals {
  public:
-  /// `inch`: figures without a unit are inches.
+  /// `inch`: figures without a unit are in inches.
   ToolProposals(const ProgramLines& lines, bool inch);
 
-  /// A comment with a diameter that names the tool, anywhere; else one beside the block that calls it, which names no other tool.
-  ///   called_at  that block's line; 0: it is in another file
+  /// The proposal for a tool: from a comment anywhere with a diameter that names the tool; else from one next to the block that calls the
+  /// tool, if that comment names no other tool.
+  ///   called_at  line of that block; 0: it is in another file
   std::optional<ToolProposal> of(std::uint32_t tool, std::uint32_t called_at) const;
-  /// Where of() has none: such a comment that speaks of a tool without a size that is sure.
+  /// If of() has no proposal: such a comment that describes a tool without a certain size.
   std::optional<ToolProposal> unsure(std::uint32_t tool, std::uint32_t called_at) const;
 
  private:
@@ -47,7 +48,7 @@ class ToolProposals {
   template <class Fits>
   std::optional<ToolProposal> find(std::uint32_t tool, std::uint32_t called_at, const Fits& fits) const;
 
-  std::vector<ToolProposal> read_;  // in the order of the lines; those that say anything of a tool's size
+  std::vector<ToolProposal> read_;  // sorted by line; comments that say something about a tool's size
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// What the program has used of a set-up and no set-up states.
+// unstated: values that the program has used and no set-up states.
 
 #include <optional>
 #include <set>
@@ -10,8 +10,8 @@
 
 namespace kadr {
 
-/// After the run: offsets, work zeros and correctors that were used with the value 0 and stand in no set-up, as one note; its place
-/// is that of the first. Nothing where the set-up disables it.
+/// After the run: one note that lists the offsets, work zeros and correctors that were used with the value 0 and that no set-up states; its
+/// location is that of the first use. Returns nullopt if there are none, or the set-up disables the note.
 ///   stated  PlacedSetup::stated
 std::optional<AlarmReport> unstated(const Control& control, const ControlDef& def, const Setup& setup, const std::set<std::string>& stated);
 

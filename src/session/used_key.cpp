@@ -1,4 +1,4 @@
-// Names of what was used. For session/unstated, cli/setup_command, view/sheet; tested by tests/setup_command.py.
+// Names of used values. Used by session/unstated, cli/setup_command, view/sheet; tested by tests/setup_command.py.
 
 #include "session/used_key.h"
 

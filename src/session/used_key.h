@@ -1,5 +1,5 @@
 #pragma once
-// What the program has used of a set-up, by the names that a set-up and the program have for it.
+// used_key: names of the values that the program has used, in the set-up and in the program.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// The key of a set-up that states it ("offsets.1.length", "work_offsets.G54"), and how the program calls it ("H1", "G54").
+/// The set-up key that states the value ("offsets.1.length", "work_offsets.G54"), and the word that the program uses ("H1", "G54").
 struct UsedKey {
   std::string key;
   std::string word;

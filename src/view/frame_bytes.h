@@ -1,5 +1,5 @@
 #pragma once
-// FrameBytes: a binary frame for the page, little-endian, put together value by value.
+// FrameBytes: builds a binary frame for the page, little-endian, value by value.
 
 #include <bit>
 #include <cstdint>
@@ -22,7 +22,7 @@ class FrameBytes {
     std::memcpy(bytes, &value, sizeof value);
     bytes_.append(bytes, sizeof value);
   }
-  /// `count` values that lie in a row.
+  /// Appends `count` consecutive values.
   template <class T>
   void put_all(const T* values, std::size_t count) {
     if (count != 0) bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));

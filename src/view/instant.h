@@ -1,5 +1,5 @@
 #pragma once
-// Instants: any instant of a program that has been carried out: the nearest snapshot before it, then block by block.
+// Instants: gives the state at any instant of a finished run: it restores the nearest snapshot before it, and continues block by block.
 
 #include <memory>
 #include <optional>
@@ -9,30 +9,30 @@
 
 namespace kadr {
 
-/// What a person sees of the control at an instant.
+/// What the page displays of the control at an instant.
 struct InstantState {
   double at = 0;
-  PathVertex vertex;   // under way to it
+  PathVertex vertex;   // that the tool is moving to
   Vec3 place;          // of the tip, in the picture
-  bool moves = false;  // false: the path is over, or has none
+  bool moves = false;  // false: the path has ended, or there is none
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
-  std::vector<InForce> before, after;  // the block
-  std::optional<double> radius;        // mm, of the tool by the offset in force behind it; nothing: no offset is in force
+  std::vector<InForce> before, after;  // in force before and after the block
+  std::optional<double> radius;        // mm, of the tool, by the offset in force after the block; nullopt: no offset is in force
 };
 
 class Instants {
  public:
-  /// Of a run that is over and outlives this.
+  ///   pre  the run has ended, and outlives this object
   explicit Instants(const ProgramRun& run) : run_(run) {}
 
-  /// returns  an error sentence; nothing of the state but the path for a program of several channels
+  /// returns  an error sentence. For a program of several channels the state contains the path only
   tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
-  /// At the end of a block of the run, by Origin::number; of one that does not exist the nearest before it.
+  /// The state at the end of a block of the run, by Origin::number; if there is no such block, of the nearest before it.
   tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
-  /// When the line was carried out with a motion: instants and block numbers, up to `most`.
+  /// When the line was executed with a motion: instants and block numbers, up to `most`.
   struct Pass {
     double from, to;
     std::uint32_t number;
@@ -47,10 +47,10 @@ class Instants {
   tl::expected<Session*, std::string> session(const StopToken& stop);
 
   const ProgramRun& run_;
-  std::unique_ptr<Session> session_;  // made when the first instant is asked for
-  std::uint32_t limit_ = 0;           // it is held before the block of this number
+  std::unique_ptr<Session> session_;  // created at the first query
+  std::uint32_t limit_ = 0;           // the session is held before the block with this number
   Origin held_;                       // that block
-  double led_by_ = 0;                 // mm: the radius that the contour's motions of the block had
+  double led_by_ = 0;                 // mm: compensation radius of the block's motions
 };
 
 }  // namespace kadr

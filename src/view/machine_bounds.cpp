@@ -1,4 +1,4 @@
-// End positions and zones. For view/page_program; tested by tests/view/machine_bounds_test.cpp.
+// End positions and zones. Used by view/page_program; tested by tests/view/machine_bounds_test.cpp.
 
 #include "view/machine_bounds.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double unlimited = 1e299;  // AxisProfile: ±1e300 is none
+constexpr double unlimited = 1e299;  // ±1e300 in AxisProfile means no limit
 
 std::optional<double> limit(double value) { return value > -unlimited && value < unlimited ? std::optional(value) : std::nullopt; }
 

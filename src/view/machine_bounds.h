@@ -1,5 +1,5 @@
 #pragma once
-// The space that the machine's axes have, and what of it is forbidden, as boxes for the picture.
+// machine_bounds: the space of the machine's axes, and its forbidden zones, as boxes for the picture.
 
 #include <array>
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace kadr {
 
-/// Machine coordinates of X, Y, Z, mm. Nothing: without a limit there.
+/// Machine coordinates of X, Y, Z, mm; nullopt: no limit on that side.
 struct SpaceBox {
   std::array<std::optional<double>, 3> least, most;
 };
 
 struct ForbiddenZone {
-  int number = 2;      // of the control (nct 22)
+  int number = 2;      // number of the zone in the control (nct 22)
   bool inside = true;  // forbidden inside; else outside
   SpaceBox box;
 };
@@ -26,7 +26,7 @@ struct MachineBounds {
   std::vector<ForbiddenZone> zones;
 };
 
-/// What holds at the start of the program: G22 may change zone 2.
+/// The limits in force at the start of the program: G22 may change zone 2.
 MachineBounds machine_bounds(const OpenedProgram& opened, const Control& control);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// For view/page_session and cli/serve; tested by tests/serve_attacks.py.
+// Used by view/page_session and cli/serve; tested by tests/serve_attacks.py.
 
 #include "view/memory_bound.h"
 

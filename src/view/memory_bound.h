@@ -1,5 +1,5 @@
 #pragma once
-// MemoryBound: what all sessions of a server may hold together.
+// MemoryBound: a memory limit for all sessions of a server together.
 
 #include <atomic>
 #include <cstddef>
@@ -11,16 +11,16 @@ class MemoryBound {
  public:
   /// `most`: bytes of memory of the process.
   explicit MemoryBound(std::size_t most) : most_(most) {}
-  /// It holds more. From any thread, often: the system is asked every 50 ms.
+  /// True if the process uses more. May be called often and from any thread: the system is queried every 50 ms at most.
   bool is_full() const;
 
  private:
   std::size_t most_;
-  mutable std::atomic<std::int64_t> asked_ = 0;  // ms of the steady clock
+  mutable std::atomic<std::int64_t> asked_ = 0;  // time of the last query: ms of the steady clock
   mutable std::atomic<bool> full_ = false;
 };
 
-/// Memory that this process has in use, bytes; 0: the system does not say.
+/// Memory that this process uses, bytes; 0 if the system does not report it.
 std::size_t memory_in_use();
 
 }  // namespace kadr

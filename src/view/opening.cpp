@@ -1,4 +1,4 @@
-// A program, its control, its machine. For view/page_session; tested by tests/serve.py.
+// Opens a program with its control and machine. Used by view/page_session; tested by tests/serve.py.
 
 #include "view/opening.h"
 
@@ -24,7 +24,7 @@ OpenedText text_of(const OpenedProgram& opened) {
 
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
 
-/// The named control, the one that the folder remembers, or that which `kadr check` would take it for. Sets `opened.guess`.
+/// The control that is named, or that the folder remembers, or that `kadr check` would guess. Sets `opened.guess`.
 tl::expected<std::string, std::string> control_for(const OpeningWish& wish, OpenedProgram& opened) {
   std::string wrong_memory;
   RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, wish.door);

@@ -1,5 +1,5 @@
 #pragma once
-// Opening: a program of the folder with all that is needed to run it, as the page asks for it.
+// Opens a program of the folder, with everything that is needed to run it, as the page requests.
 
 #include <memory>
 #include <optional>
@@ -15,14 +15,14 @@
 
 namespace kadr {
 
-/// Places in the file system; empty where nothing is said.
+/// Paths in the file system; empty if not given.
 struct OpeningWish {
   std::string path;
   std::string control, machine, setup, encoding;
-  std::optional<std::string> text;  // UTF-8, run in the place of what the file holds
-  std::string tables{};             // JSON in the form of a set-up, laid over that; empty: none
+  std::optional<std::string> text;  // UTF-8, run instead of the contents of the file
+  std::string tables{};             // JSON in the form of a set-up, which overrides the set-up; empty: none
   Lang lang = Lang::en;
-  const FileDoor* door = nullptr;  // opens them all, and what they name; it outlives the run
+  const FileDoor* door = nullptr;  // opens all these files and those they name; outlives the run
 };
 
 struct OpenedProgram {
@@ -33,26 +33,26 @@ struct OpenedProgram {
   Setup setup;
   std::set<std::string> stated;  // PlacedSetup::stated
   SaidEncoding encoding;
-  std::shared_ptr<const ToolTable> tools;  // the checklist holds it against
-  std::optional<Guess> guess;              // nothing: the control was named
+  std::shared_ptr<const ToolTable> tools;  // compared with by the checklist
+  std::optional<Guess> guess;              // nullopt: the user named the control
   std::optional<std::string> text;
-  std::uint32_t number = 0;  // of the program on a tape with several; 0: the first
-  RunLimits limits;          // nothing is written
+  std::uint32_t number = 0;  // of the program on a tape with several programs; 0: the first
+  RunLimits limits;          // the run writes no files
   const FileDoor* door = nullptr;
 
-  /// Its text, of a tape with several the one that `number` says.
+  /// The program's text; on a tape with several programs, that with `number`.
   ///   returns  an error sentence
   tl::expected<Program, std::string> program() const;
-  /// The same of another text.
+  /// The same with another text.
   tl::expected<Program, std::string> program_of(const std::string& other) const;
   tl::expected<Program, std::string> program_of(OpenedText other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;
 };
 
-/// Its set-up file with the tables laid over it.
+/// The set-up file, overridden by the tables.
 tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def);
 
-/// returns  an error sentence: it cannot be read, is no program of a control that Kadr knows, the set-up is wrong
+/// returns  an error sentence if it cannot be read, is no program of a control that Kadr supports, or the set-up is wrong
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Questions about a text: check, explain. For view/page_session; tested by tests/serve.py.
+// Requests about a text: check, explain. Used by view/page_session; tested by tests/serve.py.
 
 #include "out/text/line_words.h"
 #include "session/checklist/program_check.h"
@@ -12,7 +12,7 @@ constexpr std::size_t most_explained = 10'000;  // bytes of a line
 
 }  // namespace
 
-/// What kadr check says of that text, in the same order.
+/// Reports what kadr check reports for this text, in the same order.
 PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question) {
   auto program = run->opened().program_of(value_in<std::string>(question, "text", ""));
   if (!program) return tl::unexpected(Refusal{program.error()});
@@ -33,7 +33,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   return PageJson{{"problems", std::move(problems)}};
 }
 
-/// The words of a line as it stands in the editor, or in the file.
+/// Explains the words of a line, as it is in the editor or in the file.
 PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& question) {
   std::string text;
   if (question.contains("text")) {

@@ -1,4 +1,4 @@
-// Two versions of a program. For view/page_session; tested by tests/serve.py.
+// Compares two versions of a program. Used by view/page_session; tested by tests/serve.py.
 
 #include <algorithm>
 
@@ -46,8 +46,8 @@ PageJson comparison_json(const Comparison& c, double tolerance, Lang lang) {
 
 }  // namespace
 
-/// The program that is open with another file, or another text of its own, on the same machine and set-up. The way of the other is sent
-/// behind the answer.
+/// Compares the open program with another file, or with another text of its own, on the same machine and set-up. The path of the other is
+/// sent after the answer.
 PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& question) {
   OpeningWish wish = opened_wish;
   wish.control = value_in<std::string>(question, "control", wish.control.empty() ? run->opened().def->id : wish.control);

@@ -1,5 +1,5 @@
-// A program for another control, proven equal: convert. Nothing is written; the page saves what is wanted. For view/page_session; tested by
-// tests/serve_convert.py.
+// Converts a program for another control and proves that the result is equal: convert. Nothing is written; the page saves the result if
+// the user wants. Used by view/page_session; tested by tests/serve_convert.py.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// One conversion: what it is made of outlives its sessions.
+/// One conversion. It owns the data that its sessions use, and outlives them.
 class PageConversion {
  public:
   PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
@@ -65,14 +65,14 @@ class PageConversion {
 
 namespace {
 
-constexpr std::size_t most_converted = std::size_t{8} << 20;  // bytes of a program, before and after
-constexpr std::size_t most_written_out = 1000;                // stretches of lines
-constexpr std::size_t most_line = 200;                        // bytes of a line that is told with its place
+constexpr std::size_t most_converted = std::size_t{8} << 20;  // bytes of a program, before and after conversion
+constexpr std::size_t most_written_out = 1000;                // segments of lines
+constexpr std::size_t most_line = 200;                        // bytes of a line that is quoted in a message
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// What is not understood is refused, not passed over: the program goes to a machine.
-///   returns  an error sentence; empty: all of it is understood
+/// Refuses a request with anything that is not understood, instead of ignoring it: the program will run on a machine.
+///   returns  an error sentence; empty if everything is understood
 std::string fault_of_wish(const PageJson& question) {
   struct Word {
     const char* key;
@@ -124,12 +124,12 @@ PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, co
           {"written_text", why.written_line == 0 ? std::string() : line_of_text(whole_text(*one.text), why.written_line)}};
 }
 
-/// "flange.nc" → "flange-mach3.nc".
+/// The name of the result: "flange.nc" → "flange-mach3.nc".
 std::string name_for(const std::string& file, const ControlDef& to) {
   return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
 }
 
-/// Of a program that is rewritten word by word: what is not.
+/// For a program that is rewritten word by word: the lines that are not.
 PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
   PageJson list = PageJson::array();
   for (const WrittenOut& out : one.written_out) {
@@ -147,7 +147,8 @@ PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& set
 
 }  // namespace
 
-/// The program of the question, whether it is open or not: so it can be asked over a connection of its own, and keeps nothing waiting.
+/// Converts the program that the request names, whether it is open or not: so a separate connection can be used, and nothing else has to
+/// wait.
 PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& question) {
   if (const std::string fault = fault_of_wish(question); !fault.empty()) return not_converted(fault);
   const auto wish = wish_of(question);

@@ -1,5 +1,5 @@
 #pragma once
-// The inside of PageSession, for the files of its answers: one for each kind of question (docs/panel-protocol.md).
+// The implementation of PageSession, shared by the files with its answers: one file for each kind of request (docs/panel-protocol.md).
 
 #include <atomic>
 #include <functional>
@@ -21,14 +21,14 @@ namespace kadr {
 class PageConversion;
 struct Converted;
 
-/// An answer that is none: why.
+/// Why a request is refused.
 struct Refusal {
   std::string text;
   bool changed = false;
 };
 inline tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// A value of the question; `fallback` where it is missing or of another kind.
+/// A value of the request; `fallback` if it is missing or of another type.
 template <class T>
 T value_in(const PageJson& question, const char* key, T fallback) {
   const auto found = question.find(key);
@@ -37,7 +37,7 @@ T value_in(const PageJson& question, const char* key, T fallback) {
   else return found->is_number() ? found->template get<T>() : fallback;
 }
 
-/// A count or a number of a line: what is none, or too great, is `fallback`.
+/// A count or a line number; `fallback` if it is missing or too large.
 inline std::uint32_t count_in(const PageJson& question, const char* key, std::uint32_t fallback) {
   const double value = value_in<double>(question, key, fallback);
   return value >= 0 && value <= 4e9 ? std::uint32_t(value) : fallback;
@@ -49,7 +49,7 @@ inline PageAnswer not_served(const std::string& what) {
   return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
 }
 
-/// Where a program is to be held, as a question says it.
+/// Reads from a request where a program is to be held.
 StopPoint stop_point_of(const PageJson& question);
 
 struct PageSession::Inside {
@@ -120,13 +120,13 @@ struct PageSession::Inside {
   tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
-  /// A file beneath the folder, or the name of a built-in control or machine where that may be.
-  ///   returns  an error sentence; empty: `to` has it
+  /// Finds the path of a file in the folder, or the name of a built-in control or machine if that is allowed.
+  ///   returns  an error sentence; empty if `to` is set
   std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
-  /// Like that name with that ending, and of no file that is there.
+  /// A name derived from `like`, with that ending, that no existing file has.
   std::string free_name(const std::string& like, const std::string& ending) const;
   void carry_out();
-  /// Its frames; `which` of the protocol. The work ends where nobody takes them.
+  /// Sends the frames of a piece; `which` as in the protocol. The work ends if nobody receives them.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
@@ -136,9 +136,9 @@ struct PageSession::Inside {
   }
   bool is_memory_full() const;
   static std::string told_memory();
-  /// What grows while the sessions hold too much is over, and said so.
+  /// Ends the data of this session that grow, if all sessions together use too much memory, and reports it.
   void end_if_memory_is_full();
-  /// Paths of calls as the folder's people know them.
+  /// Shows the paths of calls relative to the folder.
   void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
@@ -150,11 +150,11 @@ struct PageSession::Inside {
   PageLine& line;
   Lang lang;
   std::atomic<bool> stops = false;
-  std::function<void()> afterwards;  // of the answer: what it has begun, gone on with when it is sent
+  std::function<void()> afterwards;  // run after the answer is sent: work that the request has started
   bool greeted = false, gone = false;
   std::atomic<bool> may_change = false;
   int mistakes = 0;
-  std::set<std::string> opened_names;  // files that were opened: what may be saved over
+  std::set<std::string> opened_names;  // only these files may be overwritten
   OpeningWish opened_wish;
   std::unique_ptr<SourceText> source;
   std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // by Origin::file
@@ -162,8 +162,8 @@ struct PageSession::Inside {
   std::unique_ptr<Instants> instants;
   StockGuess guess;
   std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
-  std::uint64_t page = 0;             // of the hub; 0: it has looked at no machine
-  std::mutex place_lock;              // of the next one's value: an emergency stop comes from another thread
+  std::uint64_t page = 0;             // number of this page in the hub; 0: it has displayed no machine yet
+  std::mutex place_lock;              // protects panel_place: an emergency stop comes from another thread
   std::shared_ptr<PanelHub::Place> panel_place;
 };
 

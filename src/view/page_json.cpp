@@ -1,4 +1,4 @@
-// For view/page_session; the shapes are held against docs/panel-protocol.md by tests/serve.py.
+// Used by view/page_session; tests/serve.py compares the shapes with docs/panel-protocol.md.
 
 #include "view/page_json.h"
 
@@ -24,9 +24,9 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
-/// The exact one of the summary, in the coordinates of the work offset, where the picture shows the same; else what the picture shows.
+/// The exact box of the summary, in coordinates of the work offset, if the picture shows the same; else the box in the picture.
 Box shown_box(const Box& exact, const Box& seen) {
-  constexpr double alike = 0.01;  // mm: more than chords leave of arcs
+  constexpr double alike = 0.01;  // mm: more than the error of arcs as chords
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
   const double off =
       std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
@@ -34,7 +34,7 @@ Box shown_box(const Box& exact, const Box& seen) {
 }
 
 PageJson box_json(const Box& box) { return box.empty ? PageJson() : PageJson{vec(box.least), vec(box.most)}; }
-/// JSON has no number that is none.
+/// JSON has no NaN or infinity: they become null.
 PageJson number(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
 
 const InForce* find(const std::vector<InForce>& all, InForce::Kind kind, const std::string& name) {
@@ -76,7 +76,7 @@ double value_of(const std::vector<InForce>& all, InForce::Kind kind) {
   return 0;
 }
 
-/// The instant at which a tool comes into the spindle first; 0: it is there at the start.
+/// The instant at which a tool first comes into the spindle; 0 if it is there at the start.
 double first_use(const ProgramRun& run, std::uint32_t tool) {
   const std::string name = "T" + std::to_string(tool);
   for (const TimeMark& m : run.marks())
@@ -84,7 +84,7 @@ double first_use(const ProgramRun& run, std::uint32_t tool) {
   return 0;
 }
 
-/// Where the axes are on their way through the block, and what is left of it.
+/// Adds the positions of the axes during the block, and the distance to go.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
   json["machine"] = of_axes(s.after, InForce::Kind::machine);

@@ -1,5 +1,5 @@
 #pragma once
-// Values of a run → JSON of the page's protocol (docs/panel-protocol.md).
+// Converts values of a run to JSON of the page's protocol (docs/panel-protocol.md).
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -17,19 +17,19 @@ namespace kadr {
 using PageJson = nlohmann::ordered_json;
 
 PageJson files_json(const FolderList& list);
-/// `fix`: nothing: none is certain.
+/// `fix`: nullopt if no fix is certain.
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
-/// What a cut has found: the problem that it is, with its moment and its place.
+/// A finding of a cut: its problem, extended by the time and the place.
 PageJson cut_finding_json(PageJson problem, const CutFinding& finding);
-/// Its mark in time. `told`: the problem that it is.
+/// The mark of a finding on the time line. `told`: its problem.
 PageJson cut_mark_json(const PageJson& told, const CutFinding& finding);
 PageJson call_list_json(const std::vector<AlarmReport::Call>& calls);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
-/// Boxes of what is cut and of all that is gone through.
+/// Boxes around what is cut, and around the whole path.
 PageJson extents_json(const Statistics& statistics);
 PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
-/// Text that is UTF-8 whatever it was: JSON is.
+/// Serialises JSON. Invalid text is converted to UTF-8, which JSON requires.
 std::string dumped(const PageJson& json);
 
 }  // namespace kadr

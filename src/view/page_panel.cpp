@@ -1,5 +1,5 @@
-// Questions about a machine at its panel: machines, machine, panel, press, switches, enter, undo, jog, stops. For view/page_session; tested
-// by tests/panel.py.
+// Requests about a machine at its panel: machines, machine, panel, press, switches, enter, undo, jog, stops. Used by view/page_session;
+// tested by tests/panel.py.
 
 #include <fmt/core.h>
 
@@ -14,14 +14,14 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_expression = 200, most_watched = 50;
-constexpr std::size_t most_held = std::size_t{8} << 20;  // bytes of a program: what may be edited on the page, too
+constexpr std::size_t most_held = std::size_t{8} << 20;  // bytes of a program: the limit for editing on the page, too
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
   if (!answer) return refused(answer.error());
   return PageJson::object();
 }
 
-/// What happens at a machine goes into the journal, and what lines of the operator change into the tables of its program.
+/// Saves the events of a machine in the journal, and changes by lines of the operator in the tables of its program.
 PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
   PanelKeeper keeper;
   const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
@@ -30,7 +30,7 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgr
     return kept ? std::string() : kept.error();
   };
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
-    (void)journal.log(name, log_entry(kind, text, line));  // what cannot be kept is told by the spot
+    (void)journal.log(name, log_entry(kind, text, line));  // a failure to save is reported by the location (spot)
   };
   keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
     const auto patch = program.take_by_hand(before, after);
@@ -46,14 +46,14 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgr
   return keeper;
 }
 
-/// The program's text for a machine that begins.
+/// Sets the program's text when a machine starts.
 void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
   if (auto text = folder.read(file, most_held))
     return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
   program.take_text(nullptr, folder.digest(file).value_or(""));
 }
 
-/// How it was switched on: what of the question says that.
+/// The part of the request that says how the machine was switched on.
 std::string machine_text(const PageJson& question) {
   PageJson kept = PageJson::object();
   for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
@@ -61,7 +61,7 @@ std::string machine_text(const PageJson& question) {
   return dumped(kept);
 }
 
-/// Where a kept machine stood, and whether there is anything to go on with.
+/// The saved location of a machine, and whether the program can continue from there.
 PageJson spot_json(const std::string& text) {
   PageJson spot = PageJson::parse(text, nullptr, false);
   if (spot.is_object()) spot.erase("stands");
@@ -83,7 +83,7 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
   return PageJson{{"machines", std::move(list)}};
 }
 
-/// With the tables that were edited; its axes stand where they stood.
+/// Switches a machine on, with its edited tables and with its axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::switch_on(const std::string& file, const PageJson& question) {
   if (!may_change)
     return refused(
@@ -93,7 +93,7 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   if (as_kept.is_object()) as_kept.update(question);
   auto wish = wish_of(as_kept.is_object() ? as_kept : question);
   if (!wish) return tl::unexpected(wish.error());
-  wish->text.reset();  // a machine runs what lies on the disk
+  wish->text.reset();  // a machine runs the file on the disk
   wish->tables = journal.value("tables", file).value_or("");
   auto opened = open_for_page(*wish);
   if (!opened) return refused(opened.error());
@@ -120,7 +120,7 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   return place;
 }
 
-/// Switches the machine of a program on, or looks at one that is on. It is named by its program.
+/// Switches on the machine of a program, or displays one that is on. A machine has the name of its program.
 PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& question) {
   if (server.hub == nullptr || server.journal == nullptr) return not_served("machine");
   const std::string file = value_in<std::string>(question, "file", "");
@@ -145,18 +145,18 @@ PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& questio
       {"stood", stood},      {"lasts", server.journal->lasts()}};
 }
 
-/// Into its log.
+/// Adds an entry to the log of the machine.
 void PageSession::Inside::note(const char* kind, const std::string& text, std::uint32_t at_line) const {
   (void)server.journal->log(panel_place->name, log_entry(kind, text, at_line));
 }
 
-/// An error sentence: it is not kept.
+/// Saves a value of the machine. Returns an error sentence if it could not be saved, else an empty string.
 std::string PageSession::Inside::keep(const char* what, const std::string& text) const {
   const auto kept = server.journal->keep(what, panel_place->name, text);
   return kept ? std::string() : kept.error();
 }
 
-/// Its controls are for others to take.
+/// Gives up control of the machine, so that other pages may take it.
 void PageSession::Inside::leave_machine() {
   std::shared_ptr<PanelHub::Place> place;
   {
@@ -167,7 +167,7 @@ void PageSession::Inside::leave_machine() {
   if (place) place->holder.compare_exchange_strong(mine, 0);
 }
 
-/// The machine, if this page may act on it.
+/// The machine, if this page has control of it.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   if (!may_change)
@@ -193,7 +193,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   return json;
 }
 
-/// The program as the machine runs it, whatever lies on the disk by now.
+/// The program as the machine runs it, whatever is on the disk now.
 PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelProgram& program = content_of(*panel_place).program;
@@ -224,7 +224,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
-  (*machine)->switch_off();  // it writes nothing into what is forgotten
+  (*machine)->switch_off();  // first, so that it saves nothing after its data are deleted
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(panel_place->name);
   server.hub->remove(panel_place->name);
@@ -273,14 +273,14 @@ PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
                                    value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
 }
 
-/// To a question of the program.
+/// Answers a question of the program.
 PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   return answer_of((*machine)->answer(value_in<double>(question, "answer", -1)));
 }
 
-/// Values of expressions, a page's own.
+/// Evaluates expressions that only this page watches.
 PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   std::vector<std::string> expressions;
@@ -296,7 +296,7 @@ PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question)
   return PageJson{{"values", std::move(list)}};
 }
 
-/// `remove`: the number of one; else one more.
+/// Adds a stop point, or removes the one with the number `remove`.
 PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -308,7 +308,7 @@ PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& questi
   return PageJson{{"number", *number}};
 }
 
-/// From any thread.
+/// May be called from any thread.
 void PageSession::Inside::stop_machine() {
   std::shared_ptr<PanelHub::Place> place;
   {

@@ -1,4 +1,4 @@
-// Questions about the program that is open: open, source, state, passes. For view/page_session; tested by tests/serve.py.
+// Requests about the open program: open, source, state, passes. Used by view/page_session; tested by tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint64_t most_text = std::uint64_t{8} << 20;  // bytes: longer programs are looked at by lines, and not edited
+constexpr std::uint64_t most_text = std::uint64_t{8} << 20;  // bytes: longer programs can be viewed by lines, but not edited
 constexpr std::uint32_t most_lines = 5000;
 constexpr std::size_t most_passes = 1000;
 
@@ -25,7 +25,7 @@ std::string PageSession::Inside::place_of(const PageJson& question, const char* 
   return {};
 }
 
-/// Files beneath the folder; a control or a machine is one of the built-in ones, or such a file.
+/// Reads the files of a request. They are in the folder; a control or machine may also be a built-in one.
 tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
   OpeningWish wish;
   wish.lang = lang;
@@ -88,7 +88,7 @@ void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std:
   if (gone) stops = true;
 }
 
-/// Its line stands in another program.
+/// The line of such a problem is in another program.
 PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
   const Finding finding = finding_of(report, *run->opened().texts, lang);
   PageJson json = problem_json(finding, 0, std::nullopt);
@@ -120,7 +120,7 @@ void PageSession::Inside::carry_out() {
   say(done);
 }
 
-/// Of the program or of a file that it called: gone through once, when the first line of it is asked for.
+/// Lines of the program or of a file that it called; such a file is scanned once, at the first request.
 PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
   const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", most_lines), most_lines);
   const std::uint32_t file = count_in(question, "file", 0);

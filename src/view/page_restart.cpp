@@ -1,4 +1,4 @@
-// Questions about going on in mid program: restart, go_there; and a way by hand: lead. For view/page_session; tested by
+// Requests about continuing in mid program: restart, go_there; and motion by hand along a path: lead. Used by view/page_session; tested by
 // tests/panel_restart.py.
 
 #include <fmt/core.h>
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_sheet_variables = 1000;  // rows of a sheet that are variables
+constexpr std::size_t most_sheet_variables = 1000;  // rows of a sheet with variables
 constexpr std::size_t most_way = 100;               // motions
 
 PageJson value_json(const std::optional<InForce>& one) {
@@ -28,7 +28,7 @@ const char* name_of(PanelSheet::By by) {
   }
 }
 
-/// `before`: of each key.
+/// `before`: prefix of each key.
 PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& before = {}) {
   PageJson list = PageJson::array();
   std::size_t variables = 0;
@@ -75,7 +75,7 @@ tl::unexpected<std::string> no_way() {
   return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей"));
 }
 
-/// An error sentence: the way is none.
+/// Reads a path. Returns an error sentence if it is invalid.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
   const auto list = question.find("way");
   std::vector<WayPoint> way;
@@ -97,7 +97,7 @@ tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question
   return way;
 }
 
-/// Of the own channel, or of several in the order in which they are gone.
+/// Reads the path of the own channel, or paths of several channels in the order of travel.
 tl::expected<std::vector<PanelWay>, std::string> ways_of(const PageJson& question, const PanelMachine& machine) {
   const auto list = question.find("ways");
   if (list == question.end()) {
@@ -126,14 +126,14 @@ PanelSearch::Wish wish_in(const PageJson& question) {
   return wish;
 }
 
-/// Where the work coordinates have their zero, tool length included, if they are not turned.
+/// Machine position of the zero of the work coordinates, including the tool length, if the frame is not rotated.
 PageJson zero_json(const ToolPosition& stand, const std::vector<std::string>& axes) {
   PageJson zero = PageJson::object();
   for (std::size_t a = 0; a < axes.size() && a < max_axes; ++a) zero[axes[a]] = stand.machine[a] - stand.work[a];
   return zero;
 }
 
-/// The other channels; empty: there are none.
+/// The other channels; empty if there are none.
 PageJson beside_json(const PanelPlace& place, const std::vector<PanelSheet>& sheets, const PanelMachine& machine, Lang lang) {
   PageJson list = PageJson::array();
   for (std::size_t i = 0; i < place.beside.size(); ++i) {
@@ -175,7 +175,7 @@ tl::expected<PanelSearch::Answer, Refusal> PageSession::Inside::find_place(Panel
   return found;
 }
 
-/// `ready` false: it is being looked for, ask again.
+/// `ready` false in the answer: the search is in progress, ask again.
 PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -208,7 +208,7 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
                   {"beside", beside_json(place, *sheets, **machine, lang)}};
 }
 
-/// Along a way by hand.
+/// Moves the axes by hand along a path.
 PageSession::Inside::Answer PageSession::Inside::lead(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());

@@ -1,4 +1,4 @@
-// Questions of a page. For server/connection; tested by tests/serve.py.
+// PageSession: handles the requests of a page. Used by server/connection; tested by tests/serve.py.
 
 #include "view/page_session.h"
 
@@ -63,7 +63,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   struct Known {
     std::string_view name;
     Answer (Inside::*answer)(const PageJson&);
-    bool of_program;     // one must be open
+    bool of_program;     // a program must be open
     bool heavy = false;  // it may take much memory
   };
   static constexpr Known all[] = {

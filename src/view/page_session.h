@@ -1,5 +1,5 @@
 #pragma once
-// PageSession: one page's session: its questions in, answers, events and frames out (docs/panel-protocol.md). It knows no sockets.
+// PageSession: the session of one page: requests in; answers, events and frames out (docs/panel-protocol.md). It uses no sockets itself.
 
 #include <atomic>
 #include <memory>
@@ -16,16 +16,16 @@ class MemoryBound;
 class PanelJournal;
 class ServedFolder;
 
-/// Where what is said goes. Called by the thread that answers.
+/// Receives the output of a session. Called by the thread that answers.
 class PageLine {
  public:
   virtual ~PageLine() = default;
-  /// Waits while too much has not been taken off. False: nobody is there any more.
+  /// Waits while too much output is unsent. Returns false if the page has gone.
   virtual bool text(std::string message) = 0;
   virtual bool frame(std::string bytes) = 0;
 };
 
-/// The file that was opened last, by any page.
+/// The file that any page has opened last.
 class LastOpened {
  public:
   std::string get() const {
@@ -42,17 +42,17 @@ class LastOpened {
   std::string file_;  // empty: none
 };
 
-/// What all pages of a server have in common.
+/// What all pages of a server share.
 struct PageServer {
   const ServedFolder& folder;
-  std::string token;    // that who may change something knows
-  bool all_need_token;  // who does not know it may not even look
+  std::string token;    // required to change anything
+  bool all_need_token;  // without the token not even viewing is allowed
   Lang lang = Lang::en;
   std::string version;                  // of Kadr
-  LastOpened* last = nullptr;           // nullptr: nobody asks
-  PanelHub* hub = nullptr;              // nullptr: there are no machines
-  PanelJournal* journal = nullptr;      // of theirs; there where the hub is
-  const MemoryBound* memory = nullptr;  // of all sessions together; nullptr: there is none
+  LastOpened* last = nullptr;           // nullptr: not needed
+  PanelHub* hub = nullptr;              // nullptr: no machines
+  PanelJournal* journal = nullptr;      // of the machines; set if hub is
+  const MemoryBound* memory = nullptr;  // for all sessions together; nullptr: no limit
 };
 
 class PageSession {
@@ -65,16 +65,16 @@ class PageSession {
   PageSession(const PageSession&) = delete;
   PageSession& operator=(const PageSession&) = delete;
 
-  /// Before take(), in step with stop(): work goes on until that, or is to end at once (`stopped` before it came to its turn).
+  /// To be called before take(), in order with stop(). Work continues until stop(), or ends at once if `stopped` came before its turn.
   void begin(bool stopped);
-  /// Answers a message, and carries out what it asks for.
-  ///   returns  false: too many were no questions, or nobody is there any more
+  /// Answers a message, and performs what it requests.
+  ///   returns  false if too many messages were no requests, or the page has gone
   bool take(std::string_view message);
-  /// What is being worked on ends at once. From any thread.
+  /// Ends the current work at once. May be called from any thread.
   void stop();
-  /// The message asks for nothing but that. It is to be given to take() all the same.
+  /// True if the message requests only stop(). It must still be passed to take().
   static bool asks_to_stop(std::string_view message);
-  /// … for an emergency stop: emergency() is to be called at once, from any thread.
+  /// True if it requests an emergency stop: emergency() must be called at once, from any thread.
   static bool asks_for_emergency(std::string_view message);
   void emergency();
 

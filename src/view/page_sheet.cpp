@@ -1,4 +1,4 @@
-// The set-up sheet of the program that is open. For view/page_session; tested by tests/serve.py.
+// Request for the set-up sheet of the open program. Used by view/page_session; tested by tests/serve.py.
 
 #include "view/page_inside.h"
 #include "view/sheet.h"

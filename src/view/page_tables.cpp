@@ -1,4 +1,4 @@
-// Questions about the tables of a machine at its panel: tables, edit, keep_tables; and its log: shift. For view/page_session; tested by
+// Requests about the tables of a machine at its panel: tables, edit, keep_tables; and its log: shift. Used by view/page_session; tested by
 // tests/panel_tables.py.
 
 #include <algorithm>
@@ -21,7 +21,7 @@ PageJson variables_json(const std::vector<PanelVariable>& variables) {
   return list;
 }
 
-/// Those that a program may change.
+/// The tables that a program may change.
 PageJson tables_of(const std::optional<RunState>& state) {
   PageJson tables = PageJson::object();
   if (!state) return tables;
@@ -53,7 +53,7 @@ PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
                   {"lasts", server.journal != nullptr && server.journal->lasts()}};
 }
 
-/// Checked, kept, taken over: in this order, so that what is confirmed is kept.
+/// Checks, saves and applies an edit, in this order, so that what is confirmed is also saved.
 PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -80,7 +80,7 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   return PageJson{{"edited", program.edited()}};
 }
 
-/// What was edited goes into the set-up file; where there is none, into a new one.
+/// Writes the edits into the set-up file, or into a new one if there is none.
 PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -103,7 +103,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& que
   return PageJson{{"digest", *saved}};
 }
 
-/// The log of the machine, the latest last.
+/// The log of the machine, latest entry last.
 PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question) {
   const std::string name = value_in<std::string>(question, "file", panel_place ? panel_place->name : "");
   if (server.journal == nullptr || name.empty()) return refused(told("no machine is looked at", "станок не выбран"));

@@ -1,5 +1,5 @@
-// Punched tape: a program of the folder as the rows of a tape, a tape of the folder as text. Nothing is written; the page saves what is
-// wanted. For view/page_session; tested by tests/serve_making.py.
+// Punched tape: converts a program of the folder to the rows of a tape, and a tape of the folder to text. Nothing is written; the page
+// saves the result if the user wants. Used by view/page_session; tested by tests/serve_making.py.
 
 #include <fmt/core.h>
 
@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::size_t most_rows = std::size_t{8} << 20;  // of a tape: 21 km
 constexpr std::size_t most_leader = 100'000;
-constexpr std::size_t most_faults_told = 100;  // faults
+constexpr std::size_t most_faults_told = 100;
 
 tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Of a character that the code does not have: its line and itself.
+/// Error for a character that the code does not have: its line and the character.
 std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
   const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
   return fmt::format(fmt::runtime(lang == Lang::ru ? "{}:{}: символ '{}' не пробить в коде {}" : "{}:{}: '{}' has no {} code"), file, line,
@@ -37,7 +37,7 @@ PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) 
   return no_tape(told("tape: way: in or out", "tape: way: in или out"));
 }
 
-/// The text as it stands in the editor, or in the file.
+/// Punches the text as it is in the editor, or in the file.
 PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, most_rows);

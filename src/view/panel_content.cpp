@@ -1,4 +1,4 @@
-// What happens at a machine, as it is kept. For view/page_panel, view/page_tables; tested by tests/panel_kills.py.
+// Saved form of a machine's events. Used by view/page_panel, view/page_tables; tested by tests/panel_kills.py.
 
 #include "view/panel_content.h"
 

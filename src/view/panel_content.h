@@ -1,5 +1,5 @@
 #pragma once
-// What a machine of the hub is made of besides itself, and how what happens at it is kept.
+// PanelContent: what belongs to a machine of the hub besides the machine itself, and the form in which its events are saved.
 
 #include <mutex>
 
@@ -12,14 +12,14 @@ namespace kadr {
 struct PanelContent {
   explicit PanelContent(OpenedProgram opened, OpeningWish wish) : program(std::move(opened), std::move(wish)) {}
   PanelProgram program;
-  std::mutex edits;  // one at a time, from the check to the answer
+  std::mutex edits;  // held from the check to the answer: one edit at a time
 };
 
 inline PanelContent& content_of(const PanelHub::Place& place) { return *static_cast<PanelContent*>(place.content.get()); }
 
-/// An entry of the log: now, what, its text, the line of the program (0: none), as JSON.
+/// A log entry as JSON: the present time, kind, text, line of the program (0: none).
 std::string log_entry(const std::string& kind, const std::string& text, std::uint32_t line);
-/// Where a machine stands, as JSON; and back.
+/// The location of a machine as JSON, and its reverse.
 std::string spot_text(const PanelSpot& spot);
 std::optional<PanelSpot> spot_of(const std::string& text);
 

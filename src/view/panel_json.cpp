@@ -1,4 +1,4 @@
-// For view/page_panel; the shape is held against docs/panel-protocol.md by tests/panel.py.
+// Used by view/page_panel; tests/panel.py compares the shape with docs/panel-protocol.md.
 
 #include "view/panel_json.h"
 
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// JSON has no number that is none.
+/// JSON has no NaN or infinity: they become null.
 PageJson finite(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
 
 PageJson axes_json(const std::vector<std::string>& names, const Axes& values) {
@@ -29,7 +29,7 @@ PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   return list;
 }
 
-/// Several side by side; empty: there is one.
+/// All channels, if there are several; empty for a single one.
 PageJson channels_json(const std::vector<PanelChannel>& channels) {
   PageJson list = PageJson::array();
   for (const PanelChannel& one : channels) {
@@ -50,7 +50,7 @@ PageJson channels_json(const std::vector<PanelChannel>& channels) {
   return list;
 }
 
-/// Codes in force, and values of everything that is none of the axes'.
+/// Adds the codes in force, and the values that do not belong to axes.
 void put_modes(PageJson& json, const PanelModes& modes) {
   PageJson codes = PageJson::array();
   for (const InForce& one : modes.in_force)

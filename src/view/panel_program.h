@@ -1,5 +1,5 @@
 #pragma once
-// PanelProgram: what the sessions of a machine at its panel are made of: the program, and its tables as they have been edited.
+// PanelProgram: creates the sessions of a panel machine: holds the program and its tables with all edits.
 
 #include <memory>
 #include <mutex>
@@ -16,45 +16,45 @@ namespace kadr {
 
 class PanelProgram {
  public:
-  /// `wish`: as it was opened, its tables too.
+  /// `wish`: the request that opened it, including its tables.
   PanelProgram(OpenedProgram opened, OpeningWish wish);
 
   const OpenedProgram& opened() const { return opened_; }
   const std::string& setup_file() const { return wish_.setup; }
 
-  // From any thread.
-  /// The program as it lay on the disk when the machine began: what it runs, and what places are found in, until it begins anew.
-  ///   bytes   nothing: it is read from the disk each time, for it is long or cannot be read
-  ///   digest  of the file then; empty: it cannot be read
+  // All functions below may be called from any thread.
+  /// Sets the program as it was on the disk when the machine started: this text is run and searched until the program starts again.
+  ///   bytes   nullptr: the file is read each time, since it is long or unreadable
+  ///   digest  of the file at that time; empty if it is unreadable
   void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
   std::string digest() const;
-  /// As UTF-8, lines divided by '\n'.
-  ///   returns  nothing: it is not held
+  /// The text as UTF-8, with '\n' between lines.
+  ///   returns  nullopt if the text is not held
   std::optional<std::string> text() const;
-  /// PanelOpens.
+  /// Implements PanelOpens.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
-    PageJson edited;          // in the form of a set-up, laid over the file
-    Setup setup;              // both together
-    std::uint64_t after = 0;  // so many changes
+    PageJson edited;          // in the form of a set-up, overrides the file
+    Setup setup;              // file and edits combined
+    std::uint64_t after = 0;  // number of changes before this one
   };
-  /// What would come of a change (JSON merge patch, RFC 7386: null takes an edit back), checked as set-ups are.
+  /// The result of a change (JSON merge patch, RFC 7386: null reverts an edit), checked like any set-up.
   ///   returns  an error sentence
   tl::expected<Tables, std::string> changed(const PageJson& patch) const;
-  /// Opens the program with them, for nothing but this.
-  ///   returns  why the control refuses them; empty: it does not
+  /// Opens the program with the tables as a test.
+  ///   returns  why the control refuses them; empty if it accepts them
   std::string refusal(const Tables& tables) const;
-  /// False: they have been changed meanwhile.
+  /// Returns false if the tables have been changed meanwhile.
   bool take(Tables tables);
-  /// A line of the operator has changed tables of the control.
-  ///   returns  the change, or an error sentence: they are no set-up's
+  /// Applies a change of tables that a line of the operator has made in the control.
+  ///   returns  the change, or an error sentence if it does not fit a set-up
   tl::expected<PageJson, std::string> take_by_hand(const Setup& before, const Setup& after);
   PageJson edited() const;
-  /// Of the set-up file; empty: there is none.
+  /// Contents of the set-up file; empty if there is none.
   ///   returns  an error sentence
   tl::expected<PageJson, std::string> of_file() const;
-  /// Tables that a set-up of this control may have.
+  /// Names of the tables that a set-up of this control may have.
   std::vector<std::string> sections() const;
 
  private:
@@ -65,7 +65,7 @@ class PanelProgram {
   OpeningWish wish_;
   std::shared_ptr<const std::string> bytes_;
   std::string digest_;
-  std::vector<std::string> axes_;  // of its control, from the first session on
+  std::vector<std::string> axes_;  // of its control; known after the first session
   mutable std::mutex lock_;
   PageJson edited_;
   Setup setup_;

@@ -1,4 +1,4 @@
-// A program carried out on a blank, for the page. For view/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
+// PartRun: cuts a blank with a program for the page. Used by view/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
 
 #include "view/part_run.h"
 
@@ -24,10 +24,10 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double bytes_per_mb = 1 << 20;
-constexpr double cells_seen = 200;                     // along the longest side: some hundred thousand triangles
+constexpr double cells_seen = 200;                     // along the longest side: gives some hundred thousand triangles
 constexpr double share_for_past = 0.25;                // of the memory
 constexpr double least_cell = 1e-3, most_cell = 1000;  // mm
-constexpr std::uint16_t of_no_tool = 65535;            // in a frame
+constexpr std::uint16_t of_no_tool = 65535;            // value in a frame
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
@@ -50,7 +50,7 @@ tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std:
   return named->body;
 }
 
-/// The same cell as `kadr cut` would take; what is shown is coarser, so that any instant of it is there in less than a second.
+/// Uses the same cell as `kadr cut`; the displayed stock is coarser, so that any instant of it is available within a second.
 tl::expected<void, std::string> PartRun::find_material(const PartWish& wish) {
   auto blank = body(wish.stock);
   if (!blank) return Failed(blank.error());
@@ -106,7 +106,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::tell_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps come on top of the material
+  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps need memory in addition to the material
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
@@ -154,7 +154,7 @@ PartThen PartRun::at(double instant) const {
   return then;
 }
 
-/// Points from the machine's zero, as those of the path.
+/// Points are relative to the machine's zero, like those of the path.
 std::string PartRun::frame_of(const PartThen& then) const {
   const Surface& s = then.surface;
   const Cutting& cutting = run_->cutting();

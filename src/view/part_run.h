@@ -1,9 +1,9 @@
 #pragma once
-// PartRun: a program carried out on a blank, for the page: what it hits, what is left, and the part at any instant (docs/panel-protocol.md:
-// cut, part).
+// PartRun: cuts a blank with a program for the page: finds collisions, the remaining stock, and the part at any instant
+// (docs/panel-protocol.md: cut, part).
 //
-//   PartWish ─ PartRun::make() ─▶ a session of its own ─ CutRun ─▶ two stocks: one as fine as `kadr cut` has it, for figures and findings,
-//   and a coarser one that keeps its past, which is shown
+//   PartWish ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: one as fine as in `kadr cut`, for figures and findings,
+//                                                             and a coarser one that keeps its past, for display
 
 #include <functional>
 #include <memory>
@@ -18,46 +18,46 @@
 
 namespace kadr {
 
-/// Bodies in words of body_of(), their files as places in the file system.
+/// Bodies as texts for body_of(), with files as paths in the file system.
 struct PartWish {
   std::string stock;
   std::vector<std::string> fixtures;
-  std::vector<std::string> fixture_names;  // as the page calls them
+  std::vector<std::string> fixture_names;  // as the page displays them
   ToolLibrary tools;
-  double resolution = 0;  // mm; 0: chosen
+  double resolution = 0;  // mm; 0: automatic
 };
 
 /// The part at an instant.
 struct PartThen {
-  double seconds = 0;  // the instant, within the program
+  double seconds = 0;  // the instant, limited to the program
   double stock = 0;    // mm³ of the blank
   double left = 0;
-  double cell = 0;  // mm: of what is shown
+  double cell = 0;  // mm: of the displayed stock
   Surface surface;  // in the work system of the blank
 };
 
 class PartRun {
  public:
-  static constexpr double most_bytes = 400e6;  // of material and past
+  static constexpr double most_bytes = 400e6;  // for material and past
 
-  ///   opened   outlives it
+  ///   opened   outlives this object
   ///   returns  an error sentence
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop);
 
-  /// Some times a second: how far it has come, 0 to 1.
+  /// Called several times per second with the progress, 0 to 1.
   std::function<void(double part)> on_progress;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 
-  /// To the end of the program, or its alarm.
+  /// Runs to the end of the program, or to its alarm.
   ///   returns  an error sentence: stopped, no memory, a tool without a shape
   tl::expected<void, std::string> carry_out();
 
   // ---- after carry_out()
   const CutResult& result() const { return result_; }
-  /// Alarms and warnings of the program itself.
+  /// Number of alarms and warnings of the program itself.
   std::size_t alarms() const { return run_->alarms(); }
   std::size_t warnings() const { return run_->warnings(); }
-  /// What of files had to be repaired, what was taken as it is.
+  /// What had to be repaired in files, and what input was used as it is.
   const std::vector<std::string>& notes() const { return notes_; }
   PartThen at(double instant) const;
   /// A frame of kind 3.
@@ -80,7 +80,7 @@ class PartRun {
   std::unique_ptr<CutRun> run_;
   CutResult result_;
   ProgressClock progress_clock_;
-  bool too_much_ = false;  // memory
+  bool too_much_ = false;  // memory limit exceeded
 };
 
 }  // namespace kadr

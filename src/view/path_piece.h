@@ -1,5 +1,5 @@
 #pragma once
-// ViewPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1, 2 and 4).
+// ViewPiece: some thousand vertices of a path in the form for the page (docs/panel-protocol.md, frames of kind 1, 2 and 4).
 
 #include <array>
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace kadr {
 
-inline constexpr double finest_level = 0.001;  // mm: what level 0 may leave out is nothing, level 1 twice this (docs/panel-protocol.md)
+inline constexpr double finest_level = 0.001;  // mm: level 0 omits nothing, level 1 may be off by twice this (docs/panel-protocol.md)
 
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 
-/// What it says holds for the way that ends there.
+/// The values describe the segment that ends at the vertex.
 struct PathVertex {
   std::array<float, 3> at{};  // mm
   float time = 0;             // s since ViewPiece::begins
@@ -33,22 +33,22 @@ struct PathVertex {
 struct ViewPiece {
   static constexpr std::size_t most = 8192;  // vertices
 
-  double begins = 0;                             // s: of its first vertex
-  std::uint32_t first = 0;                       // number of its first vertex in the path
-  std::vector<PathVertex> vertices;              // the first is the last one of the piece before
-  std::vector<std::array<float, 3>> directions;  // of the tool at each; empty: it stands upright all along
-  std::vector<float> positions;                  // of the joints that turn the part, at each vertex in turn; empty: there are none
+  double begins = 0;                             // s: time of its first vertex
+  std::uint32_t first = 0;                       // index of its first vertex in the path
+  std::vector<PathVertex> vertices;              // the first one repeats the last one of the previous piece
+  std::vector<std::array<float, 3>> directions;  // of the tool at each vertex; empty: the tool is upright everywhere
+  std::vector<float> positions;                  // of the joints that turn the part, vertex by vertex; empty: there are none
 
   std::size_t joints() const { return vertices.empty() ? 0 : positions.size() / vertices.size(); }
 };
 
-/// Says at which level each vertex may go: leaving out those below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
-/// kind, feed or file change stay at every level.
-///   law  the first and the last are kept at all levels
+/// Sets the level of each vertex: without the vertices below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
+/// kind, feed or file change remain at every level.
+///   law  the first and the last vertex remain at all levels
 void set_levels(ViewPiece& piece);
 
 /// A frame of kind 1.
-///   which  0: the program, 1: what it is compared with; plus 2: as programmed
+///   which  0: the program, 1: what it is compared with; plus 2: the contour as programmed
 std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 /// A frame of kind 2.
 std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);

@@ -1,4 +1,4 @@
-// Steps → vertices. For view/program_run; tested by tests/view/path_record_test.cpp.
+// PathRecord: turns Steps into vertices. Used by view/program_run; tested by tests/view/path_record_test.cpp.
 
 #include "view/path_record.h"
 
@@ -7,10 +7,10 @@
 namespace kadr {
 namespace {
 
-constexpr double chord = 0.002;      // mm that a chord may miss an arc
+constexpr double chord = 0.002;      // mm by which a chord may deviate from an arc
 constexpr double same_place = 1e-6;  // mm
 constexpr double seconds_a_minute = 60;
-constexpr double shortest_stand = 1e-3;  // s: of a dwell that is a vertex of its own
+constexpr double shortest_stand = 1e-3;  // s: shortest dwell that gets its own vertex
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {
@@ -25,7 +25,7 @@ PathKind kind_of(MotionKind kind) {
   }
 }
 
-/// The control knows better than the machine's file, where it leads the tip.
+/// If the control leads the tip, its own joints are used instead of those in the machine's file.
 std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
   const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) return part_joints(space->data());
@@ -113,7 +113,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   }
 }
 
-/// The part turns about the tool, which stays where it is in the part.
+/// The part rotates about the tool, which keeps its position in the part.
 void PathRecord::turn_on_the_spot(const Step& step) {
   if (!begun_ || joints_.empty()) return;
   stand_at(step, 1);

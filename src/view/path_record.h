@@ -1,5 +1,5 @@
 #pragma once
-// PathRecord: the way of the tool over the part, kept for the page: from Steps to pieces of vertices.
+// PathRecord: records the path of the tool over the part for the page: turns Steps into pieces of vertices.
 
 #include <deque>
 #include <functional>
@@ -15,35 +15,35 @@ namespace kadr {
 
 class PathRecord {
  public:
-  /// `tool`: in the spindle at the start. The rest as of ToolWay.
+  /// `tool`: in the spindle at the start. The other parameters as in ToolWay.
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
-  /// Gets each piece when it is complete; the reference holds until the record goes.
+  /// Receives each piece when it is complete; the reference is valid as long as the record.
   std::function<void(const ViewPiece&)> on_piece;
 
-  ///   later, longer  s that the step begins later and takes longer on the machine than it was timed
+  ///   later, longer  s by which the step begins later, and takes longer, on the machine than timed
   void consume(const Step& step, double later, double longer);
-  /// Of a contour that nobody has timed: each vertex gets the time of its block's end on the path.
+  /// For a contour without times: sets the time of each vertex to the time at which its block ends on `path`.
   void take_times_of(const PathRecord& path);
-  /// s at which the block of that number ends, or the last one before it that moves.
+  /// s at which the block with that number ends; if it does not move, the last one before it that does.
   double end_of_block(std::uint32_t number) const;
-  /// What has come so far is a piece.
+  /// Completes the current piece.
   void flush();
-  /// A vertex more would be too many: nothing more is kept.
+  /// True if the limit of vertices is reached: nothing more is recorded.
   bool is_full() const { return vertices_ >= most_vertices; }
 
   const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
-  /// Where the picture's zero is, machine coordinates.
+  /// Zero of the picture, in machine coordinates.
   Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
-  /// What the path reaches, from the picture's zero; arcs by their chords.
+  /// The box around the path, relative to the picture's zero; arcs by their chords.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
-  /// Whose positions the vertices have.
+  /// The joints whose positions the vertices have.
   const std::vector<PartJoint>& joints() const { return joints_; }
-  /// The vertex at which the tool arrives at or after an instant; nullptr: the path is over before.
+  /// The vertex that the tool reaches at or after an instant; nullptr if the path ends before.
   const PathVertex* at(double instant) const;
-  /// Its time, s.
+  /// Time of the vertex, s.
   static double time_of(const ViewPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
 
  private:
@@ -58,8 +58,8 @@ class PathRecord {
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
   ToolWay way_;
-  std::vector<PartJoint> joints_;          // from the first motion on
-  std::vector<float> stand_, last_stand_;  // where they are at the vertex that is added, at the one before
+  std::vector<PartJoint> joints_;          // known from the first motion on
+  std::vector<float> stand_, last_stand_;  // positions at the vertex being added, and at the one before
   std::uint32_t tool_;
   std::vector<WayPiece> ways_;
   std::deque<ViewPiece> pieces_;  // the last one is being filled, unless flushed
@@ -68,7 +68,7 @@ class PathRecord {
   double last_time_ = 0;
   Vec3 last_, last_direction_{0, 0, 1};
   bool begun_ = false;
-  Box cutting_, all_;  // from the machine's zero
+  Box cutting_, all_;  // relative to the machine's zero
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A program carried out for the page. For view/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
+// ProgramRun. Used by view/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
 
 #include "view/program_run.h"
 
@@ -15,8 +15,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_marks = 10'000;
-constexpr std::size_t most_checkpoints = 48;  // each some 600 KB: what the control has made ahead is in it
-constexpr double short_dwell = 0.05;          // s: no mark
+constexpr std::size_t most_checkpoints = 48;  // some 600 KB each, including what the control has executed ahead
+constexpr double short_dwell = 0.05;          // s: a shorter dwell gets no mark
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void ProgramRun::attach() {
     };
 }
 
-/// Their paths and alarms; nothing else of them is shown.
+/// Observes the paths and alarms of the other channels; nothing else of them is displayed.
 void ProgramRun::attach_others() {
   std::vector<Channel>& channels = session_->channels();
   others_.reserve(channels.size());
@@ -125,7 +125,7 @@ void ProgramRun::take(const Step& step, double longer) {
   seconds_ = step.begins + step.time.seconds + step.pause + later_;
 }
 
-/// Motions without compensation are followed only.
+/// Motions without compensation only update the position.
 void ProgramRun::take_programmed(const Action& action) {
   programmed_->give(action, [this](const Step& step) {
     const Motion* const motion = step.motion();
@@ -141,7 +141,7 @@ void ProgramRun::tell_contour() {
   contour_.reset();
 }
 
-/// What check tells when the run is over. It has no time of its own: nothing happens at it.
+/// Reports what a check reports after the run. These findings have no time of their own.
 void ProgramRun::tell_what_is_left() {
   if (end_ == End::cancelled || !on_alarm) return;
   if (end_ == End::ended)
@@ -168,7 +168,7 @@ void ProgramRun::mark(const Step& step, double at) {
               ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
-/// Where there are too many every second one goes.
+/// When there are too many checkpoints, every second one is dropped.
 void ProgramRun::keep_checkpoint() {
   auto now = session_->snapshot();
   if (!now) return;

@@ -1,6 +1,6 @@
 #pragma once
-// ProgramRun: a program carried out for the page, once, from its beginning: its path, its marks, its figures, and snapshots from which any
-// instant is reached again.
+// ProgramRun: runs a program once from the beginning, for the page. It records the path, marks, figures, and snapshots from which any
+// instant can be reached again.
 
 #include <functional>
 #include <memory>
@@ -16,17 +16,17 @@
 
 namespace kadr {
 
-/// Something on the time line.
+/// A mark on the time line.
 struct TimeMark {
   enum class Kind : std::uint8_t { tool, alarm, warning, stop, optional_stop, message, dwell, end };
   double at = 0;
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
-  std::string text;        // of the program: to be escaped where it is shown
+  std::string text;        // contains text of the program: escape it for display
   std::uint16_t file = 0;  // Origin::file of the line
 };
 
-/// From where the session goes on, and which block comes then.
+/// A snapshot of the session, and the number of blocks executed before it.
 struct RunCheckpoint {
   std::uint64_t blocks;
   SessionSnapshot snapshot;
@@ -34,19 +34,19 @@ struct RunCheckpoint {
 
 class ProgramRun {
  public:
-  /// returns  an error sentence: the set-up names what the control has not
+  /// returns  an error sentence if the set-up has a key that the control does not support
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  /// `channel`: 0: the program's own; the others count from 1, in the order of their numbers.
+  /// `channel`: 0: the program's own; the others count from 1, sorted by number.
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
-  /// The same of the contour as programmed, where the tool's radius is compensated: when all is over.
+  /// Receives, after the run, the pieces of the contour as programmed, where it is compensated for the tool radius.
   std::function<void(const ViewPiece&)> on_contour;
-  /// `channel`: as the machine counts them; 0: the program's own.
+  /// `channel`: the number on the machine; 0: the program's own.
   std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
-  /// Some times a second: how far it has come.
+  /// Called several times per second with the progress.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
-  /// To the end, an alarm or a stop.
+  /// Runs to the end, an alarm or a stop.
   void carry_out();
 
   enum class End : std::uint8_t { ended, stopped, cancelled };
@@ -78,7 +78,7 @@ class ProgramRun {
   OpenedProgram opened_;
   StopToken stop_;
   std::unique_ptr<Session> session_;
-  /// A channel beside the program's own.
+  /// A channel other than the program's own.
   struct Other {
     AxisRoles roles;
     std::unique_ptr<PathRecord> record;
@@ -87,20 +87,20 @@ class ProgramRun {
   std::vector<Other> others_;
   AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
-  std::unique_ptr<PathRecord> contour_;  // where compensation acts; its times come at the end
-  std::unique_ptr<Steps> programmed_;    // follows the position as there is no compensation
+  std::unique_ptr<PathRecord> contour_;  // where compensation is active; gets its times at the end
+  std::unique_ptr<Steps> programmed_;    // tracks the position without compensation
   std::unique_ptr<Checklist> checklist_;
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;
-  std::uint64_t apart_ = 4096;  // blocks between two of them
-  double later_ = 0;            // s by which the machine is behind the programmed time
+  std::uint64_t apart_ = 4096;  // blocks between two checkpoints
+  double later_ = 0;            // s by which the machine is later than the programmed time
   double seconds_ = 0;
   ProgressClock progress_clock_;
   End end_ = End::ended;
 };
 
-/// What the machine of a program is for whoever follows its tool.
+/// Properties of a program's machine that are needed to follow its tool.
 std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control);
 std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control);
 

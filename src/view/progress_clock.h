@@ -1,5 +1,5 @@
 #pragma once
-// ProgressClock: progress of long work is reported to a page at most ten times a second.
+// ProgressClock: limits progress reports of long work to ten per second.
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-// Tools by files, set-up and comments. For view/page_part; tested by tests/view/proposals_test.cpp.
+// Tools from files, set-up and comments. Used by view/page_part; tested by tests/view/proposals_test.cpp.
 
 #include "view/proposals.h"
 
@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees, of most
+constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees, of most such tools
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
@@ -27,7 +27,7 @@ const Use* first_use(const ProgramRun& run, UseKind kind, const std::function<bo
   return nullptr;
 }
 
-/// The diameter by the radius that the set-up gives for its offset.
+/// Sets the diameter from the radius that the set-up states for the tool's offset.
 bool take_setup(const ProgramRun& run, ProposedTool& to) {
   const Use* const use = first_use(run, UseKind::radius, [&](const Use& u) { return u.tool == to.tool.number && u.number != 0; });
   if (use == nullptr) return false;
@@ -38,7 +38,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
-/// Kind and figures of a comment. What it leaves out is as most tools of that kind have it.
+/// Sets kind and dimensions from a comment. Missing values are those of most tools of that kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
@@ -129,7 +129,7 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  const auto last = Instants(run).at(run.seconds(), {});  // before the program's end puts the plane back
+  const auto last = Instants(run).at(run.seconds(), {});  // before the end of the program resets the plane
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }
 

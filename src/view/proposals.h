@@ -1,6 +1,6 @@
 #pragma once
-// Tools that a program seems to be written for: by the tools files beside it, its set-up, its comments. Proposals, to be looked at by a
-// person.
+// Proposes the tools that a program seems to be written for, from the tools files next to it, its set-up and its comments. A person must
+// check the proposals.
 
 #include <cstdint>
 #include <functional>
@@ -15,30 +15,30 @@ namespace kadr {
 
 struct ProposedTool {
   ToolGeometry tool;
-  std::string from;    // where that was found: told
-  bool known = false;  // its shape is; else it must be given
+  std::string from;    // description of where that was found
+  bool known = false;  // the shape is known; else the user must enter it
 };
 
-/// A tools file that was looked into.
+/// A tools file that was read.
 struct KnownTools {
   std::string file;
   ToolLibrary tools;
 };
 
-/// Numbers of the tools that the program cuts with; of one that calls none, 0.
+/// Numbers of the tools that the program cuts with; 0 for a program that calls none.
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run);
 
-/// The file that describes all tools that the program cuts with: the only one, or that which is called as the program, or "tools".
-///   returns  nullptr: none
+/// The file that describes all tools that the program cuts with: the only such file, or that with the name of the program, or "tools".
+///   returns  nullptr if there is none
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run);
 
-/// A tool for each number that the program cuts with, in the order of their use. `file`: which is asked first; nullptr: none.
+/// One tool for each number that the program cuts with, in the order of use. `file`: is searched first; nullptr: none.
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file);
 
-/// mm of each of these tools, by its number, as far as its size is known; 0: it is not.
+/// Radius of each of these tools by number, mm; 0 if unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// The part spins under a turning tool: the control has no Y, or arcs are those of a lathe.
+/// True if the part rotates and the tool turns: the control has no Y, or arcs are in the plane of a lathe.
 bool is_turning(const ProgramRun& run);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The part of a report. For cli/report; tested by tests/view/report_part_test.cpp.
+// The part of a report. Used by cli/report; tested by tests/view/report_part_test.cpp.
 
 #include "view/report_part.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr double off_by_cell = 0.1;              // that the triangles may be off the surface, of its cell
+constexpr double off_by_cell = 0.1;              // deviation of the triangles from the surface, in cells
 constexpr std::size_t most_triangles = 150'000;  // some 1 MB packed
 constexpr int most_simplifications = 3;
 
@@ -22,7 +22,7 @@ using Place = std::array<float, 3>;
 
 Place place_of(const Mesh& mesh, std::size_t i) { return {mesh.points[3 * i], mesh.points[3 * i + 1], mesh.points[3 * i + 2]}; }
 
-/// Its points are some of the exact surface's: made by whom those are.
+/// The points of `mesh` are some of the exact surface's points: copies from there which sweep made each.
 Surface with_makers(const Surface& exact, Mesh&& mesh) {
   std::map<Place, std::int32_t> makers;
   for (std::size_t i = 0; i < exact.point_count(); ++i) makers.emplace(place_of(exact, i), exact.made_by[i]);

@@ -1,12 +1,12 @@
 #pragma once
-// The part of a report: what is left at the end, as few triangles as show it.
+// The part of a report: the remaining stock at the end, with as few triangles as display it well.
 
 #include "view/part_run.h"
 #include "view/report.h"
 
 namespace kadr {
 
-/// `run` is over. Findings are not taken: they have been told.
+/// `run` has ended. Findings are not copied: they have been reported already.
 void take_part(const PartRun& run, ReportPart& part, const StopToken& stop);
 
 }  // namespace kadr

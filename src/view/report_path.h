@@ -1,5 +1,5 @@
 #pragma once
-// The path of a report: packed, and thinned where it would be too long.
+// The path of a report: packed, and thinned if it would be too long.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// What one step of a packed number is.
+/// The unit of each packed number.
 struct ReportQuanta {
   double length = 0.001;  // mm
   double time = 1e-4;     // s
@@ -18,15 +18,15 @@ struct ReportQuanta {
   double position = 1e-4;  // of a joint, degrees or mm
 };
 
-/// Which vertices are left out: those below a level.
+/// Which vertices are left out: those below these levels.
 struct Thinning {
-  int inner = 0;  // where the next one belongs to the same block
-  int any = 0;    // wherever they are
-  /// mm that the path may be off.
+  int inner = 0;  // for vertices that are followed by one of the same block
+  int any = 0;    // for all vertices
+  /// mm by which the path may be off.
   double off() const;
 };
 
-/// A piece as a frame of the protocol has it.
+/// A piece with its number in frames of the protocol.
 struct DrawnPiece {
   const ViewPiece* piece;
   std::uint32_t which;  // 0: of the path, 2: of the contour as programmed
@@ -35,17 +35,17 @@ std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<V
 
 ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces);
 
-/// Whether that one is left out of `piece`.
+/// True if this vertex of `piece` is left out.
 bool is_left_out(const ViewPiece& piece, std::size_t vertex, const Thinning& thinning);
 
 struct ReportPath {
-  std::string bytes;  // pieces, each with its head, to be packed with the rest
+  std::string bytes;  // pieces, each with its header, to be packed together with the rest
   Thinning thinning;
 };
 
-/// Thinned no more than needed.
-///   most_packed  bytes that it may take, packed
-///   returns      an error sentence: this machine has no zlib
+/// Packs the path, thinned no more than needed.
+///   most_packed  limit in bytes, packed
+///   returns      an error sentence if this machine has no zlib
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The set-up sheet. For view/page_sheet, view/report; tested by tests/view/sheet_test.cpp.
+// The set-up sheet. Used by view/page_sheet, view/report; tested by tests/view/sheet_test.cpp.
 
 #include "view/sheet.h"
 
@@ -17,10 +17,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t head_lines = 200;  // looked at for the notes at a program's head
-constexpr std::size_t most_calls = 12;     // lines told of each tool
+constexpr std::uint32_t head_lines = 200;  // searched for the notes at the beginning of a program
+constexpr std::size_t most_calls = 12;     // lines listed per tool
 constexpr std::size_t most_stops = 500;    // on the sheet
-constexpr double flutes_by_diameter = 3;   // of a tool of which the radius alone is known
+constexpr double flutes_by_diameter = 3;   // for a tool of which only the radius is known
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -30,7 +30,7 @@ std::string today() {
   return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
 }
 
-/// A line without comment that carries something out or names the program.
+/// True for a line that, apart from comments, is empty or has only the number of a program or of a block.
 bool is_head(const std::string& line) {
   std::string rest = without_comments(line);
   rest.erase(std::remove_if(rest.begin(), rest.end(), [](unsigned char c) { return c <= ' '; }), rest.end());
@@ -80,13 +80,13 @@ class SheetMaker {
   }
 
  private:
-  /// The comment of that line, else that of a line beside it that has nothing else.
+  /// The comment in that line, else in an adjacent line that contains nothing else.
   std::string comment_beside(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
     const std::size_t here = line - first;
-    for (const std::size_t i : {here, here - 1, here + 1}) {  // before the first line there is none
+    for (const std::size_t i : {here, here - 1, here + 1}) {  // before the first line this index is out of range
       if (i >= lines.size()) continue;
       if (i != here && !without_comments(lines[i]).empty()) continue;
       const std::vector<std::string> comments = comments_of(lines[i]);
@@ -95,7 +95,7 @@ class SheetMaker {
     return {};
   }
 
-  /// A comment that names the tool at the program's head, else that of the block that calls it.
+  /// A comment at the beginning of the program that names the tool, else the one at the block that calls it.
   std::string comment_of(std::uint32_t tool, std::uint32_t called_at) const {
     for (const std::string& line : source_.from(1, head_lines))
       for (const std::string& comment : comments_of(line))
@@ -111,7 +111,7 @@ class SheetMaker {
     return found == all.end() ? nullptr : &found->second;
   }
 
-  /// Where another tool uses the same offset, a setter who edits it for one edits it for both.
+  /// Notes other tools with the same offset: a setter who edits it for one tool edits it for all.
   void take_shared(Sheet::Tool& tool, const Use& by, const std::string& word) const {
     std::set<std::uint32_t> others;
     for (const Use& use : run_.control().use().all())
@@ -137,7 +137,7 @@ class SheetMaker {
     }
   }
 
-  /// What the comment says of the shape, as far as it goes.
+  /// The shape as far as the comment describes it.
   static ToolGeometry geometry_by(const ToolComment& said, const Sheet::Tool& tool) {
     ToolGeometry g;
     g.number = tool.number;

@@ -1,4 +1,4 @@
-// Lines by number. For view/page_session; tested by tests/view/source_text_test.cpp.
+// SourceText. Used by view/page_session; tested by tests/view/source_text_test.cpp.
 
 #include "view/source_text.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// What is damaged is shown as U+FFFD, so that what the page gets is UTF-8.
+/// Damaged bytes become U+FFFD, so that the page always gets UTF-8.
 void append_line(std::string_view bytes, Encoding encoding, std::string& text) {
   while (!bytes.empty()) {
     const Status read = append_utf8(bytes, encoding, text);
@@ -26,7 +26,7 @@ std::string utf8_of(std::string_view bytes, Encoding encoding) {
   return text;
 }
 
-/// ASCII, lines ended by LF alone.
+/// True if the piece is ASCII with LF line ends only.
 bool is_plain(std::string_view piece) {
   constexpr std::uint64_t high_bits = 0x8080808080808080;
   std::uint64_t any = 0;

@@ -1,4 +1,4 @@
-// The blank that a program seems to be written for. For view/page_part; tested by tests/view/stock_guess_test.cpp.
+// StockGuess. Used by view/page_part; tested by tests/view/stock_guess_test.cpp.
 
 #include "view/stock_guess.h"
 
@@ -11,13 +11,13 @@ namespace kadr {
 namespace {
 
 constexpr double level_height = 0.25;         // mm
-constexpr std::size_t most_levels = 100'000;  // what lies higher or lower than so many is no part
-constexpr double mostly = 0.1;                // of the way sideways may lie above a zero that is the top of the blank
-constexpr double above = 0.01;                // mm that lie in it
+constexpr std::size_t most_levels = 100'000;  // anything beyond this number of levels is no part
+constexpr double mostly = 0.1;                // share of the sideways travel that may be above a zero that is the top of the blank
+constexpr double above = 0.01;                // mm of tolerance
 constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // of the longest side; mm
-constexpr std::size_t most_places = 1000;                                 // that are looked at one by one
+constexpr std::size_t most_places = 1000;                                 // that are checked individually
 constexpr double same_hole = 0.5;                                         // mm
-constexpr double turned_face = 1;                                         // mm that a face at Z0 is cleaned of
+constexpr double turned_face = 1;                                         // mm of stock on a face that is turned to Z0
 constexpr double in_plane = 1e-3;                                         // mm
 
 bool at_feed(PathKind kind) {
@@ -34,13 +34,13 @@ Box3 grown(const Box3& box, double by) {
   return {{box.least.x - by, box.least.y - by, box.least.z}, {box.most.x + by, box.most.y + by, box.most.z}};
 }
 
-/// The sides of the first as far out as those of either.
+/// Extends the sides of the first box to those of the other.
 void take_sides(Box3& box, const Box3& other) {
   box.least.x = std::min(box.least.x, other.least.x), box.least.y = std::min(box.least.y, other.least.y);
   box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
 }
 
-/// A tool of that radius stands there, outside of `cut`: the sides of a wider box end before it.
+/// Limits the sides of a wider box so that it ends before a tool of that radius at `at`, outside of `cut`.
 void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
   const double farthest = std::max({left, right, front, back});
@@ -51,7 +51,7 @@ void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
-/// To whole mm, outwards.
+/// Round outwards to whole mm.
 double down(double value) { return std::floor(value + 1e-3) + 0.0; }
 double up(double value) { return std::ceil(value - 1e-3) + 0.0; }
 
@@ -99,7 +99,7 @@ void StockGuess::take(const ViewPiece& piece) {
   }
 }
 
-/// Without the ways in and out beside a blank with that top.
+/// What is cut, without the paths in and out next to a blank with that top.
 StockGuess::Cut StockGuess::cut_below(double top) const {
   Cut cut{certain_, {}};
   for (const Place& start : starts_) {
@@ -117,7 +117,7 @@ StockGuess::Cut StockGuess::cut_below(double top) const {
   return cut;
 }
 
-/// In machine coordinates.
+/// Returns machine coordinates.
 double StockGuess::top_of(double zero) const {
   if (levels_.empty()) return all_->least.z < zero ? zero : all_->most.z;
   double all = 0, beyond = 0;

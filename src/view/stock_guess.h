@@ -1,5 +1,5 @@
 #pragma once
-// StockGuess: the blank that a program seems to be written for, by where its path goes at feed. A proposal, to be looked at by a person.
+// StockGuess: proposes the blank that a program seems to be written for, from its path at feed. A person must check the proposal.
 
 #include <cstdint>
 #include <functional>
@@ -15,28 +15,28 @@ namespace kadr {
 
 class StockGuess {
  public:
-  /// Pieces of the path in their order, from the machine's zero.
+  /// Takes the pieces of the path in order, relative to the machine's zero.
   void take(const ViewPiece& piece);
 
-  /// mm of a tool by its number; 0: nobody knows it.
+  /// Radius of a tool by its number, mm; 0: unknown.
   using RadiusOf = std::function<double(std::uint32_t tool)>;
 
-  /// As `--stock` says it: a box around what is cut, with a margin: around the way of the tools' middles, and beyond what they sweep, so
-  /// that a pocket has walls; not so far that a tool that comes down beside the blank would come down into it. Round about the axis of a
-  /// part that turns. Its top is Z0 where nearly all is cut below that, as zeros are mostly set; else the highest place where the tool goes
-  /// sideways at feed. A place below the top to which the tool comes down at rapid is beside the blank: the way in from there, and out to
-  /// there, does not count.
+  /// The blank as a text for `--stock`: a box around what is cut, with a margin. The box contains the path of the tool centres and
+  /// exceeds what they sweep, so that a pocket has walls, but not so far that a tool that moves down outside the blank would enter it.
+  /// For a part that rotates it is round about the axis. The top is Z0 if nearly everything is cut below Z0, as zeros are mostly set;
+  /// else the highest level at which the tool moves sideways at feed. A point below the top to which the tool moves down at rapid is
+  /// outside the blank: the path in from there, and out to there, does not count.
   ///   zero     of the picture
-  ///   turned   the part spins about X0 Y0
-  ///   returns  empty: nothing is cut
+  ///   turned   the part rotates about X0 Y0
+  ///   returns  empty if nothing is cut
   std::string text(Vec3 zero, bool turned, const RadiusOf& radius_of) const;
 
-  /// All of the path at feed lies in one plane with the axis X0 Y0: as a lathe's does, and that of few mills.
+  /// True if the whole path at feed is in one plane through the axis X0 Y0, as on a lathe and on few mills.
   bool is_flat(Vec3 zero) const;
 
  private:
   struct Level {
-    double way = 0;  // mm gone sideways at feed
+    double way = 0;  // mm of travel sideways at feed
     double highest = -1e300;
   };
   struct Place {
@@ -44,10 +44,10 @@ class StockGuess {
     std::uint32_t tool = 0;
   };
   using Boxes = std::map<std::uint32_t, Box3>;  // by tool
-  /// What is cut by a blank with some top.
+  /// What is cut, for a given top of the blank.
   struct Cut {
     Boxes boxes;
-    std::vector<Place> beside;  // where tools come down beside it
+    std::vector<Place> beside;  // where tools move down outside the blank
   };
   static void widen(Boxes& boxes, const Place& place);
   void take_way(Place from, Place to);
@@ -55,12 +55,12 @@ class StockGuess {
   double top_of(double zero) const;
   Cut cut_below(double top) const;
 
-  std::optional<Box3> all_;           // of the path at feed
-  Boxes certain_;                     // without the places below
-  std::vector<Place> starts_, ends_;  // of ways sideways after a rapid, before a rapid
-  std::optional<Place> end_;          // of the last way sideways: what comes after it is not known yet
+  std::optional<Box3> all_;           // around the path at feed
+  Boxes certain_;                     // without the points in starts_ and ends_
+  std::vector<Place> starts_, ends_;  // of sideways travel after a rapid, and before a rapid
+  std::optional<Place> end_;          // end of the last sideways travel: the next motion is not known yet
   bool after_rapid_ = true;
-  std::map<int, Level> levels_;  // by height
+  std::map<int, Level> levels_;  // key: height
 };
 
 }  // namespace kadr

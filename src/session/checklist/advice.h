@@ -1,5 +1,6 @@
 #pragma once
-// Advice: what no control stops at, but a shop would not run (docs/checklist.md). What the watches of this folder collect.
+// Advice: problems at which no control stops, but which a workshop would not accept (docs/checklist.md). The watches of this folder
+// collect it.
 
 #include <cmath>
 #include <optional>
@@ -14,13 +15,13 @@ namespace kadr {
 struct Advice {
   Alarm alarm;
   Origin origin;
-  char address = 0;  // the word of the block that it is about; 0: the whole block
+  char address = 0;  // the word of the block concerned; 0: the whole block
 };
 
-/// In the order of the run; no more than a reader would look at.
+/// In the order of the run; limited to a number that a person would read.
 class Advices {
  public:
-  /// `args` as controls/alarms.toml says.
+  /// `args` as described in controls/alarms.toml.
   template <class... Args>
   void add(AlarmId id, const Origin& origin, char address, Args... args) {
     if (all_.size() < most) all_.push_back({advice(id, {}, AlarmArg(args)...), origin, address});
@@ -35,15 +36,15 @@ class Advices {
   std::vector<Advice> all_;
 };
 
-/// The tool cuts, as far as its motion says: it moves at feed. Probing, homing and standing still do not.
+/// True if the motion cuts by its kind: it moves at feed. Probing, homing and dwelling do not cut.
 inline bool is_cut(const Motion& motion) {
   return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline || motion.kind == MotionKind::thread;
 }
 
-/// What of a motion's ends the watches look at, work coordinates, mm. Where the control has no such axis: 0.
+/// The ends of a motion as the watches use them, work coordinates, mm. An axis that the control lacks is 0.
 struct Ends {
   Vec3 from, to;
-  bool turns;  // an arc: a full circle ends where it begins
+  bool turns;  // an arc: a full circle ends where it starts, but moves
   Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) : turns(is_arc(motion.kind)) {
     const auto at = [&](const Axes& axes, std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(roles.xyz[i])]; };
     from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};

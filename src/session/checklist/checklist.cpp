@@ -1,4 +1,4 @@
-// The checklist. For cli/check, view; tested by tests/checklist.py.
+// Checklist. Used by cli/check, view; tested by tests/checklist.py.
 
 #include "session/checklist/checklist.h"
 
@@ -15,7 +15,7 @@
 namespace kadr {
 namespace {
 
-/// Of the spindle's gears, else of the machine's file, rev/min; 0: neither says it.
+/// The highest spindle speed, from the spindle's gears, else from the machine's file, rev/min; 0 if neither states it.
 double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
   double most = 0;
   for (const auto& [number, spindle] : setup.spindles)
@@ -23,7 +23,7 @@ double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
   return most > 0 ? most : machine.most_rpm;
 }
 
-/// The word of that address outside comments; the whole line where there is none.
+/// Position of the word with that address outside comments; the whole line if there is none.
 Span place_of(const std::string& line, char address) {
   const auto whole = Span{0, static_cast<std::uint32_t>(line.size())};
   if (address == 0) return whole;
@@ -66,7 +66,7 @@ void Checklist::take(const Action& action) {
 std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const Control& control = *session_.channels()[channel_].control;
   ControlDef def = session_.def();
-  (void)fit_to_machine(def, session_.channels()[channel_].setup);  // what is wrong with it has been told
+  (void)fit_to_machine(def, session_.channels()[channel_].setup);  // its faults have been reported already
   TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup, session_.machine()));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
   Advices advices = advices_;

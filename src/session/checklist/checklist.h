@@ -1,6 +1,6 @@
 #pragma once
-// Checklist: what is wrong with a program though no control would stop at it (docs/checklist.md). It watches a run, and reads the text once
-// more when that is over. Of one channel. For kadr check, the page and the report.
+// Checklist: finds problems in a program at which no control would stop (docs/checklist.md). It observes the run of one channel, and
+// reads the text again after the run. Used by kadr check, the page and the report.
 
 #include <vector>
 
@@ -18,15 +18,15 @@ namespace kadr {
 
 class Checklist {
  public:
-  /// Of a session that has not begun.
+  ///   pre  the session has not started
   Checklist(Session& session, std::size_t channel, ChecklistBasis basis = {});
   Checklist(const Checklist&) = delete;  // the session calls it back
   Checklist& operator=(const Checklist&) = delete;
 
-  /// It takes what Outlets::programmed of the channel gives; who needs that outlet for himself calls take() from it.
+  /// Subscribes to Outlets::programmed of the channel. A caller that needs this outlet itself calls take() from it instead.
   void attach();
   void take(const Action& action);
-  /// After the run: in the order of the lines, each place once; what the set-up disables is left out. Reads the whole text.
+  /// After the run: the findings in the order of the lines, each location once, without what the set-up disables. Reads the whole text.
   std::vector<AlarmReport> reports(const StopToken& stop);
 
  private:

@@ -1,4 +1,4 @@
-// Teeth in comments. For session/checklist; tested by tests/checklist.py.
+// Number of teeth in comments. Used by session/checklist; tested by tests/checklist.py.
 
 #include "session/checklist/comment_teeth.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Holes of drilling cycles that are drilled twice.
+// HoleWatch: finds holes that drilling cycles drill twice.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ class HoleWatch {
   void take(const Step& step, Advices& to);
 
  private:
-  std::set<std::array<std::int64_t, max_axes + 1>> holes_;  // of the tool in the spindle: machine coordinates, µm; work system
+  std::set<std::array<std::int64_t, max_axes + 1>> holes_;  // drilled by the present tool: machine coordinates, µm; work system
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Heights: rapids below the part's zero, tool changes at a low Z; coordinates far outside the others; units that change.
+// LevelWatch: finds rapids below the part's zero, tool changes at a low Z, coordinates far outside the others, and changes of the unit.
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,11 @@ class LevelWatch {
  public:
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
-  /// The last motion was a cut, sideways or down, below a height at which the tool has been: there a program hardly ends.
+  /// Set if the last motion was a cut, sideways or down, below a height at which the tool has been: a program hardly ends there.
   const std::optional<Origin>& ends_in_cut() const { return in_cut_; }
 
  private:
-  /// A rapid at a low Z: it matters only within the region that is cut, not beside the part.
+  /// A rapid at a low Z. It matters only inside the region that is cut, not outside the part.
   struct Low {
     Origin origin;
     AlarmId id;
@@ -39,30 +39,30 @@ class LevelWatch {
   void judge_lows(Advices& to) const;
   void take_point(const Ends& ends, const Origin& origin);
 
-  bool turned_ = false;       // a rotary axis has moved, or the frame has: heights mean nothing
-  double lowest_ = 1e300;     // Z of any cut so far, work coordinates
-  double approach_ = -1e300;  // greatest Z that it has been at by rapids, work coordinates
-  double z_ = 0;              // where it stands
-  bool z_by_machine_ = true;  // … by a return to a place of the machine, or not yet anywhere
-  bool cuts_ = false;         // the tool in the spindle has
+  bool turned_ = false;       // a rotary axis or the frame has rotated: heights mean nothing
+  double lowest_ = 1e300;     // lowest Z of all cuts so far, work coordinates
+  double approach_ = -1e300;  // highest Z reached by rapids, work coordinates
+  double z_ = 0;              // present Z
+  bool z_by_machine_ = true;  // … after a return to a machine position, or before the first motion
+  bool cuts_ = false;         // the tool in the spindle has cut
   std::uint16_t system_ = 0;
   std::optional<bool> inch_;
-  /// Of an axis: the outermost points of cuts and the next ones towards the middle that other blocks have.
+  /// Of one axis, per end: the outermost coordinate of all cuts, and the next one inwards that another block has.
   struct Span {
     std::array<double, 2> least{1e300, 1e300}, most{-1e300, -1e300};
     std::array<Origin, 2> at_least, at_most;
   };
-  std::size_t feeds_down_ = 0;                      // straight down into the part, at feed
-  std::set<long long> heights_;                     // of rapids that end above the part, µm
-  std::size_t below_ = 0;                           // rapids straight down that end below its zero
-  std::optional<Low> only_below_;                   // the first of them
-  std::optional<std::pair<Ends, Origin>> to_hole_;  // the rapid before
+  std::size_t feeds_down_ = 0;                      // motions straight down into the part, at feed
+  std::set<long long> heights_;                     // where rapids above the part end, µm
+  std::size_t below_ = 0;                           // number of rapids straight down that end below the part's zero
+  std::optional<Low> only_below_;                   // the first of these rapids
+  std::optional<std::pair<Ends, Origin>> to_hole_;  // the previous motion, a rapid
   std::optional<Low> sideways_;                     // since the last cut
-  std::optional<Low> plunge_;                       // by the motion before
-  bool was_cut_ = false;                            // the motion before
+  std::optional<Low> plunge_;                       // by the previous motion
+  bool was_cut_ = false;                            // the previous motion was a cut
   std::optional<Origin> in_cut_;                    // see ends_in_cut()
   std::vector<Low> lows_;
-  std::vector<Vec3> drilled_;  // bottoms of holes that cycles have made
+  std::vector<Vec3> drilled_;  // bottoms of the holes drilled by canned cycles
   std::array<Span, 3> spans_;
   std::size_t cuts_made_ = 0;
 };

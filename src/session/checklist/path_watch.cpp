@@ -1,4 +1,4 @@
-// The shape of the contour. For session/checklist; tested by tests/checklist.py.
+// PathWatch: the shape of the contour. Used by session/checklist; tested by tests/checklist.py.
 
 #include "session/checklist/path_watch.h"
 
@@ -18,13 +18,13 @@ Vec2 unit(Vec2 v) {
   return {v.x / size, v.y / size};
 }
 
-/// The direction of a circle about `center` in a point.
+/// Unit tangent of a circle about `center` at a point.
 Vec2 along_circle(Vec2 point, Vec2 center, bool ccw) {
   const Vec2 out = unit(point - center);
   return ccw ? Vec2{-out.y, out.x} : Vec2{out.y, -out.x};
 }
 
-/// Mirrored in a line of that direction.
+/// Mirrors v in a line of that direction.
 Vec2 mirrored(Vec2 v, Vec2 line) {
   const double along = v.x * line.x + v.y * line.y;
   return {2 * along * line.x - v.x, 2 * along * line.y - v.y};
@@ -61,7 +61,8 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   return p;
 }
 
-/// With the other code the arc has the same centre where I and J give it, the one mirrored in its chord where R does.
+/// Checks whether the other code (G2 or G3) would make the arc tangent to its neighbours. It keeps the centre if I and J give it, and
+/// mirrors it in the chord if R does.
 void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
@@ -79,16 +80,17 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
   if (now.first > corner && now.second > corner && (same_centre || mirrored_centre)) kinks_.push_back({arc.origin, other});
 }
 
-/// A circle is written with its end where it begins; one whose end is rounded by some micrometres is meant so.
+/// Checks for an arc that is nearly a full circle: a circle is usually programmed with its end at its start. An end that is rounded by
+/// some micrometres is accepted.
 void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
-  constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;  // degrees, of the radius, mm
+  constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;  // degrees, share of the radius, mm, mm
   const double apart = length(arc.to - arc.from);
   const double radius = length(arc.from - arc.center);
   if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > (arc.inch ? coarse : fine) && apart < small * radius)
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
 
-/// The contour is over. Where it ends at its beginning, its first piece is its last one's neighbour.
+/// Ends the contour. If it ends at its start, its first piece and its last one are neighbours.
 void PathWatch::close() {
   constexpr double same = 0.01;  // mm
   if (last_[0] && last_[1] && first_.size() > 1) {
@@ -152,7 +154,7 @@ void PathWatch::take(const Step& step, Advices& to) {
 
 void PathWatch::finish(Advices& to) {
   close();
-  constexpr std::size_t slips = 2;  // more of them are the shape that is wanted: corners that are cut in
+  constexpr std::size_t slips = 2;  // more lines than this are an intended shape: corners that are cut into
   std::set<std::uint32_t> lines;
   for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
   if (lines.size() <= slips)

@@ -1,7 +1,7 @@
 #pragma once
-// ProgramCheck: all that is told of a program that is checked: every fault of every channel past which it can go on, of the subprograms
-// that nobody calls too; then, where nothing was refused, the checklist; then what no set-up states. Each once. For kadr check and the
-// page's check.
+// ProgramCheck: everything that a check of a program reports, each item once: every fault of every channel after which the run can
+// continue, including faults of subprograms that are never called; then the checklist, unless a block was refused; then the values that
+// no set-up states. Used by kadr check and the page's check.
 
 #include <cstdint>
 #include <functional>
@@ -17,20 +17,20 @@ namespace kadr {
 
 class ProgramCheck {
  public:
-  /// Gets what is found, in that order.  returns  false: no more of that channel
+  /// Receives the findings in that order.  returns  false to get no more for that channel
   using Take = std::function<bool(std::size_t channel, const AlarmReport& report)>;
 
   struct Wish {
     std::set<std::string> stated{};  // PlacedSetup::stated
     ChecklistBasis basis{};          // the tools file and whether it is the program's own
-    bool one_pass = true;            // of a program that begins again (M99, M47); else its set-up or somebody wants more
+    bool one_pass = true;            // run a program that repeats (M99, M47) once; else as often as its set-up or the user requests
     Onlooker* onlooker = nullptr;
     StopToken stop{};
   };
 
   explicit ProgramCheck(Wish wish, Take take) : wish_(std::move(wish)), take_(std::move(take)) {}
 
-  /// Carries out a session that has not begun. Of several programs of a file one after the other: what they have in common is told once.
+  /// Runs a session that has not started. Several programs of one file are checked one after the other; what they share is reported once.
   void check(Session& session);
 
  private:
@@ -39,8 +39,9 @@ class ProgramCheck {
 
   const Wish wish_;
   const Take take_;
-  bool only_subprograms_ = false;                                                               // nobody runs the file: it needs no end
-  std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;  // by channel: file, line, column, which
+  bool only_subprograms_ = false;  // the file is not run itself, so it needs no end of program
+  // reported findings by channel: file, line, column, id
+  std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;
 };
 
 }  // namespace kadr

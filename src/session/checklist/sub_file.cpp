@@ -1,4 +1,4 @@
-// Files of nothing but O subprograms. For session/checklist/program_check; tests/run_check.py.
+// Detects files of nothing but O subprograms. Used by session/checklist/program_check; tested by tests/run_check.py.
 
 #include "session/checklist/sub_file.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Without remarks and blanks, in small letters.
+/// Removes remarks and blanks, and converts to lower case.
 std::string plain(std::string_view line) {
   std::string text;
   bool remark = false;
@@ -23,7 +23,7 @@ std::string plain(std::string_view line) {
   return text;
 }
 
-/// `o<name>sub` → `<name>`; empty: the line is no O line with that word.
+/// Returns the label: `o<name>sub` → `<name>`; empty if the line is no O line with that word.
 std::string label_before(const std::string& line, std::string_view word) {
   if (line.size() <= word.size() + 1 || line[0] != 'o') return {};
   const bool named = line[1] == '<';
@@ -36,7 +36,7 @@ std::string label_before(const std::string& line, std::string_view word) {
 }  // namespace
 
 bool holds_only_subprograms(LineReader reader) {
-  std::string open;  // label of the definition that the line stands in
+  std::string open;  // label of the definition that the line is in
   bool any = false;
   for (Line line; reader.next(line);) {
     const std::string text = plain(line.bytes);

@@ -1,4 +1,4 @@
-// Tables beside a program. For session/checklist; tested by tests/checklist.py.
+// Compares the tables with the program. Used by session/checklist; tested by tests/checklist.py.
 
 #include "session/checklist/table_check.h"
 
@@ -24,7 +24,7 @@ const Origin& first_of(const Calls& calls) {
       ->second;
 }
 
-/// "T7, T9, T12 +3"
+/// Formats numbers, the first four of them: "T7, T9, T12, T14 +3".
 std::string list_of(const std::vector<std::uint32_t>& numbers, const char* letter) {
   constexpr std::size_t most = 4;
   std::string list;
@@ -32,18 +32,18 @@ std::string list_of(const std::vector<std::uint32_t>& numbers, const char* lette
   return numbers.size() > most ? fmt::format("{} +{}", list, numbers.size() - most) : list;
 }
 
-/// A table with more rows that nobody uses is that of a magazine, or of a shop.
+/// True if the table fits the program. A table with more unused rows than used ones describes a magazine or a workshop.
 bool is_of_program(std::size_t used, std::size_t unused) { return unused > 0 && unused <= used; }
 
 void judge_missing(const ToolTable& table, const Calls& calls, Advices& to) {
   const auto is_there = [&](const Calls::value_type& call) { return table.tools.find(call.first) != nullptr; };
   const auto there = static_cast<std::size_t>(std::count_if(calls.begin(), calls.end(), is_there));
-  if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;  // of other work
+  if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;  // the table belongs to other work
   for (const auto& call : calls)
     if (!is_there(call)) to.add(AlarmId::tool_not_in_table, call.second, 'T', double(call.first), std::string_view(table.file));
 }
 
-/// T0405 names tool 4 or 5 where two numbers stand in one word.
+/// T0405 names tool 4 or tool 5 on controls with two numbers in one word.
 bool names(const std::set<std::uint32_t>& numbers, std::uint32_t n) {
   constexpr std::uint32_t two_digits = 100;
   return std::any_of(numbers.begin(), numbers.end(),
@@ -65,7 +65,8 @@ void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText&
   to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
 }
 
-/// A row without values is used, and one with values is not: their numbers do not fit. A set-up may hold more than a program needs.
+/// Reports that a row without values is used and one with values is not: their numbers do not match. A set-up may contain more than a
+/// program needs.
 void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
   const Use* empty = nullptr;
   std::set<std::uint32_t> used;

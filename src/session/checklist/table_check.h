@@ -1,5 +1,5 @@
 #pragma once
-// Tools and offsets of the tables beside a program: which it calls and they have not, which they have and it never uses.
+// Compares the tool and offset tables with the program: which tools it calls that they lack, and which of theirs it never uses.
 
 #include <cstdint>
 #include <set>
@@ -11,13 +11,13 @@
 
 namespace kadr {
 
-/// What the text names, carried out or not: behind a jump or a skipped block stands what another run uses.
+/// The numbers that the text names, executed or not: after a jump or in a skipped block is what another run uses.
 struct NamedInText {
   std::set<std::uint32_t> tools, rows;
-  bool tools_by_value = false, rows_by_value = false;  // one is an expression: it may be any
+  bool tools_by_value = false, rows_by_value = false;  // one number is an expression, so any may be meant
 };
 
-/// After the run. `use`: of the program's channel.
+/// Call after the run. `use`: of the program's channel.
 void check_tables(const ChecklistBasis& basis, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The text of a program. For session/checklist; tested by tests/checklist.py.
+// TextWatch. Used by session/checklist; tested by tests/checklist.py.
 
 #include "session/checklist/text_watch.h"
 
@@ -15,9 +15,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_found = 200;
-constexpr std::size_t most_numbers = 10'000;  // of blocks and programs that are called
+constexpr std::size_t most_numbers = 10'000;  // of called blocks and programs
 
-/// The function that takes a mode back, and whether the beginning of a program that states it needs nothing else.
+/// A mode and the function that cancels it. A mode left on does no harm if the program states one of the two before its first motion.
 struct Mode {
   Function on, off;
 };
@@ -32,7 +32,7 @@ constexpr std::array modes{
     Mode{Function::feed_inverse_time, Function::feed_per_minute},
 };
 
-/// The number, where the expression is nothing else.
+/// Returns the number if the expression consists of nothing else.
 std::optional<std::uint32_t> constant(const Block& block, const Expression& expression) {
   if (expression.end != expression.begin + 1 || block.code[expression.begin].op != Op::number) return std::nullopt;
   const double number = block.code[expression.begin].number;
@@ -78,7 +78,7 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
   if (found_.size() < most_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
 }
 
-/// A number that counts increments where the others have a point. Of a dwell, a call or a table it may be meant so.
+/// Notes numbers without a point, which count increments while the others have a point. In a dwell, a call or a table this may be intended.
 void TextWatch::take_points(const Block& block) {
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -134,7 +134,7 @@ void TextWatch::take_codes(const Block& block) {
   began_ = began_ || axis_words;
 }
 
-/// R above Z, both as written: an absolute cycle drills downwards. A subprogram does not know what its caller has set.
+/// Checks that R is above Z, both as written: an absolute cycle drills downwards. A subprogram has no values that its caller has set.
 void TextWatch::take_levels(const Block& block, const Word& cycle) {
   const Word* const r = block.find('R');
   const Word* const z = block.find('Z');
@@ -145,7 +145,7 @@ void TextWatch::take_levels(const Block& block, const Word& cycle) {
   add(AlarmId::levels_swapped, origin_of(block), r->where, r->value, z->value);
 }
 
-/// `G81 …`, positions, `G0 X10 Y10`, positions, `G80`: what follows the G0 is not drilled, though the G80 speaks as if it were.
+/// `G81 …`, positions, `G0 X10 Y10`, positions, `G80`: the positions after the G0 are not drilled, though the G80 suggests that they are.
 void TextWatch::take_cycle(const Block& block) {
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -193,7 +193,7 @@ void TextWatch::note_call(const Block& block, const Word& code) {
   if (!(number >= 0 && number < 1e9) || calls_.size() >= most_numbers) return;
   const auto n = static_cast<std::uint32_t>(std::llround(number));
   calls_.insert(n);
-  if (code.address == 'M') calls_.insert(n % 10'000);  // M98 P30100: three times O0100
+  if (code.address == 'M') calls_.insert(n % 10'000);  // M98 P30100 calls O0100 three times
 }
 
 void TextWatch::take_flow(const Block& block) {
@@ -266,7 +266,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     for (unsigned n = 0; n % now_and_then != 0 || !stop.asked(); ++n) {
       block.clear();
       const auto got = reader.next(block);
-      if (!got) continue;  // a fault of the text has its alarm
+      if (!got) continue;  // a fault of the text has its own alarm
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
@@ -307,7 +307,7 @@ void TextWatch::finish(Advices& to) {
     }
     if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
-    constexpr std::uint32_t of_codes = 9000;  // from here on codes may call them by parameters
+    constexpr std::uint32_t of_codes = 9000;  // from this number on, codes may call subprograms by parameters
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What the text of a program shows without being carried out: read once more from its beginning to its end, block by block.
+// TextWatch: finds problems in the text of a program without executing it. It reads the text from beginning to end, block by block.
 
 #include <cstdint>
 #include <map>
@@ -18,16 +18,16 @@ namespace kadr {
 
 class TextWatch {
  public:
-  /// `most_rpm`: of the spindle; 0: not known. A control may turn it no faster and say nothing.
+  /// `most_rpm`: the highest spindle speed; 0: unknown. A control may limit a higher S silently.
   TextWatch(const ControlDef& def, double most_rpm) : def_(def), most_rpm_(most_rpm) {}
 
-  /// All of it; `stop` is asked now and then.
+  /// Reads the whole text; polls `stop` now and then.
   void read(BlockReader reader, const StopToken& stop);
   void finish(Advices& to);
-  /// Of tools, as comments name them: "4 FLUTE", "4FL".
+  /// Number of teeth by tool, from comments such as "4 FLUTE", "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
   const NamedInText& named() const { return named_; }
-  /// The program says somewhere that it ends or returns.
+  /// True if some code of the program ends it or returns.
   bool has_end() const;
 
  private:
@@ -37,10 +37,10 @@ class TextWatch {
     Origin begins;
     bool ends_program = false, returns = false;
     std::map<std::uint32_t, std::uint32_t> jumps;  // target, line
-    std::map<std::uint32_t, std::uint32_t> twice;  // N numbers that are targets, and how many blocks have them: in the second reading
-    std::optional<Origin> behind_end;              // first motion behind the end of the program
+    std::map<std::uint32_t, std::uint32_t> twice;  // jump target → number of blocks with this N; second reading
+    std::optional<Origin> behind_end;              // first motion after the end of the program
     std::uint32_t lines_behind = 0;
-    bool has_targets = false;  // something leads to block numbers: nothing behind its end is surely dead
+    bool has_targets = false;  // something refers to block numbers, so that lines after the end may be reachable
   };
   void take(const Block& block);
   void take_points(const Block& block);
@@ -67,21 +67,21 @@ class TextWatch {
   std::vector<Advice> pointless_;
   bool inch_ = false;
   // drilling cycles, in the order of the text
-  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // G90, G17: for certain
-  std::optional<Advice> cancelled_;                         // by a motion code
-  bool lost_ = false;                                       // positions have followed
+  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // G90, G17: only if certain
+  std::optional<Advice> cancelled_;                         // a cycle cancelled by a motion code
+  bool lost_ = false;                                       // positions have followed the cancellation
   std::optional<double> level_, bottom_;
   // modes
-  bool began_ = false;                                              // a motion has come
-  std::set<Function> stated_;                                       // before it
-  std::map<Function, std::pair<Origin, std::string>> switched_on_;  // where last, by which code
-  bool main_over_ = false;                                          // the end of a program has come
+  bool began_ = false;                                              // a motion has been read
+  std::set<Function> stated_;                                       // before the first motion
+  std::map<Function, std::pair<Origin, std::string>> switched_on_;  // location of the last switch-on, and its code
+  bool main_over_ = false;                                          // the end of a program has been read
   // flow
   std::vector<Section> sections_;
   std::set<std::uint32_t> calls_;
   bool calls_by_value_ = false, has_o_words_ = false;
   bool ended_ = false;
-  bool repeats_ = false;  // from its beginning, by a code
+  bool repeats_ = false;  // a code repeats it from the beginning
   // comments
   std::map<std::uint32_t, int> teeth_;
   std::uint32_t tool_ = 0;

@@ -1,4 +1,4 @@
-// Tools files beside programs. For cli/check, view/opening; tested by tests/checklist.py.
+// Finds tools files next to programs. Used by cli/check, view/opening; tested by tests/checklist.py.
 
 #include "session/checklist/tool_table.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t longest = std::size_t{1} << 20;  // bytes of a file that nobody has named
+constexpr std::size_t longest = std::size_t{1} << 20;  // bytes of a file that the user has not named
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// What each tool of a program has and another has not: offsets, spindle, coolant, work offset.
+// ToolWatch: finds what one tool of a program lacks and the others have: offsets, spindle, coolant, work offset.
 
 #include <cstdint>
 #include <map>
@@ -14,20 +14,20 @@ namespace kadr {
 class ToolWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// `systems`: names of the work systems, by Motion::system.
+  /// `systems`: names of the work offsets, by Motion::system.
   void finish(const std::vector<std::string>& systems, Advices& to);
 
  private:
   using Rows = std::map<std::uint32_t, Origin>;  // of an offset table, each with its first motion
-  /// From one tool change to the next.
+  /// The use of a tool from one tool change to the next.
   struct Stint {
     std::uint32_t tool = 0;
-    double highest = -1e300;                 // Z that it has been at, mm
+    double highest = -1e300;                 // highest Z reached, mm
     std::optional<Origin> cuts, cuts_still;  // its first cut; the first one with the spindle stopped
     std::optional<Origin> counter_clockwise;
-    bool mills = false;  // or drills: no tap
+    bool mills = false;  // it mills or drills, and is no tap
     bool clockwise = false, turned = false, started = false, wet = false;
-    std::optional<Origin> without_length;  // its first cut had none
+    std::optional<Origin> without_length;  // set if its first cut had no length offset
     Rows lengths, radii, systems;
   };
   void take_motion(const Step& step, const Motion& motion);
@@ -44,13 +44,13 @@ class ToolWatch {
   SpindleDir turns_ = SpindleDir::stop;
   double rpm_ = 0;
   bool coolant_ = false;
-  bool started_since_cut_ = false;  // the spindle has been, since the last cut
+  bool started_since_cut_ = false;  // the spindle has started since the last cut
   bool taps_rigidly_ = false;
-  std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block in which a cycle moved
-  bool asks_speed_ = false;                   // an S has been given
-  std::size_t starts_ = 0;                    // of the spindle
-  std::size_t zero_speeds_ = 0;               // S0: a laser travels with it
-  std::map<std::uint32_t, Origin> selected_;  // by T, not changed to yet
+  std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block with a motion of a canned cycle
+  bool asks_speed_ = false;                   // an S word has been programmed
+  std::size_t starts_ = 0;                    // number of spindle starts
+  std::size_t zero_speeds_ = 0;               // number of S0: a laser travels with it
+  std::map<std::uint32_t, Origin> selected_;  // selected by T, not yet changed to
   std::uint32_t first_tool_ = 0;
   bool changes_ = false;
 };

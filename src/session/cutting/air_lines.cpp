@@ -1,4 +1,4 @@
-// Lines in the air. For session/cutting; tested by tests/session/block_load_test.cpp.
+// AirLines. Used by session/cutting; tested by tests/session/block_load_test.cpp.
 
 #include "session/cutting/air_lines.h"
 

@@ -1,9 +1,11 @@
 #pragma once
-// AirLines: pieces of ways at feed, and whether anything was removed on them → lines with the most seconds in the air.
+// AirLines: finds the lines whose moves at feed spend most time in the air. The input is pieces of moves at feed, each with whether it
+// removed anything.
 //
-// A piece that is shorter than a cell may cut between lattice lines: pieces without a cut count where two cells of path in a row have none.
+// A piece shorter than a cell may cut between lattice lines, so it counts as air only if at least two cells of path in a row are without
+// a cut.
 //
-//   law  of no more than `most` lines the seconds are exact; of more each lacks at most what missing() says (tests/session/block_load_test)
+//   law  with at most `most` lines the seconds are exact; with more, each line lacks at most missing() (tests/session/block_load_test)
 
 #include <map>
 #include <utility>
@@ -15,7 +17,7 @@ namespace kadr {
 
 class AirLines {
  public:
-  static constexpr std::size_t most = 1 << 16;  // lines that are kept: where there are more, the half with fewer seconds goes
+  static constexpr std::size_t most = 1 << 16;  // lines kept; beyond this number, the half with fewer seconds is dropped
 
   explicit AirLines(double cell, std::size_t most_kept = most) : reach_(2 * cell), most_(most_kept) {}
 
@@ -26,9 +28,9 @@ class AirLines {
     bool cuts = false;
   };
   void add(const Piece& piece);
-  /// The most seconds first.
+  /// Sorted by seconds, the most first.
   std::vector<AirCut> emptiest() const;
-  /// s that a line may lack.
+  /// s that a line may lack at most.
   double missing() const { return missing_; }
 
  private:
@@ -39,9 +41,9 @@ class AirLines {
 
   double reach_;
   std::size_t most_;
-  std::vector<Piece> row_;  // without a cut, together shorter than reach_
+  std::vector<Piece> row_;  // recent pieces without a cut, shorter than reach_ in total
   double row_length_ = 0;
-  bool in_air_ = false;  // the last reach_ of path has removed nothing
+  bool in_air_ = false;  // the last reach_ of the path has removed nothing
   std::map<Key, AirCut> lines_;
   double missing_ = 0;
 };

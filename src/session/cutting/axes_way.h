@@ -1,5 +1,5 @@
 #pragma once
-// The way of a machine's axes along a motion, as pieces on which each goes evenly.
+// Divides the travel of a machine's axes during a motion into pieces on which each axis moves at a constant rate.
 
 #include <functional>
 #include <optional>
@@ -8,12 +8,13 @@
 
 namespace kadr {
 
-/// From the axes' positions to the next, and to which part of the motion: 0 to 1.
+/// Receives the positions of the axes at the end of a piece, and the part of the motion there: 0 to 1.
 using AxesPiece = std::function<void(const Axes& to, double part)>;
 
-/// `visit` gets the end of each piece in turn; the first begins at step.from.machine. An axis that rolls over counts on beyond its turn.
-///   chord  mm or degrees by which a piece may miss the axes' own way
-///   apart  rapid rates, where rapid motions are dog-legs
+/// Calls `visit` with the end of each piece in turn; the first piece starts at step.from.machine. The position of a rollover axis continues
+/// beyond one revolution.
+///   chord  mm or degrees by which a piece may differ from the true travel of the axes
+///   apart  rapid rates, if rapid motions are dog-legs
 ///   pre    step.motion()
 void along_axes_way(const Step& step, double chord, const std::optional<Axes>& apart, const AxesPiece& visit);
 

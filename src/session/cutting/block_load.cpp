@@ -1,4 +1,4 @@
-// Motions at feed → what blocks take away. For session/cutting; tested by tests/session/block_load_test.cpp.
+// BlockLoads. Used by session/cutting; tested by tests/session/block_load_test.cpp.
 
 #include "session/cutting/block_load.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double steepest = 1;  // way along Z for each mm in the plane, up to which depth and width make sense
+constexpr double steepest = 1;  // Z travel per mm in the plane, up to which depth and width are meaningful
 
 bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
 
@@ -35,7 +35,7 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// A block that is long enough stands for itself.
+/// Ends the block. A block that is long enough is reported alone.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
@@ -60,7 +60,7 @@ void BlockLoads::finish() {
   end_row();
 }
 
-/// Blocks that share.
+/// Reports blocks that share their values.
 void BlockLoads::tell(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);
@@ -87,7 +87,8 @@ void BlockLoads::tell(const std::vector<Block>& row) {
   if (rate > 0) weigh(heaviest);
 }
 
-/// Among the heaviest. One that is pushed out is lighter than all that stay, so that its line can come back with a greater rate only.
+/// Adds the load to the heaviest ones. A load that is dropped is lighter than all that are kept, so its line can return only with a
+/// higher rate.
 void BlockLoads::weigh(const BlockLoad& load) {
   const auto same =
       std::find_if(heaviest_.begin(), heaviest_.end(), [&](const BlockLoad& h) { return of_same_line(h.origin, load.origin); });

@@ -1,4 +1,4 @@
-// The bodies of the machine. For cli/cut and view/part_run.
+// Collision check of the machine's bodies. Used by cli/cut and view/part_run.
 
 #include "session/cutting/body_watch.h"
 
@@ -9,16 +9,16 @@
 namespace kadr {
 namespace {
 
-constexpr double bytes_per_triangle = 1000;  // of a mesh for FCL: its boxes and spheres
+constexpr double bytes_per_triangle = 1000;  // of a mesh in FCL, with its boxes and spheres
 
-/// Blank or fixture as the watch takes it. A blank knows no more than its mesh, box or cylinder.
+/// Blank or fixture for the watch. A blank itself has only its mesh, box or cylinder.
 WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()}; }
 
-/// Reads the files of the machine's bodies, as long as there is memory for what becomes of them.
+/// Reads the files of the machine's bodies, within a memory limit for what is built from them.
 class BodyFiles {
  public:
   BodyFiles(double most, std::vector<std::string>& notes, const FileDoor* door) : left_(most), notes_(notes), door_(door) {}
-  /// Empty: there is; else an error sentence.
+  /// Reserves the memory for a mesh. Returns an empty string, or an error sentence if the limit is exceeded.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
     return left_ >= 0 ? std::string()

@@ -1,5 +1,5 @@
 #pragma once
-// The bodies of the machine in a cut. For cli/cut and view/part_run.
+// Prepares the collision check of the machine's bodies in a cut. Used by cli/cut and view/part_run.
 
 #include <memory>
 #include <string>
@@ -11,24 +11,24 @@
 
 namespace kadr {
 
-/// Blank or fixture, as a person has named it.
+/// A blank or fixture, as the user has named it.
 struct NamedWork {
   std::string name;
-  std::string text;  // of body_of()
+  std::string text;  // as body_of() reads it
   std::shared_ptr<const Blank> body;
 };
 
-/// Blank and fixtures of the job, in their order.
-///   stock, fixtures  their words
-///   shown            the words of a fixture as they are told
+/// Blank and fixtures of the job, in this order.
+///   stock, fixtures  texts that describe them
+///   shown            the texts of the fixtures as messages show them
 std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, const std::vector<std::string>& fixtures,
                                const std::vector<std::string>& shown);
 
-/// Who watches the bodies of the session's machine; nullptr: it has none.
-///   most_bytes  that their meshes may take
-///   notes       gets what of their files had to be repaired
+/// Creates the watch of the bodies of the session's machine; returns nullptr if the machine has none.
+///   most_bytes  limit for the memory of their meshes
+///   notes       receives what had to be repaired in their files
 ///   door        opens their files
-///   returns     an error sentence: they cannot be watched
+///   returns     an error sentence if they cannot be watched
 tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
                                                                       const std::vector<NamedWork>& work, double most_bytes,
                                                                       std::vector<std::string>& notes, const FileDoor* door = nullptr);

@@ -1,4 +1,4 @@
-// Lattices of a job. For cli/cut and view/part_run.
+// Lattices of a job. Used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_cells.h"
 
@@ -13,11 +13,11 @@ namespace kadr {
 namespace {
 
 constexpr double share_for_material = 0.5;  // of the memory; the rest is for the surface
-constexpr double share_of_cell = 0.02;      // volume error of the surface for each mm² of it, in cells: docs/stock.md
+constexpr double share_of_cell = 0.02;      // volume error of the surface per mm² of it, in cells: docs/stock.md
 constexpr double cells_to_see = 2;          // across a tool
-constexpr std::size_t tools_of_a_job = 24;  // a file with more is a library: most of it the program does not cut with
+constexpr std::size_t tools_of_a_job = 24;  // a file with more tools is a library, most of which the program does not use
 
-/// The diameter of the thinnest tool of a job, mm; 0: not known.
+/// The diameter of the thinnest tool of a job, mm; 0: unknown.
 double finest_of(const ToolLibrary& tools) {
   double finest = 0;
   if (tools.tools.size() > tools_of_a_job) return finest;
@@ -26,7 +26,7 @@ double finest_of(const ToolLibrary& tools) {
   return finest;
 }
 
-/// What of the surface may be off: of a box only what has been cut, for its faces are exact.
+/// The part of the surface that may be inexact: of a box only what has been cut, since its faces are exact.
 Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   constexpr double same_volume = 1e-9;
   const Vec3 size = blank.box().most - blank.box().least;
@@ -39,7 +39,7 @@ Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   return cut;
 }
 
-/// The tools that have cut and are thinner than two cells: what they cut is hardly seen. By their numbers.
+/// Numbers of the tools that have cut and are thinner than two cells: their cuts are hardly visible.
 std::vector<std::uint32_t> tools_finer_than_cells(const Stock& stock) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < stock.tools(); ++i) {
@@ -65,7 +65,7 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double mos
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
-  // A whole that is finer than its window helps nobody; half of the memory each.
+  // A whole that is finer than its window is useless; each gets half of the memory.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
   job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;

@@ -1,13 +1,13 @@
 #pragma once
-// What a session's machine and set-up say of a cut: the tool in the spindle, lengths, how axes carry each other. For cli/cut and
-// view/part_run.
+// Copies into a job what machine and set-up of a session state about a cut: the tool in the spindle, lengths, the chains of axes. Used by
+// cli/cut and view/part_run.
 
 #include "session/cutting/cutting.h"
 #include "session/session.h"
 
 namespace kadr {
 
-/// `starts_known`: the set-up says where the tool stands at the start.
+/// `starts_known`: the set-up states the start position of the tool.
 void take_session(const Session& session, bool starts_known, CutJob& cut);
 
 }  // namespace kadr

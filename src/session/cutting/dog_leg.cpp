@@ -1,4 +1,4 @@
-// Rapid motions of axes that go apart. For session/cutting/tool_way and axes_way; tested by tests/run_cut.py.
+// Rapid motions of axes that move independently. Used by session/cutting/tool_way and axes_way; tested by tests/run_cut.py.
 
 #include "session/cutting/dog_leg.h"
 

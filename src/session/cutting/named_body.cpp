@@ -1,4 +1,4 @@
-// Words of a person → bodies. For cli/cut and view/part_run; tested by tests/session/named_body_test.cpp.
+// Reads the description of bodies. Used by cli/cut and view/part_run; tested by tests/session/named_body_test.cpp.
 
 #include "session/cutting/named_body.h"
 
@@ -18,7 +18,7 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 constexpr double farthest = 1e5;  // mm
 
-/// Numbers with commas between them; nothing: something else stands there.
+/// Reads numbers separated by commas; returns nullopt if there is anything else.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that a person names: blanks and fixtures. For cli/cut and view/part_run.
+// Reads bodies that a user describes in words: blanks and fixtures. Used by cli/cut and view/part_run.
 
 #include <memory>
 #include <optional>
@@ -15,21 +15,21 @@ namespace kadr {
 
 struct NamedBody {
   std::shared_ptr<const Blank> body;
-  std::vector<std::string> notes;  // what of a file had to be repaired
+  std::vector<std::string> notes;  // what had to be repaired in a file
 };
 
-/// box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl or .3mf, in mm.
-///   most_bytes  that reading a file may take
+/// Reads box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or the name of a file .stl or .3mf, in mm.
+///   most_bytes  memory limit for reading a file
 ///   returns     an error sentence
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door = nullptr);
 
-/// They name a file, by their ending.
+/// True if the text names a file, by its ending.
 bool names_mesh_file(const std::string& text);
 
-/// The same words as a shape; nothing: they are none, or name a file.
+/// Returns the shape that the text describes; nullopt if it describes none, or names a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
 
-/// X0,Y0,Z0,X1,Y1,Z1, mm.
+/// Reads X0,Y0,Z0,X1,Y1,Z1, mm.
 ///   returns  an error sentence
 tl::expected<Box3, std::string> window_of(const std::string& text);
 

@@ -1,7 +1,8 @@
 #pragma once
-// SweepLines: of which line of the program each sweep of the stock is. For session/cutting/cutting.
+// SweepLines: stores the program line of each sweep of the stock. Used by session/cutting/cutting.
 //
-// Lines mostly come one after the other, a sweep each, or a line has many sweeps: what goes on with the same step is kept as one run.
+// Mostly each line has one sweep and the lines follow each other, or one line has many sweeps. Sweeps whose lines continue with the same
+// step are stored as one run.
 
 #include <algorithm>
 #include <cstdint>
@@ -17,11 +18,11 @@ class SweepLines {
     bool operator==(const Line&) const = default;
   };
 
-  /// The sweeps up to before `end` that have no line yet have this one.
+  /// Assigns the line to all sweeps before `end` that have none yet.
   void fill(std::size_t end, Line line) {
     for (; size_ < end; ++size_) add(line);
   }
-  /// pre  fill() has given it one
+  /// pre  fill() has assigned a line to it
   Line of(std::size_t sweep) const {
     const auto later = std::upper_bound(runs_.begin(), runs_.end(), sweep, [](std::size_t s, const Run& r) { return s < r.first; });
     return at(*(later - 1), sweep);
@@ -30,7 +31,7 @@ class SweepLines {
 
  private:
   struct Run {
-    std::uint32_t first, line, step;  // of sweeps; of the first of them; from each to the next, round 2³²
+    std::uint32_t first, line, step;  // first sweep; its line; increment of the line per sweep, modulo 2³²
     std::uint16_t file;
   };
   static Line at(const Run& run, std::size_t sweep) { return {run.line + run.step * std::uint32_t(sweep - run.first), run.file}; }

@@ -1,7 +1,8 @@
 #pragma once
-// SweepTimes: when each sweep of the stock is carried out, so that an instant tells how many are. For session/cutting/cutting.
+// SweepTimes: stores when each sweep of the stock is executed, so that the number of sweeps at an instant can be looked up. Used by
+// session/cutting/cutting.
 //
-// Sweeps of one piece of a way take the same time each; those of a motion whose pieces take the same time are kept as one run.
+// Sweeps of one piece of a path take equal times; sweeps of a motion whose pieces take equal times are stored as one run.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@
 
 namespace kadr {
 
-/// So many sweeps are carried out, and of the next one this share of its way.
+/// `count` sweeps are executed completely, and `share` of the path of the next one.
 struct SweepPlace {
   std::size_t count = 0;
   double share = 0;
@@ -19,8 +20,8 @@ struct SweepPlace {
 
 class SweepTimes {
  public:
-  /// The sweeps up to before `end` that have no time yet are carried out one after the other, s since the start.
-  ///   pre  begins is not before the last sweep's end
+  /// States that the sweeps before `end` that have no time yet are executed one after the other, s since the start.
+  ///   pre  begins is not before the end of the last sweep
   void fill(std::size_t end, double begins, double ends) {
     if (end <= size_) return;
     const double each = (ends - begins) / double(end - size_);

@@ -1,5 +1,5 @@
-// Passes in a row that go the same way but for their depth are one thread, in whatever lines they stand. For session/cutting; tested by
-// tests/run_cut.py.
+// Joins passes into threads: consecutive passes along the same path, apart from their depth, are one thread, whatever lines they are in.
+// Used by session/cutting; tested by tests/run_cut.py.
 
 #include "session/cutting/thread_cuts.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// The tool stands farther from the axis than its point, which lies at the signed radius `x`.
+/// True if the tool is farther from the axis than its tip, which is at the signed radius `x`.
 bool cuts_outside(const ToolShape& tool, double x) {
   double beyond = 0;
   for (const InsertBody& body : tool.insert)
@@ -19,9 +19,9 @@ bool cuts_outside(const ToolShape& tool, double x) {
   return beyond * x >= 0;
 }
 
-constexpr double same_place = 0.1;  // mm, where no lead is known
+constexpr double same_place = 0.1;  // mm, if no lead is known
 
-/// A cutting edge that is fed along the flank begins by less than a lead beside the pass before.
+/// True if the pass belongs to the thread. A pass that is fed along the flank starts less than a lead away from the pass before.
 bool goes_with(const ThreadCut& pass, const ThreadCut& thread) {
   const double apart = std::max(std::fabs(pass.from_z - thread.from_z), std::fabs(pass.to_z - thread.to_z));
   return pass.tool == thread.tool && pass.lead == thread.lead && pass.is_outer == thread.is_outer &&

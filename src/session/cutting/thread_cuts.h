@@ -1,8 +1,8 @@
 #pragma once
-// ThreadCuts: the threads that turning tools have cut, pass by pass. For session/cutting.
+// ThreadCuts: records the threads that turning tools have cut, pass by pass. Used by session/cutting.
 //
-// A groove that goes round in a helix is no ring: the material keeps the cylinder or the cone that the thread is cut into, and what is told
-// of the thread stands beside it. The holder is carried past the material as on any motion, and the whole tool past fixtures.
+// A helical groove is no ring: the material keeps the cylinder or cone that the thread is cut into, and the thread is reported
+// separately. The holder is moved past the material as on any motion, and the whole tool past fixtures.
 
 #include <vector>
 
@@ -12,17 +12,17 @@
 
 namespace kadr {
 
-/// In the half plane of a part that spins: x the signed radius of the insert's point.
+/// In the half plane of a part that rotates: x is the signed radius of the insert's tip.
 struct ThreadPass {
   Origin origin;
-  double lead = 0;  // mm; 0: the program does not say
+  double lead = 0;  // mm; 0: not stated by the program
   Vec3 from, to;
 };
 
 class ThreadCuts {
  public:
   void add(const ThreadPass& pass, const ToolShape& tool);
-  /// With the crests as the material stands now.
+  /// The threads, with the crests that the material has now.
   std::vector<ThreadCut> told(const Stock& stock) const;
 
  private:

@@ -1,4 +1,4 @@
-// Steps → pieces of the tip's way. For session/cutting.
+// ToolWay: turns steps into pieces of the tip's path. Used by session/cutting.
 
 #include "session/cutting/tool_way.h"
 
@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 4096;       // of one turn: chords of 0.1 µm on a radius of 100 m
+constexpr int most_pieces = 4096;       // per revolution: chords of 0.1 µm on a radius of 100 m
 constexpr double same_position = 1e-9;  // mm
-constexpr double reach = 100;           // of a tool, mm: how far a wrong direction is felt
-constexpr double lean_chord = 5e-4;     // mm: of a tool that leans, whose sweeps are good to 2.5 µm (docs/stock.md)
-constexpr double turn_of_chord = 5;     // chords that its end may be off
-constexpr double undivided = 45;        // degrees: what turns farther may come back to where it began
+constexpr double reach = 100;           // of a tool, mm: the distance at which a wrong direction has its effect
+constexpr double lean_chord = 5e-4;     // mm: for a tilted tool, whose sweeps are accurate to 2.5 µm (docs/stock.md)
+constexpr double turn_of_chord = 5;     // chords by which the far end may deviate
+constexpr double undivided = 45;        // degrees: a longer rotation may return to its start, so it is always divided
 constexpr int most_depth = 16;
 
 bool has_rotary_axis(const MachineTree& tree) {
@@ -24,7 +24,7 @@ bool has_rotary_axis(const MachineTree& tree) {
   return std::any_of(tree.tool().begin(), tree.tool().end(), turns) || std::any_of(tree.part().begin(), tree.part().end(), turns);
 }
 
-/// Degrees that a rotary axis turns at most.
+/// Largest rotation of a rotary axis in the step, degrees.
 double rotary_way(const Step& step) {
   const Motion& motion = *step.motion();
   double most = 0;
@@ -53,7 +53,7 @@ bool ToolWay::turns(const Step& step) const {
   return tree_ != nullptr || (space != nullptr && space->has_rotary());
 }
 
-/// The work system by its table: a shift (G52, G92) lies in the origin or, where that is turned, beside it.
+/// The work system as in its table, without G52 or G92: such a shift is part of the origin or, if that is rotated, separate.
 Placement ToolWay::without_shift() const {
   Placement plain = placement_;
   plain.shift = {};
@@ -61,7 +61,7 @@ Placement ToolWay::without_shift() const {
   return plain;
 }
 
-/// A tool that is led by its tip has its length in the work space alone.
+/// If the tip is led, the tool length is applied only in the work space.
 double ToolWay::length_on(const Step& step) const {
   const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) {
@@ -71,7 +71,7 @@ double ToolWay::length_on(const Step& step) const {
   return chain_.tip(placement_.length).z;
 }
 
-/// Where rotary axes or a frame in space are, the work space knows the place in the part, or the machine's file; else it is the sum of
+/// With rotary axes or a frame in space, the position in the part comes from the work space or the machine's file; else it is the sum of
 /// origin and coordinates.
 Pose ToolWay::pose_of(const Step& step, const Axes& work, double part) const {
   const WorkSpace* const space = step.from.space.get();
@@ -97,7 +97,7 @@ Axes ToolWay::axes_at(const Step& step, double part) {
   return machine_along(step.roles, step.from, *step.motion(), work_at(step, part), part);
 }
 
-/// Halves it until the tool, straight and evenly turned from end to end, is where it ought to be in the middle.
+/// Halves the piece until a tool that moves straight and rotates evenly from end to end is correct in the middle.
 void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector<WayPiece>& pieces) const {
   const double part = (p.begins + p.ends) / 2;
   const Pose middle = pose_at(step, part);
@@ -113,7 +113,8 @@ void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector
   divide(step, {middle.tip, p.to, part, p.ends, middle.direction, p.to_direction}, depth + 1, pieces);
 }
 
-/// A rapid motion whose axes go apart: pieces from bend to bend. Where rotary axes turn tool or part its way counts as a line.
+/// Divides a rapid motion with independent axes into pieces from corner to corner. If rotary axes turn tool or part, its path is treated as
+/// a line.
 bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
   if (!leg || turns(step)) return false;

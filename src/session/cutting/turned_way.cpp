@@ -1,4 +1,4 @@
-// Places in space → radius and height. For session/cutting.
+// Converts positions in space to radius and height. Used by session/cutting.
 
 #include "session/cutting/turned_way.h"
 
@@ -8,12 +8,12 @@
 namespace kadr {
 namespace {
 
-constexpr double in_plane = 1e-6;  // mm beside it
-constexpr int most_parts = 1000;   // of a piece that passes beside the axis
+constexpr double in_plane = 1e-6;  // mm of tolerance outside the plane
+constexpr int most_parts = 1000;   // of a piece that passes the axis at a distance
 
 Vec2 flat(Vec3 v) { return {v.x, v.y}; }
 
-/// Of chords that miss a hyperbola about the axis: sagitta = length² / (8 nearest).
+/// Number of chords that approximate a hyperbola about the axis: sagitta = length² / (8 nearest).
 int parts_of(Vec2 from, Vec2 to, double chord) {
   const Vec2 way = to - from;
   const double far = length(way), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;

@@ -1,4 +1,4 @@
-// What is to be told of a milled area. For cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
+// Reports on a milled area. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
 
 #include "session/milling/mill_summary.h"
 
@@ -66,8 +66,8 @@ class MillSummary {
   const char* mm() const { return word("mm", "мм"); }
   void line(const char* en, const char* russian, std::string value) { lines_.push_back({word(en, russian), std::move(value)}); }
 
-  /// INFERRED, spec/correctors 4 names the four kinds only: half-open has its walls in one stretch of the outline; combined has walls and
-  /// open sides by turns, or walls around islands in an outline with open sides.
+  /// INFERRED, as spec/correctors 4 only names the four types: half-open has its walls in one segment of the outline; combined has walls
+  /// and open sides alternately, or walls around islands in an outline with open sides.
   std::string zone_text() const {
     std::size_t islands = 0, walls = 0, open = 0, stretches = 0;
     for (const area::Zone& zone : milled_.shape.zones) {
@@ -88,7 +88,7 @@ class MillSummary {
     return fmt::format("{}; {}: {}", kind, word("islands", "островков"), islands);
   }
 
-  /// How the tool goes down into material not yet cut. Straight down is told, for not every tool cuts over its centre.
+  /// How the tool enters uncut material. Straight plunges are mentioned, since not every tool cuts over its centre.
   std::string plunge_text(const area::Plunges& p) const {
     std::string text;
     const auto add = [&](std::size_t count, const char* en, const char* russian) {

@@ -1,5 +1,5 @@
 #pragma once
-// What is to be told of a milled area: lines, the warning of holes, the place of a fault in the drawing, the picture.
+// Reports on a milled area: lines, the warning about holes, the location of a fault in the drawing, the picture.
 
 #include <string>
 #include <vector>
@@ -15,16 +15,16 @@ struct MillLine {
   std::string name, value;
 };
 
-/// Zone, scheme, path, wall, what stays, plunges, holes to be drilled, the program.
+/// Zone, scheme, path, wall, remaining stock, plunges, holes to be drilled, the program.
 std::vector<MillLine> mill_summary(const Milled& milled, Lang lang);
 
-/// Holes without which the tool breaks, empty: none. Said even to those who want no summary.
+/// Warns of holes without which the tool breaks; empty if there are none. Displayed even if no summary is requested.
 std::string warning_of_holes(const Milled& milled, Lang lang);
 
-/// A fault with its line of the drawing, for people; `file` names the drawing.
+/// Describes a fault with its line of the drawing; `file` is the name of the drawing.
 AlarmReport report_of(const ContourFault& fault, std::string_view drawing, const std::string& file);
 
-/// Refers to `milled`.
+/// The picture refers to `milled`, which must outlive it.
 MillPicture mill_picture(const Milled& milled, const ControlDef& def, const std::string& title, Lang lang);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Words of a wish → what is wanted of path/area. For session/milling, cli/mill_command, view/page_making; tested by tests/mill.py,
-// tests/serve_making.py.
+// Translates the words of a milling request into a job of path/area. Used by session/milling, cli/mill_command, view/page_making; tested by
+// tests/mill.py, tests/serve_making.py.
 
 #include "session/milling/mill_wish.h"
 
@@ -17,9 +17,9 @@ using area::Direction;
 using area::Plunge;
 using area::Scheme;
 
-constexpr double most_stepover = 100;  // % of the diameter: beyond it ridges stay
+constexpr double most_stepover = 100;  // % of the diameter: above it ridges remain
 
-/// A name as it is asked for, of the source as printed there, and the latter in small letters. Blanks within count for nothing.
+/// A name as a user writes it, as printed in the source, and the latter in lower case. Blanks inside a name are ignored.
 template <class T>
 struct Name {
   std::string_view name, source, small;
@@ -68,7 +68,7 @@ std::vector<std::string> names_of(const Name<T> (&names)[n]) {
   return list;
 }
 
-/// A scheme, and the direction where its name ends with one, as it is printed: СПИР ПЧС, АСПИР ЧС.
+/// Finds a scheme, and the direction if the name ends with one, as printed: СПИР ПЧС, АСПИР ЧС.
 bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>& direction) {
   if (find(schemes, text, scheme)) return true;
   for (const Name<Direction>& name : directions)
@@ -80,7 +80,7 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
   return false;
 }
 
-/// Climb milling: the material not yet cut is on the right.
+/// The direction of climb milling: the uncut material is on the right.
 Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
 
 /// Stepover in mm.

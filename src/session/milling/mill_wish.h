@@ -1,5 +1,5 @@
 #pragma once
-// What is to be milled, in the words of whoever asks for it (kadr mill, a page) → what is wanted of path/area.
+// Translates a milling request in the words of the user (kadr mill, a page) into a job of path/area.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// Lengths in mm, angles in degrees, feeds in mm/min; below zero, empty: as is usual (docs/commands/mill.md).
+/// Lengths in mm, angles in degrees, feeds in mm/min. A negative or empty value means the usual one (docs/commands/mill.md).
 struct MillWish {
   std::string task;  // pocket, face, slot
   std::string scheme, direction, plunge = "ramp", stepover, mark;
@@ -21,11 +21,11 @@ struct MillWish {
   bool coolant = false;
 };
 
-/// The job, complete.
+/// Creates the complete job.
 ///   alarms  mill_value, mill_stepover
 Result<area::Job> mill_job(const MillWish& wish);
 
-/// Whether that is a name of one, and the names that there are.
+/// Checks that a name is valid; the valid names are listed by the functions below.
 bool is_scheme(std::string_view name);
 bool is_direction(std::string_view name);
 bool is_plunge(std::string_view name);

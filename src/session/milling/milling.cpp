@@ -1,4 +1,4 @@
-// A drawing becomes a program. For cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
+// Turns a drawing into a program. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
 
 #include "session/milling/milling.h"
 
@@ -49,7 +49,7 @@ Technology technology_of(const MillWish& wish) {
   return technology;
 }
 
-/// The program, its path read back by the control's interpreter and verified like the first.
+/// Writes the program; the control's interpreter reads its path back, which is verified like the first one.
 Result<PartProgram> written_program(const MillWish& wish, const ControlDef& def, const area::Verified& path, const MillShape& shape,
                                     const area::Job& job) {
   auto program = part_program(def, path.path.moves, technology_of(wish));
