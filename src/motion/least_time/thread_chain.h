@@ -1,9 +1,9 @@
 #pragma once
 // ThreadChain: consecutive threads as one motion synchronised with the spindle. NCT 4.4.
 //
-//    speed of an axis, as the spindle demands it:   ┌────┐┌───   each step is spread over the same time T, half of it before
-//                                                   │    └┘      the step and half after:   ──/‾‾‾\_/‾‾
-//                                                ───┘           so between the steps the axes neither lead nor lag the spindle
+//   speed of an axis, as the spindle demands it:   ┌────┐┌───   each step is spread over the same time T, half of it before
+//                                                  │    └┘      the step and half after:   ──/‾‾‾\_/‾‾
+//                                               ───┘           so between the steps the axes neither lead nor lag the spindle
 //
 // T is the shortest time for which every axis keeps its acceleration and jerk: the steps are convolved with a trapezoid (W1, W2: the
 // sides of the two boxes whose convolution it is). INFERRED: the manual leaves run-in and run-out to the servo's following error.
