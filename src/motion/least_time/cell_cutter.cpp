@@ -17,7 +17,7 @@ namespace {
 constexpr double cell_growth = 0.2;  // growth of the cell size with the distance from what makes cells small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
 constexpr double gentle = 0.1;       // |Δu| of corners that are treated like those of a curve
-constexpr double longest_s = 0.014;  // the longest cell, at the commanded speed
+constexpr double longest_s = 0.014;  // duration of the longest cell, at the commanded speed
 constexpr double fastest = 1e12;     // mm²/s²: stands for no limit of ṡ², but finite so that it can be calculated with
 
 /// Computes the polynomial of the fifth degree with given position and first two derivatives at 0 and h.
@@ -270,8 +270,8 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
 
 /// Divides the last cell into several with the same path where the path, not the feed, limits its speed: the speed can then change within
 /// a cell that is long because its path is smooth. `width`: of the chain there.
-void CellCutter::divide(double width, CutCells& out) const {  // share of the width
-  constexpr double part = 0.2;                                // of the width
+void CellCutter::divide(double width, CutCells& out) const {
+  constexpr double part = 0.2;  // share of the width
   constexpr int most_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
@@ -333,7 +333,7 @@ void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out)
   passed_ = piece_ + path.forgotten();
   double fastest_feed = 0;
   for (std::size_t i = piece_; i < path.pieces(); ++i) fastest_feed = std::max(fastest_feed, path.feed(i));
-  constexpr double farthest = 50;  // mm: the effect of a corner on the cell size reaches this far at most
+  constexpr double farthest = 50;  // mm: corners farther away are ignored, as they would only shorten very long cells
   needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / cell_growth);
 }
 

@@ -6,7 +6,7 @@
 //   pieces ─path/smooth/smooth_path─▶ smooth curve ─cell_cutter─▶ cells ─window_timer─▶ TimedCells
 //
 // It looks ahead of the emitted cells by the stopping distance plus some thousand pieces at most. Smoothing and the later stages may run
-// in parallel; the output and its order do not depend on which of them is faster.
+// in parallel; what is emitted, and at which input, does not depend on which of them is faster.
 
 #include <cstdint>
 #include <functional>

@@ -6,7 +6,7 @@
 // fast for these reasons:
 //
 //   - The jerk is |L| ≤ J/√b with L linear in b. J/√b is convex, so its tangent lies below it: a step within the tangent is within the
-//   limit.
+//     limit.
 //   - Every slack and every dual has a step length of its own, and b makes the full step: one tight spot does not shorten the step of the
 //     whole window. The next step corrects the errors that this causes.
 //   - After some steps over all cells, only those blocks of eight cells continue that have not converged, and some blocks around them.

@@ -65,7 +65,7 @@ LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, co
 }
 
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
-  constexpr double felt = 0.25;  // curvature is the reason from a fifth of the value on: it makes the speed change too
+  constexpr double felt = 0.25;  // curvature counts as the limit if it causes a fifth or more: the speed changes because of it
   constexpr double same = 1e-6;  // relative: the feed is a length divided by its time
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};

@@ -84,7 +84,7 @@ struct AreaPath {
   Plunges plunges;
   std::size_t layers = 0;
   std::size_t lifts = 0;   // within the layers
-  std::size_t fields = 0;  // areas that the tool's centre can cover without lifting
+  std::size_t fields = 0;  // areas within which the tool's centre moves without lifting
   double step = 0;         // mm, as used
 };
 

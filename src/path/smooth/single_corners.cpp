@@ -83,7 +83,7 @@ void SmoothPath::look_at_roundings(std::size_t first) {
 
 /// Makes roundings narrower where they move the path further than the tolerance. Returns false if none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
-  constexpr double rounding = 1e-9;  // relative: for roundings that meet the tolerance exactly
+  constexpr double rounding = 1e-9;  // relative: for roundings that share the tolerance evenly and meet it exactly
   constexpr double far_off = 1.3;    // of the tolerance; below it the steps are small, so that the most important roundings stay widest
   constexpr double between = 0.99;   // share of the tolerance: the rest is for the positions between the samples
   constexpr double aim = 0.999;      // share of that, so that the iteration ends

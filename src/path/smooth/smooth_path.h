@@ -94,7 +94,7 @@ class SmoothPath {
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // |Δu|
-  static constexpr double squeezed_to = 40;         // mm: a longer piece is shortened to this length in the data along the path
+  static constexpr double squeezed_to = 40;         // mm: longer pieces count with this length in slow_
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);

@@ -107,8 +107,8 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double most_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
-    return 0.997 * std::sqrt(std::sqrt(most / square));  // the displacement grows with the square of the width
-  };                                                     // the way grows with the square of the width
+    return 0.997 * std::sqrt(std::sqrt(most / square));
+  };  // the displacement grows with the square of the width
   double square = square_beside(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
