@@ -1,5 +1,5 @@
-// AxisMotion: Steps → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes stand
-// still, what a pause lasts. For cli, motion.
+// AxisMotion: converts Steps into the axes' motion in time by the Planner: each motion's curve in machine coordinates, where the axes
+// stop, how long pauses take. Used by cli and motion.
 
 #include "motion/least_time/axis_motion.h"
 
@@ -13,19 +13,19 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest_rise = 1e-3;          // s, of acceleration that rises at once: one servo period
+constexpr double shortest_rise = 1e-3;          // s, rise time of an acceleration without a jerk time: one servo period
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
-constexpr double chord_of_tolerance = 0.04;     // an arc as chords a tenth as long as the roundings of their corners are wide
+constexpr double chord_of_tolerance = 0.04;     // the chords of an arc are a tenth as long as the roundings of their corners are wide
 
-/// The setup's entry of the axis, else the one for all axes.
+/// Returns the set-up's entry of the axis, else the one for all axes, else nullptr.
 const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;
   return nullptr;
 }
 
-/// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out after it). Words that only set
-/// something – speed, coolant, tool to be brought, message – do not.
+/// Returns true for actions during which the axes are at rest (nct 7.0.1: the motion stops if a function is executed after it). Words
+/// that only set something (speed, coolant, tool to be prepared, message) do not stop it.
 bool needs_rest(const Action& action) {
   return by_kind(
       action, [](const ToolChange& change) { return !change.there; }, [](const MachineFunction& function) { return !function.by_control; },
@@ -40,8 +40,8 @@ double distance(const Axes& from, const Axes& to) {
   return std::sqrt(squares);
 }
 
-/// A degree of the rotary axis of a surface moves the tool by more than a mm where the radius is above 180/π: the tolerance is as much
-/// less.
+/// Returns the factor that converts a tolerance into that of a path on a surface: where the radius is above 180/π mm, one degree of the
+/// rotary axis moves the tool by more than a mm, so the tolerance becomes smaller by that ratio.
 double degrees_for_mm(const Curve& curve, const Motion& motion) {
   if (curve.surface() == PathSurface::plane) return 1;
   const MotionDetail& detail = *motion.detail;
@@ -55,7 +55,7 @@ double degrees_for_mm(const Curve& curve, const Motion& motion) {
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
   constexpr double per_second = 1.0 / 60;
   MotionLimits limits;
-  Setup at_full_rate = setup;  // the override slows rapid motions (their programmed time), not what the axes can do
+  Setup at_full_rate = setup;  // the override slows rapid motions (their programmed time), not the axes' capability
   at_full_rate.rapid_override = 100;
   const Rates rates = rates_of(profile, at_full_rate, axes);
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
@@ -97,12 +97,12 @@ void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes)
   now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
-/// What is planned from here on belongs to this motion: the tag of its cells until they are handed out.
+/// Records the motion that is planned from here on. Returns its number, the tag of its cells until they are emitted.
 std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
   Record record{++now_.motions, spent.tag(), switches, now_.spindle.turning(), motion.own_override ? 1 : now_.spindle.override_part(), 0};
   SurfaceSpeed& surface = record.spindle.surface;
   if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
-  if (spent.on == Spent::On::rapid) {  // nct 11.5.1: at once as fast as at its end
+  if (spent.on == Spent::On::rapid) {  // nct 11.5.1: a rapid has the spindle speed of its end from its start on
     record.spindle.arrive(motion.to);
     surface.on = false;
   }
@@ -110,7 +110,7 @@ std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& m
   return now_.motions;
 }
 
-/// Degrees a second; with a constant surface speed that in the middle of the cell.
+/// Degrees per second; with constant surface speed, the rate in the middle of the cell.
 double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell) {
   const SpindleTurning& spindle = record.spindle;
   Axes work{};
@@ -122,7 +122,7 @@ double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, s
   return record.spindle_part * spindle.degrees(spindle.at(work));
 }
 
-/// Numbers of records become what is told of them.
+/// Replaces the record numbers in the cells by the data of the records and emits the cells.
 void AxisMotion::hand_out(TimedCells& cells) {
   cells.spindle.clear();
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
@@ -139,7 +139,7 @@ void AxisMotion::hand_out(TimedCells& cells) {
 }
 
 void AxisMotion::look_for_faults(const TimedCells& cells) {
-  constexpr double tolerated = 0.01;  // of a tolerance: it is looked at in places only (docs/planner.md)
+  constexpr double tolerated = 0.01;  // of a tolerance, which is checked at sample positions only (docs/planner.md)
   if (cells.unsolved && !cells.sources.empty()) {
     if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
     for (const TimeLaw& law : cells.laws) now_.faults.unsolved_way += law.length;
@@ -222,7 +222,7 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   now_.spindle.arrive(motion.to);
 }
 
-/// The spindle turns with the axis (nct 18.1.9).
+/// Couples the spindle to the axis (nct 18.1.9).
 void AxisMotion::couple(const Step& step, const Motion& motion) {
   rest();
   const double way = distance(step.from.machine, motion.machine);
@@ -246,7 +246,7 @@ void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t nu
 
 void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
-/// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
+/// Adds a thread to the chain. Several threads in a row continue without a stop; only the first waits for the spindle (nct 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool anew = motion.detail->start_angle.has_value();
   if (anew || now_.threads.full()) cut_threads();
@@ -263,8 +263,8 @@ void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent)
   if (motion.exact) cut_threads();
 }
 
-/// The axes stand until the first thread may begin (nct 4.4); there is such a cell even where nothing is to be waited for, as an override
-/// may have let the axes come later.
+/// Emits a cell in which the axes wait until the first thread may start (nct 4.4). It is emitted even if there is nothing to wait for, as
+/// an override may have delayed the axes.
 void AxisMotion::wait_for_spindle() {
   const double seconds = now_.spindle.seconds_to(now_.thread_angle, now_.threads.ramp() / 2);
   TimedCells still = standing(now_.threads.start(), seconds, now_.thread_spent, now_.spindle.per_second());
@@ -273,7 +273,8 @@ void AxisMotion::wait_for_spindle() {
   sink_(still);
 }
 
-/// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
+/// Emits the chain of threads. Where it has to end early (another speed, a function, too many threads) the next thread continues in the
+/// same groove.
 void AxisMotion::cut_threads() {
   if (now_.threads.empty() || ended() != PlanEnd::none) return;
   const Axes end = now_.threads.end();
@@ -291,7 +292,7 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  const bool even = pace.is_even() && !path.bends();  // of the tip's way, where that is led: the axes go unevenly
+  const bool even = pace.is_even() && !path.bends();  // even along the tip's path, if the tip is led: the axes then move unevenly
   for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
     const double way = distance(last, to);
@@ -308,11 +309,11 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   return {length, ways};
 }
 
-/// How far the axes may leave the corner at the beginning of a piece that leads the tip; of one after another motion as if the whole arm
-/// swung it.
+/// Returns how far the axes may leave the corner at the start of a piece that leads the tip. After a motion that does not lead it, the
+/// tip is assumed to swing with the whole arm.
 double AxisMotion::corner_of(const Step& step, const LedPiece& piece, double tolerance) const {
   if (!(tolerance > 0)) return 0;
-  constexpr double used = 0.8;  // the rest is for what is not of first order
+  constexpr double used = 0.8;  // the rest is a reserve for effects of higher order
   if (now_.led.known) return led_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
   return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
 }
@@ -322,10 +323,10 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
-  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // at the corners between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
-  const SpindleTurning any;  // a dry run does not ask how fast the spindle turns
+  const SpindleTurning any;  // a dry run does not depend on the spindle speed
   const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, dry ? any : now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   MotionTime time = step.time;

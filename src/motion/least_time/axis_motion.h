@@ -1,6 +1,7 @@
 #pragma once
-// AxisMotion: Steps → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes
-// stand still, what a pause lasts. Threads and rigid tapping go in step with the spindle, of which the angle comes along.
+// AxisMotion: converts Steps into the axes' motion in time by the Planner: it computes each motion's curve in machine coordinates, where
+// the axes stop, and how long pauses take. Threads and rigid tapping are synchronised with the spindle, whose angle is part of the
+// output.
 
 #include <deque>
 #include <functional>
@@ -18,10 +19,10 @@
 
 namespace kadr {
 
-/// What the profile and the setup say; the setup goes before.
+/// Returns the limits stated by the profile and the set-up; the set-up has priority.
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes);
 
-/// What a stretch of time is spent on, and for which line: the tag of a cell.
+/// What a period of time is spent on, and by which line of the program. Packed, it is the tag of a cell.
 struct Spent {
   enum class On : std::uint8_t { cutting, rapid, dwell, tool_change };
   On on = On::cutting;
@@ -33,38 +34,38 @@ struct Spent {
   }
 };
 
-/// How far what was planned is not what it should be.
+/// How far the plan is from what it should be.
 struct PlanFaults {
-  std::size_t unsolved = 0;  // stretches for which no speed was found (TimedCells::unsolved);
-  double unsolved_way = 0;   // mm, of them all
-  Spent unsolved_at;         // the first
-  double beyond = 0;         // of its tolerance: how far the path is beyond it at most;
-  Spent beyond_at;           // the first such place
+  std::size_t unsolved = 0;  // segments for which no speed was found (TimedCells::unsolved)
+  double unsolved_way = 0;   // mm, total length of those segments
+  Spent unsolved_at;         // the first of them
+  double beyond = 0;         // greatest excess of the path over its tolerance, as a share of the tolerance
+  Spent beyond_at;           // the first position where the path exceeds it
 };
 
-/// mm/s: the feed of a motion whose programmed time is unknown (override 0, the spindle stands).
+/// mm/s: the feed of a motion whose programmed time is unknown (override 0, spindle at rest).
 inline constexpr double unlimited_feed = 1e6;
 
 class AxisMotion {
  public:
-  /// `tolerance`: mm, of corners for which the program states none.
+  /// `tolerance`: mm, for corners for which the program states none.
   AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
-  AxisMotion(const AxisMotion&) = delete;  // the planner points back to it
+  AxisMotion(const AxisMotion&) = delete;  // the planner holds a pointer to this object
   AxisMotion& operator=(const AxisMotion&) = delete;
 
-  /// How the main spindle turns at the start, and the parameters of smoothing.
+  /// Sets how the main spindle rotates at the start, and the parameters of smoothing.
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// Called for each motion before it is planned: its number, CellSource::motion of its cells, and mm of what their lengths about add up
-  /// to.
+  /// Called for each motion before it is planned, with its number (CellSource::motion of its cells) and the approximate length of its
+  /// cells together, mm.
   std::function<void(std::uint64_t number, double way)> on_motion;
 
-  /// Called for each motion before it is planned: its number and from where it goes, in which frame.
+  /// Called for each motion before it is planned, with its number and its start position and frame.
   std::function<void(std::uint64_t number, const ToolPosition& from)> on_place;
 
-  /// A step with its time by programmed feed.
+  /// Plans a step, given with its time at the programmed feed.
   void consume(const Step& step);
-  /// The axes come to rest.
+  /// Brings the axes to rest.
   void finish() { rest(); }
 
   /// Planner::plan_each().
@@ -72,17 +73,17 @@ class AxisMotion {
   /// Planner::work_side_by_side(), Planner::settle().
   void work_side_by_side() { planner_.work_side_by_side(); }
   void settle() { planner_.settle(); }
-  /// All feeds but those of threads are this one, mm/min; 0: as programmed.
+  /// Replaces all feeds except those of threads by this one, mm/min; 0: as programmed.
   void run_dry(double feed) { dry_feed_ = feed; }
 
-  /// Asked by all that may take long.
+  /// Sets the token that all long computations check.
   void stop_by(StopToken stop);
-  /// Why nothing more is handed out; from then on actions are passed over.
+  /// Returns why nothing more is emitted; from then on actions are ignored.
   PlanEnd ended() const { return planner_.ended(); }
   /// Planner::end_here().
   void end_here() { planner_.end_here(); }
   const PlanFaults& faults() const { return now_.faults; }
-  /// What the planner would not hand out, by an error of its own.
+  /// What the planner refused to emit because of an error of its own.
   struct Refused {
     double way = 0;  // mm
     Spent at;
@@ -90,29 +91,29 @@ class AxisMotion {
   Refused refused() const;
 
  private:
-  /// A motion of which cells are still to come.
+  /// A motion whose cells are not all emitted yet.
   struct Record {
     std::uint64_t motion, spent;
     Switches switches;
     SpindleTurning spindle;
     double spindle_part;  // override / 100
-    double shift;         // work coordinate less machine coordinate, of the axis that tells the surface speed, mm
+    double shift;         // work coordinate less machine coordinate of the axis that determines the surface speed, mm
   };
 
  public:
-  /// What it remembers from step to step; it is settled.
+  /// The state that it keeps from step to step. Valid when settled.
   struct Memory {
     explicit Memory(const MotionLimits& limits) : threads(limits) {}
     std::deque<Record> records;
     std::uint64_t motions = 0;
-    bool exact = true;  // the last motion ended exactly: no rounding after it
-    LedPiece led;       // the piece planned last, where it led the tip
+    bool exact = true;  // true if the last motion ended with an exact stop: no rounding after it
+    LedPiece led;       // the piece planned last, if it led the tip
     SpindleClock spindle;
     Smoothing smoothing;
-    ThreadChain threads;  // not yet cut
-    Spent thread_spent;   // of the first of them
+    ThreadChain threads;  // the chain of threads not planned yet
+    Spent thread_spent;   // of the first thread of the chain
     PlanFaults faults;
-    double thread_angle = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
+    double thread_angle = 0;  // spindle angle at which the next thread starts, degrees since a zero pulse
   };
   struct Snapshot {
     Memory own;
@@ -122,7 +123,8 @@ class AxisMotion {
   void restore(const Snapshot& from) { now_ = from.own, planner_.remember(from.planner); }
 
  private:
-  /// The way of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last one counts for all that follow.
+  /// The length of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last speed applies to all further
+  /// pieces.
   struct Feeds {
     double length;
     std::vector<double> speeds;
@@ -153,7 +155,7 @@ class AxisMotion {
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  Smoothing::Line line_;  // to the planner
+  Smoothing::Line line_;  // emits to the planner
   StopToken stop_;
 };
 

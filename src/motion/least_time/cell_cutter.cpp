@@ -1,5 +1,4 @@
-// CellCutter: a smooth curve → cells. For motion/least_time/planner; tested by
-// tests/motion/planner_test.cpp.
+// CellCutter: divides a smooth curve into cells. Used by motion/least_time/planner; tested by tests/motion/planner_test.cpp.
 
 #include "motion/least_time/cell_cutter.h"
 
@@ -15,13 +14,13 @@
 namespace kadr {
 namespace {
 
-constexpr double cell_growth = 0.2;  // of the cells, by their distance from what made them small
+constexpr double cell_growth = 0.2;  // growth of the cell size with the distance from what makes cells small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double gentle = 0.1;       // |Δu| of corners that are like those of a curve
-constexpr double longest_s = 0.014;  // of a cell, at the commanded speed
-constexpr double fastest = 1e12;     // mm²/s²: no limit of ṡ², in numbers that can be calculated with
+constexpr double gentle = 0.1;       // |Δu| of corners that are treated like those of a curve
+constexpr double longest_s = 0.014;  // duration of the longest cell, at the commanded speed
+constexpr double fastest = 1e12;     // mm²/s²: stands for no limit of ṡ², but finite so that it can be calculated with
 
-/// The polynomial of the fifth degree with position and two derivatives given at 0 and h.
+/// Computes the polynomial of the fifth degree with given position and first two derivatives at 0 and h.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
   const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
   const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
@@ -61,14 +60,15 @@ void CellCutter::begin() {
 }
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
-  constexpr double of_way = 1e-3, on_surface = 0.05;  // relative: the feed is a way divided by its time; on a surface it changes all along
+  constexpr double of_way = 1e-3, on_surface = 0.05;  // relative: a feed is calculated as length / time; on a surface it varies everywhere
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
   const double before = path_->feed(vertex - 1), behind = path_->feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
 }
 
-/// A cell has the lowest feed of its pieces: of a short one that is much slower it must not reach far beyond it, mm.
+/// Returns the size of cells at a change of feed, mm. A cell has the lowest feed of its pieces: if one of them is short and much slower,
+/// the cell must not extend far beyond it.
 double CellCutter::room_at_feed_change(std::size_t vertex) const {
   constexpr double much = 2;
   const std::size_t slower = path_->feed(vertex - 1) < path_->feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
@@ -76,7 +76,7 @@ double CellCutter::room_at_feed_change(std::size_t vertex) const {
   return path_->at(slower + 1) - path_->at(slower);
 }
 
-/// Longer than any ramp to a speed lasts, s: farther from the ends of a piece it is passed evenly.
+/// Returns a time longer than any ramp to this speed, s: farther from the ends of a piece the speed is constant.
 double CellCutter::ramp_s(double speed) const {
   double seconds = 0;
   for (std::size_t a = 0; a < axes_; ++a)
@@ -84,13 +84,13 @@ double CellCutter::ramp_s(double speed) const {
   return seconds;
 }
 
-/// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them; no longer than is
-/// passed in longest_s, but in the middle of a long piece. `curve_part`: of a rounding's
-/// width, of those between the chords of a curve.
+/// Returns the cell size at a length of the path: small at corners, reversals, stops and changes of feed, growing with the distance from
+/// them. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: size at the roundings between the chords of
+/// a curve, as a share of their width.
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
   double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
+  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // next to a stop: a share of the distance that a ramp takes
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
   size = std::min(size, rest(0) + cell_growth * s);
   if (last) size = std::min(size, rest(path_->pieces()) + cell_growth * (path_->ends() - s));
@@ -109,8 +109,8 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Of a cell among the chain's corners: as long as that is wide between lines, where the cell smooths the path once more; among the chords
-/// of a curve, which is smooth, shorter ones follow the changes of speed better.
+/// Returns the size of a cell among the chain's corners: as long as the chain is wide between lines, where the cell smooths the path
+/// further; shorter among the chords of a curve, which is smooth already, as shorter cells follow the changes of speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
   constexpr double between_lines = 1, on_curves = 0.45;  // of the width
   double away = reach;
@@ -127,10 +127,11 @@ double CellCutter::size_in_chain(double s, std::size_t piece, double reach) cons
   return (on_curve ? on_curves : between_lines) * w + cell_growth * std::max(0.0, away - w);
 }
 
-/// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
+/// Returns true if the path bends so evenly along a cell that one polynomial describes it: the curvature in the middle is about the mean
+/// of that at the ends.
 bool CellCutter::is_even(double h) {
-  constexpr double uneven = 0.02;        // of the curvature
-  constexpr double unimportant = 0.008;  // of the acceleration that the axis may have
+  constexpr double uneven = 0.02;        // share of the curvature
+  constexpr double unimportant = 0.008;  // share of the acceleration that the axis may have
   Knot middle, end;
   const std::size_t half = path_->piece_at(cut_ + h / 2, piece_), far = path_->piece_at(cut_ + h, half);
   path_->evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
@@ -155,7 +156,7 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Of the roundings that reach into a cell the tightest one.
+/// Returns the kind of the tightest rounding that extends into a cell.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_behind = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -171,11 +172,11 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   return bend;
 }
 
-/// How far a cell with these polynomials, from the knot on, is beyond the tolerance of the path, as a share of it: at vertices, halfway
-/// between, and in more places if it has few pieces.
+/// Returns how far a cell with these polynomials, from the last knot on, exceeds the tolerance of the path, as a share of the tolerance:
+/// checked at vertices, halfway between them, and at more positions if the cell has few pieces.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
-  constexpr double dense = 16;    // places in a cell within one piece
-  constexpr double used = 0.992;  // of the tolerance: the rest is for what lies between
+  constexpr double dense = 16;    // positions checked in a cell within one piece
+  constexpr double used = 0.992;  // share of the tolerance: the rest is a reserve for the positions between
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;
@@ -198,7 +199,8 @@ double CellCutter::beyond(const double* c, double to, std::size_t last_piece) co
   return most;
 }
 
-/// The lowest feed of the pieces from where the last cell ends; where it changes with the path, the lowest in places of the cell.
+/// Returns the lowest feed of the pieces of a cell that starts at the last knot; where the feed varies with the path, the lowest at
+/// sample positions of the cell.
 double CellCutter::feed_between(double from, double to) const {
   double feed = path_->feed(piece_);
   bool paced = piece_ > 0 && path_->is_paced(piece_);
@@ -222,8 +224,8 @@ double CellCutter::feed_between(double from, double to) const {
   return feed;
 }
 
-/// The polynomials of a cell from the knot to a length, and the knot there.
-///   returns  how far it is beyond the tolerance
+/// Computes the polynomials of a cell from the last knot to a length, and the knot there.
+///   returns  how far the cell exceeds the tolerance
 double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
   const bool straight = bend_at(to, end_piece) == Bend::none;
   path_->evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
@@ -232,13 +234,13 @@ double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& 
     double* const of_axis = c + a * TimedPath::terms;
     std::fill(of_axis, of_axis + TimedPath::terms, 0);
     if (straight)
-      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // small rounded differences would give a third derivative that slows the cell
     else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - cut_, of_axis);
   }
   return straight ? 0 : beyond(c, to, end_piece);
 }
 
-/// The greatest ṡ² that the feed and the axes' speeds allow in a cell of the length h, mm²/s².
+/// Returns the greatest ṡ², mm²/s², that the feed and the axes' speeds allow in a cell of the length h.
 double CellCutter::most_in(const double* c, double h, double feed) const {
   double most = fastest;
   std::array<double, LeastTime::places> squares{};
@@ -252,7 +254,8 @@ double CellCutter::most_in(const double* c, double h, double feed) const {
   return most;
 }
 
-/// What a stretch of the path takes, as a part of its pieces with a stop at both ends of each, s. `piece`: where it begins.
+/// Returns the time of a segment of the path if each of its pieces had a stop at both ends, s. `piece`: the one in which the segment
+/// starts.
 double CellCutter::standing_s(double from, double to, std::size_t piece) {
   double seconds = 0;
   for (std::size_t i = piece; i < path_->pieces() && path_->at(i) < to; ++i) {
@@ -265,10 +268,10 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
   return seconds;
 }
 
-/// The last cell as several with the same path, where the path and not the feed is what limits its speed: so that this may change within a
-/// cell that is long for the sake of the path. `width`: of the chain there.
+/// Divides the last cell into several with the same path where the path, not the feed, limits its speed: the speed can then change within
+/// a cell that is long because its path is smooth. `width`: of the chain there.
 void CellCutter::divide(double width, CutCells& out) const {
-  constexpr double part = 0.2;  // of the width
+  constexpr double part = 0.2;  // share of the width
   constexpr int most_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
@@ -281,8 +284,8 @@ void CellCutter::divide(double width, CutCells& out) const {
   for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
 }
 
-/// A cell from the knot on, of this size or, where that leaves the tolerance, a smaller one.
-///   returns  where it ends
+/// Adds a cell from the last knot to `to`, or a smaller one if that exceeds the tolerance.
+///   returns  where the cell ends
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
   constexpr double smaller = 0.6;
   double* const c = out.path.add_shapes();
@@ -311,7 +314,7 @@ double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) 
 }
 
 void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out) {
-  constexpr double rest = 1.5;  // cells: what is left before an end becomes one
+  constexpr double rest = 1.5;  // cells: a remainder shorter than this before an end becomes one cell
   path_ = &path;
   standing_ = {};
   piece_ = passed_ - std::min(passed_, path.forgotten());
@@ -330,7 +333,7 @@ void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out)
   passed_ = piece_ + path.forgotten();
   double fastest_feed = 0;
   for (std::size_t i = piece_; i < path.pieces(); ++i) fastest_feed = std::max(fastest_feed, path.feed(i));
-  constexpr double farthest = 50;  // mm: sizes of cells longer than those beside a corner so far away
+  constexpr double farthest = 50;  // mm: corners farther away are ignored, as they would only shorten very long cells
   needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / cell_growth);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// CellCutter: a smooth curve (path/smooth/smooth_path) → cells, in each of which every axis is a polynomial of the fifth degree. It knows
-// nothing of how fast they are passed.
+// CellCutter: divides a smooth curve (path/smooth/smooth_path) into cells, in each of which every axis is a polynomial of the fifth
+// degree. It does not depend on how fast the cells are passed.
 
 #include <array>
 #include <cstdint>
@@ -15,17 +15,17 @@
 
 namespace kadr {
 
-/// Cells that are cut and whose speed is not found yet.
+/// Cells that are cut but whose speed is not found yet.
 struct CutCells {
   TimedPath path;
   std::vector<CellSource> sources;
-  std::vector<double> standing;  // s: of each cell, its part of what the path takes with a stop at each corner
+  std::vector<double> standing;  // s, for each cell: its share of the time that the path takes with a stop at each corner
 
   std::size_t count() const { return path.cells(); }
   void clear();
-  /// Those of `more` behind these.
+  /// Appends the cells of `more`.
   void append(const CutCells& more);
-  /// The first ones.
+  /// Drops the first `count` cells.
   void forget(std::size_t count);
 };
 
@@ -33,14 +33,15 @@ class CellCutter {
  public:
   explicit CellCutter(const MotionLimits& limits);
 
-  /// Before the first cell of a path.
+  /// Prepares for the first cell of a path.
   void begin();
-  /// Cuts a path as far as it is settled; all of it, if this is its end (`last`). The cells are added to `out`; asked to stop, they are of
-  /// no use. `path`: with each call the same one, gone on, or a copy of it.
+  /// Cuts a path as far as it is settled; all of it, if this is its end (`last`). The cells are appended to `out`; if `stop` ends the
+  /// work, they are of no use. `path`: the same path with each call, extended since, or a copy of it.
   void cut(SmoothPath& path, bool last, StopToken stop, CutCells& out);
 
   bool has_cut() const { return cut_ > 0; }
-  /// What of the path lies before this length changes nothing any more: neither the rounding nor the size of a cell.
+  /// Returns the length from which on the path is still needed: what lies before affects neither the rounding nor the size of a further
+  /// cell.
   double needed_from() const { return needed_from_; }
 
  private:
@@ -67,17 +68,17 @@ class CellCutter {
 
   std::size_t axes_;
   MotionLimits limits_;
-  SmoothPath* path_ = nullptr;  // while it is cut
-  Knot knot_;                   // the last one
+  SmoothPath* path_ = nullptr;  // set during cut()
+  Knot knot_;                   // the last knot
   bool has_knot_ = false;
-  double cut_ = 0;          // length at the last knot
-  std::size_t piece_ = 0;   // that holds it
-  std::size_t passed_ = 0;  // pieces before it, those that the path has forgotten too
+  double cut_ = 0;          // length of the path at the last knot
+  std::size_t piece_ = 0;   // the piece that contains the last knot
+  std::size_t passed_ = 0;  // pieces before it, including those that the path has forgotten
   double needed_from_ = 0;
   struct {
     std::size_t piece = SIZE_MAX;
     double per_mm = 0;
-  } standing_;  // s for each mm of a piece with a stop at both ends: the one asked for last
+  } standing_;  // s per mm of this piece with a stop at both ends: cached for the piece used last
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// CellRing: timed cells on their way from the planner to the servo clock, each of them in a thread of its own if they like. One writes,
-// one reads, none waits; nothing is allocated after the start.
+// CellRing: a lock-free ring buffer of timed cells between the planner and the servo clock, which may run in different threads. One side
+// writes, one reads, neither waits; nothing is allocated after construction.
 
 #include <algorithm>
 #include <atomic>
@@ -26,9 +26,9 @@ class CellRing {
         spindle_(cells),
         path_(cells * axes * TimedCells::terms) {}
 
-  // who writes
+  // called by the writer
 
-  /// Takes cells from the `first` on, as many as there is room for: how many.
+  /// Appends cells from the `first` on, as many as fit. Returns their number.
   std::size_t offer(const TimedCells& cells, std::size_t first) {
     const std::uint64_t end = end_.load(std::memory_order_relaxed), begin = begin_.load(std::memory_order_acquire);
     const std::size_t count = std::min(cells.laws.size() - first, size_ - static_cast<std::size_t>(end - begin)),
@@ -48,18 +48,18 @@ class CellRing {
     end_.store(end + count, std::memory_order_release);
     return count;
   }
-  /// No more cells come.
+  /// Marks that no more cells follow.
   void finish() { finished_.store(true, std::memory_order_release); }
 
-  // who reads; a cell is told by its number from the start of the motion
+  // called by the reader; a cell is identified by its number from the start of the motion
 
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }
-  /// s, of all cells ever offered.
+  /// Total duration of all cells ever offered, s.
   double offered() const { return offered_.load(std::memory_order_relaxed); }
-  /// Less than half full.
+  /// Returns true if less than half of the ring is in use.
   bool has_room() const { return end() - begin_.load(std::memory_order_relaxed) < size_ / 2; }
-  /// Cells before are not looked at again.
+  /// Frees the cells before this one; they are not read again.
   void release(std::uint64_t cell) { begin_.store(cell, std::memory_order_release); }
 
   std::size_t axes() const { return axes_; }
@@ -68,12 +68,12 @@ class CellRing {
   std::uint64_t motion(std::uint64_t cell) const { return owners_[cell % size_].motion; }
   Switches switches(std::uint64_t cell) const { return switches_[cell % size_]; }
   const SpindleTurn& spindle(std::uint64_t cell) const { return spindle_[cell % size_]; }
-  /// The polynomial of an axis, `TimedCells::terms` coefficients.
+  /// Returns the polynomial of an axis, `TimedCells::terms` coefficients.
   const double* path(std::uint64_t cell, std::size_t axis) const {
     return path_.data() + (cell % size_ * axes_ + axis) * TimedCells::terms;
   }
 
-  /// All that is in it. While neither side is at work.
+  /// The contents of the ring. To be copied or restored only while neither side is at work.
   struct Memory {
     std::uint64_t begin = 0, end = 0;
     double offered = 0;

@@ -1,4 +1,4 @@
-// The interior-point method: Newton steps, line search.
+// LeastTime: the interior-point method: Newton steps and line search.
 
 #include "motion/least_time/least_time.h"
 
@@ -17,9 +17,9 @@ double LeastTime::time() const {
   return sum;
 }
 
-/// H · step_ = −gradient_, by L D Lᵀ. Where limits of very different sizes meet, rounding may leave nothing of a d, or less: then the
-/// diagonal's own is taken (Gill, Murray, Wright: Practical Optimization 4.4.2), a step that is shorter but still goes down.
-///   returns  false: H is not positive
+/// Solves H · step_ = −gradient_ by L D Lᵀ. Where limits of very different sizes meet, rounding may make a d zero or negative: then the
+/// diagonal element itself is used (Gill, Murray, Wright: Practical Optimization 4.4.2), which gives a shorter step that still descends.
+///   returns  false if H is not positive definite
 bool LeastTime::newton_step() {
   constexpr double rounding = 1e-13;
   factors_ = hessian_;
@@ -29,7 +29,7 @@ bool LeastTime::newton_step() {
     if (i >= 2) {
       const double l = h2[i - 2] / h0[i - 2];
       d -= l * h2[i - 2];
-      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] is L by now
+      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] holds L by now
       z -= l * step_[i - 2];
       h2[i - 2] = l;
     }
@@ -53,10 +53,10 @@ bool LeastTime::newton_step() {
   return true;
 }
 
-/// Goes along step_ as far as it lowers the barrier.
-///   returns  how much it would have fallen by the slope alone; 0: no way down was found
+/// Moves along step_ as far as that lowers the barrier function.
+///   returns  the decrease that the slope alone promises; 0 if no descent was found
 double LeastTime::line_search(double mu) {
-  constexpr double enough = 0.01;  // of the fall that the slope promises (Armijo)
+  constexpr double enough = 0.01;  // share of the decrease that the slope promises (Armijo)
   constexpr int most_halvings = 40;
   double falls = 0, part = 1;
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -76,8 +76,9 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// An earlier solution, and after its end slower from cell to cell: by a tenth in the end, `gently` cells after it began to.
-///   returns  false: that exceeds limits
+/// First guess: an earlier solution, after its end slower from cell to cell, in the end by a tenth per cell; the slowing reaches that
+/// tenth `gently` cells after the end.
+///   returns  false if the guess exceeds limits
 bool LeastTime::goes_on_crawling(double gently) {
   constexpr double slowing = 0.1;  // of b
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
@@ -88,7 +89,7 @@ bool LeastTime::goes_on_crawling(double gently) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      double& y = y_[variable_[k]];  // of several cells beside a stop or a turn: the slowest
+      double& y = y_[variable_[k]];  // where several cells share a variable (next to a stop or a reversal): the slowest
       y = std::min(y, m / scale_[k]);
     }
     if (is_within(y_)) return true;
@@ -96,14 +97,14 @@ bool LeastTime::goes_on_crawling(double gently) {
   return false;
 }
 
-/// The same, as slow as the earlier one was in the end, and slower towards the stop at the end and where the path turns, as constant jerk
-/// lets the axes leave it the other way round.
-///   returns  false: that exceeds limits
+/// First guess: an earlier solution, then as slow as that was at its end, and slower towards the final stop and the reversals, as
+/// constant jerk lets the axes leave them in the opposite direction.
+///   returns  false if the guess exceeds limits
 bool LeastTime::goes_on_to_stop() {
   constexpr int most_tries = 16;
   const double slow = ends_.guess.back();
   const std::size_t known = ends_.guess.size();
-  std::vector<double> away(n_, std::numeric_limits<double>::infinity());  // of a cell's middle, from the nearest stop
+  std::vector<double> away(n_, std::numeric_limits<double>::infinity());  // distance of a cell's middle from the nearest stop
   double way = std::numeric_limits<double>::infinity();
   const auto pass = [&](std::size_t k, bool stops) {
     if (stops) way = 0;
@@ -126,9 +127,9 @@ bool LeastTime::goes_on_to_stop() {
   return false;
 }
 
-/// A speed that obeys all limits: an earlier solution that crawls on after its end, or one so low that all limits are far away.
+/// Finds a start that obeys all limits: an earlier solution continued at a crawl, or a speed so low that all limits are far away.
 bool LeastTime::first_guess() {
-  for (const double gently : {1., 30., 100., 300.})  // the first: at once, from the first cell on
+  for (const double gently : {1., 30., 100., 300.})  // 1: the full slowing from the first new cell on
     if (!ends_.guess.empty() && goes_on_crawling(gently)) return true;
   if (!ends_.guess.empty() && ends_.to_stop && goes_on_to_stop()) return true;
   if (!ends_.from_stop) return false;
@@ -145,11 +146,11 @@ bool LeastTime::first_guess() {
 }
 
 bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
-  constexpr double smaller = 0.2;      // μ, when its point is near
-  constexpr double accurate = 5e-4;    // of the time: what μ may cost
-  constexpr double near_enough = 0.3;  // of what μ may cost: what the next step promises
-  constexpr int most_rounds = 4;       // of shortening a step where it breaks limits
-  constexpr int most_steps = 150;      // 25 to 45 are needed
+  constexpr double smaller = 0.2;      // factor of μ, once its optimum is near
+  constexpr double accurate = 5e-4;    // share of the time that μ may cost
+  constexpr double near_enough = 0.3;  // share of the cost of μ: below this promise of the next step, μ becomes smaller
+  constexpr int most_rounds = 4;       // rounds that shorten a step where it breaks limits
+  constexpr int most_steps = 150;      // 25 to 45 suffice
   path_ = &path;
   ends_ = ends;
   prepare();

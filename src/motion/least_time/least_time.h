@@ -1,8 +1,8 @@
 #pragma once
-// The least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose every iterate obeys all limits:
-// Newton steps on T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals. b as the unknown: Verscheure et al. 2009, IEEE TAC 54(10);
-// the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian. Slow and sure: for what
-// motion/least_time/primal_dual does not find.
+// LeastTime: the least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose iterates all obey
+// all limits: Newton steps on T − μ Σ log(slack), μ → 0, with a pentadiagonal Hessian. b as the unknown: Verscheure et al. 2009, IEEE TAC
+// 54(10); the jerk, which is not convex in b, is kept by the barrier itself, and its curvature is left out of the Hessian. Slow but
+// reliable: used for the paths that motion/least_time/primal_dual does not solve.
 
 #include <array>
 #include <cstddef>
@@ -15,46 +15,46 @@
 
 namespace kadr {
 
-/// Finds the speed. Keeps its memory for the next path.
+/// Finds the speed along a path. Keeps its memory for the next path.
 class LeastTime {
  public:
   explicit LeastTime(const LimitMargins& margins = {}) : margins_(margins) {}
 
-  /// The limits are looked at in the ends of a cell and between, denser where the jerk of its polynomial is greatest.
+  /// The limits are checked at both ends of a cell and between them, more densely where the jerk of its polynomial is greatest.
   static constexpr std::size_t places = lanes;
   static constexpr std::array<double, places> place_parts = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
 
   ///   pre      at least 4 cells
-  ///   returns  false: no speed was found that obeys the limits (a limit that is not positive, a path that is not finite)
-  ///            `stop` may ask it to end before the time is the least
+  ///   returns  false if no speed was found that obeys the limits (a limit that is not positive, a path that is not finite); `stop` may
+  ///            end the search before the time is the least
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
-  /// The middle ordinates.
+  /// The middle ordinates of the solution, one per cell.
   const std::vector<double>& middles() const { return m_; }
   int steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t beyond = 2;  // a cell may name variables after the last; derivatives and steps of these are 0
+  static constexpr std::size_t beyond = 2;  // a cell may refer to variables past the last one; their derivatives and steps are 0
   using Three = std::array<double, 3>;
-  /// b in a cell by its Bézier ordinates: at the start, the middle one, at the end.
+  /// b in a cell by its Bézier ordinates: at the start, in the middle, at the end.
   using Ordinates = Three;
-  /// An axis that moves, and what its acceleration and jerk are divided by.
+  /// An axis that moves, and the reciprocals of its limits.
   struct Moving {
     std::size_t axis = 0;
     double by_acceleration = 0, by_jerk = 0;
   };
   class Logs;
-  /// T and Σ log(slack).
+  /// The objective: T and Σ log(slack).
   struct Height {
     double time, logs;
     double at(double mu) const { return time - mu * logs; }
   };
-  /// The Hessian, a matrix of five diagonals: the middle one, the next, the last.
+  /// The Hessian, a symmetric pentadiagonal matrix: its main diagonal and the two above it.
   struct Diagonals {
     std::vector<double> h0, h1, h2;
   };
-  /// An ordinate as a sum of variables: of those before, of and after its cell.
+  /// An ordinate as a linear combination of variables: those of the cell before, its own cell and the cell after.
   struct Mix {
     double given = 0;
     Three by{};
@@ -96,20 +96,20 @@ class LeastTime {
   const TimedPath* path_ = nullptr;
   PathEnds ends_;
   LimitMargins margins_;
-  std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ in each cell at its places: (cell * axes + axis) * places + place
+  std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ in each cell at its sample positions: (cell * axes + axis) * places + place
   std::size_t n_ = 0;                 // cells
-  std::size_t variables_ = 0;         // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
+  std::size_t variables_ = 0;         // m of a cell = scale * its variable; cells next to stops and reversals share the neighbour's
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
-  bool first_given_ = false;  // the first cell follows from the start
+  bool first_given_ = false;  // the speed of the first cell is fixed by the start
   std::vector<Moving> moving_;
-  std::vector<std::array<Mix, 2>> mixes_;  // of each cell's first and last ordinate
+  std::vector<std::array<Mix, 2>> mixes_;  // for the first and the last ordinate of each cell
   std::vector<double> cap_;
-  std::vector<double> m_;                            // of the cells
-  std::vector<double> y_, trial_, step_, gradient_;  // of the variables
+  std::vector<double> m_;                            // one per cell
+  std::vector<double> y_, trial_, step_, gradient_;  // one per variable
   Diagonals hessian_, factors_;                      // factors: L D Lᵀ
   std::vector<char> broken_, was_broken_;            // groups of cells in which the step breaks a limit
-  Height height_{};                                  // of y_
+  Height height_{};                                  // at y_
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

@@ -1,4 +1,4 @@
-// The limits within the cells: the barrier that they make, its gradient and Hessian; where a step would break them.
+// LeastTime, the limits within the cells: their barrier with its gradient and Hessian, and where a step would break them.
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr double most_of_slack = 0.95;  // that a step may use up
-constexpr double bend_of_time = 0.1;    // 0.75 in truth: far from the limits the steps are longer so, near them these bend more
+constexpr double most_of_slack = 0.95;  // the share of a slack that one step may use up
+constexpr double bend_of_time = 0.1;    // 0.75 in theory: less makes the steps longer far from the limits; near them the barrier prevails
 constexpr std::size_t group_size = 16;  // cells
 
 constexpr auto& place_parts = LeastTime::place_parts;
@@ -25,45 +25,45 @@ constexpr AtPlaces at_places_of(const Function& f) {
   return values;
 }
 
-/// Of the ordinates of a cell in its value at the places: (1−t)², 2t(1−t), t².
+/// Weights of a cell's Bézier ordinates in the value of b at the sample positions: (1−t)², 2t(1−t), t².
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
-/// In its derivative by the part of the cell.
+/// Weights in the derivative by t, the fraction of the cell.
 constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
                                 at_places_of([](double t) { return 2 * t; })};
-/// In the second one, the same at all places.
+/// Weights in the second derivative, the same at all sample positions.
 constexpr double bends[3] = {2, -4, 2};
 
-/// Gradient and Hessian of what is a function of b, b′ and b″, at each place by itself.
+/// Gradient and Hessian of a function of b, b′ and b″, at each sample position separately.
 template <class Lanes>
 struct Sums {
   Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// `bend` · r rᵀ, where r = (e0, e1).
+  /// Adds `bend` · r rᵀ, where r = (e0, e1), to the Hessian.
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1) {
     const Lanes bend0 = bend * e0;
     h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
   }
-  /// r = (e0, e1, e2).
+  /// Likewise with r = (e0, e1, e2).
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes bend2 = bend * e2;
     add(bend, e0, e1);
     h02 += bend2 * e0, h12 += bend2 * e1, h22 += bend2 * e2;
   }
-  /// −log(1 − x²), where x = `scale` · (e0 b + e1 b′): an acceleration.
+  /// Adds −log(1 − x²), where x = `scale` · (e0 b + e1 b′), an acceleration.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1);
   }
-  /// The same with e2 b″, of a jerk.
+  /// Likewise for a jerk, x = `scale` · (e0 b + e1 b′ + e2 b″).
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1, by[2] += by_scale * e2;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1, e2);
   }
 
-  /// By the ordinates of a cell of length `h`.
+  /// Computes the gradient with respect to the ordinates of a cell of length `h`.
   KADR_LANES void gradient(double h, std::array<double, 3>& of) const {
     const double once = 1 / h, twice = once * once;
     for (std::size_t o = 0; o < 3; ++o)
@@ -81,7 +81,7 @@ struct Sums {
   }
 };
 
-/// b, b′ and b″ at the places of a cell.
+/// b, b′ and b″ at the sample positions of a cell.
 template <class Lanes>
 struct CellSpeed {
   Lanes b, d;
@@ -95,23 +95,23 @@ struct CellSpeed {
   }
 };
 
-/// x′/2, x″ and x‴ of an axis at the places of a cell.
+/// x′/2, x″ and x‴ of an axis at the sample positions of a cell.
 template <class Lanes>
 struct Shape {
   Lanes x1, x2, x3;
   KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
       : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
-  /// Divided by √b.
+  /// The jerk divided by √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
 };
 
 }  // namespace
 
-/// Sum of logarithms, one for many factors.
+/// A sum of logarithms that calls log() once for many factors.
 class LeastTime::Logs {
  public:
-  /// A factor may be as small as 1e-200.
+  /// `factor` may be as small as 1e-200.
   void take(double factor) {
     product_ *= factor;
     if (product_ < 1e-100) sum_ += std::log(product_), product_ = 1;
@@ -142,14 +142,15 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
       const Lanes a = moving.by_acceleration * x.acceleration(speed), j = moving.by_jerk * x.jerk(speed);
       const Lanes slack = 1 - a * a, jerk_slack = 1 - speed.b * (j * j);
       const double product = product_of(slack * jerk_slack);
-      if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;  // the product: no number at all
+      if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;  // product > 0 also rejects NaN
       logs.take(product);
     }
   }
   return true;
 }
 
-/// Infinite where a limit is not kept. A limit |x| ≤ 1 has the slack 1 − x². Leaves m_ as it is for y.
+/// Evaluates T and Σ log(slack) at y; T is infinite if y breaks a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the ordinates
+/// of y.
 LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   constexpr Height none{infinite, 0};
   Logs logs;
@@ -162,13 +163,13 @@ LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   return is_within ? Height{time(), logs.sum()} : none;
 }
 
-/// Ordinates by variables: those of the cells before it, of it, after it.
+/// Computes the derivatives of a cell's three ordinates by the variables of the cell before, of the cell itself and of the cell after.
 void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
   by = {mixes_[cell][0].by, {}, mixes_[cell][1].by};
   if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];
 }
 
-/// The limits within a cell: their gradient and Hessian.
+/// Adds the gradient and the Hessian of the limits within a cell.
 template <class Lanes>
 KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   const CellSpeed<Lanes> speed(ordinates(cell), path_->h[cell]);
@@ -190,7 +191,7 @@ KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   add_hessian(cell, mu, hessian);
 }
 
-/// `scale` times a Hessian by the ordinates of a cell.
+/// Adds `scale` times a Hessian given with respect to the ordinates of a cell.
 void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Three, 3>& h) {
   std::array<Three, 3> by, hb;
   by_variables(cell, by);
@@ -204,7 +205,7 @@ void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Thr
   hessian_.h2[first] += product(0, 2);
 }
 
-/// Gradient and Hessian of the barrier at y_; m_ is that of y_.
+/// Computes gradient and Hessian of the barrier function at y_. Needs m_ as of y_.
 void LeastTime::derivatives(double mu) {
   for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -223,7 +224,7 @@ void LeastTime::derivatives(double mu) {
   });
 }
 
-/// The ordinates of a cell change with step_ by so much.
+/// Returns the changes of a cell's ordinates by step_.
 LeastTime::Three LeastTime::step_in(std::size_t cell) const {
   std::array<Three, 3> by;
   by_variables(cell, by);
@@ -265,9 +266,9 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
   return true;
 }
 
-/// Where the step would break limits, as far as they are linear, it shall be shorter there, not everywhere: the Hessian becomes stiffer in
-/// what breaks them.
-///   returns  false: it breaks none
+/// Makes the step shorter only where it would break limits (to first order), not everywhere: stiffens the Hessian in the directions that
+/// break them.
+///   returns  false if the step breaks no limit
 bool LeastTime::stiffen(double mu, bool first) {
   const std::size_t groups = (n_ + group_size - 1) / group_size;
   if (first) was_broken_.assign(groups, 1);

@@ -1,4 +1,5 @@
-// What a path's limits come to, before any speed is known: variables, linear forms, what each cell allows by itself.
+// LeastTime, what follows from a path's limits before any speed is known: the variables, the ordinates as linear forms of them, the
+// greatest value of each variable.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace kadr {
 namespace {}  // namespace
 
-/// A cell beside a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle is a third of b₁.
+/// A cell next to a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle ordinate is a third of b₁.
 void LeastTime::number_variables() {
   const std::vector<double>& h = path_->h;
   variable_.assign(n_, 0);
@@ -40,7 +41,7 @@ void LeastTime::prepare() {
   find_places();
   find_moving();
   cap_.assign(variables_, infinite);
-  // b in a cell lies between its middle and those of its neighbours, so a middle obeys the neighbours' limits too
+  // b in a cell lies between its middle ordinate and those of its neighbours, so a middle ordinate obeys the neighbours' limits too
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
     double most = path.most[k];
     if (k > 0) most = std::min(most, path.most[k - 1]);
@@ -52,7 +53,8 @@ void LeastTime::prepare() {
   if (ends_.to_stop) keep_stop(n_ - 1);
 }
 
-/// b at a knot lies on the line between the middle ordinates of its two cells; at a turn it is 0, and crawling it stays as it is.
+/// b at a knot is interpolated linearly between the middle ordinates of its two cells; at a reversal it is 0, and at a crawling end it
+/// equals the middle ordinate of the last cell.
 void LeastTime::find_mixes() {
   mixes_.assign(n_, {});
   for (std::size_t k = 0; k < n_; ++k) {

@@ -1,4 +1,4 @@
-// Corners of the axes' path where the tip is led. For motion/least_time/axis_motion; tests/motion/led_corner_test.cpp.
+// Corners of the axes' path while the tip is led. Used by motion/least_time/axis_motion; tested by tests/motion/led_corner_test.cpp.
 
 #include "motion/least_time/led_corner.h"
 
@@ -10,12 +10,12 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| of pieces that go on straight but for rounding
-constexpr double most_off = 0.1;       // mm: what rounding may move the axes, whatever the tip feels; a tolerance of more counts
-constexpr double most_swing = 0.05;    // degrees: of a rotary axis likewise
-constexpr double of_direction = 0.01;  // degrees: half of what its referees allow
+constexpr double straight_on = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
+constexpr double most_off = 0.1;       // mm: most that rounding may move the axes, whatever the tip does; or the tolerance, if larger
+constexpr double most_swing = 0.05;    // degrees: likewise for a rotary axis
+constexpr double of_direction = 0.01;  // degrees: half of what the judge of five-axis samples allows (docs/planner.md)
 
-/// Degrees a mm of the tip's way; 0: the tip stands.
+/// Returns degrees per mm of the tip's path; 0 if the tip does not move.
 double rate(double degrees, Vec3 tip) {
   constexpr double stands = 1e-9;
   const double way = length(tip);
@@ -38,7 +38,7 @@ LedPiece led_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_
 }
 
 bool LedPiece::keeps_pace(const LedPiece& before) const {
-  constexpr double same = 1e-3;  // relative: of a curve's chords
+  constexpr double same = 1e-3;  // relative: for the chords of a curve
   const double now = feed * kadr::length(tip), then = before.feed * kadr::length(before.tip);
   return known && before.known && now > 0 && std::fabs(now - then) <= same * now;
 }
@@ -53,12 +53,12 @@ double led_tolerance(const LedPiece& before, const LedPiece& behind, double tole
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
     const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
-    const double beside = change - (one + other) / 2 * along;  // what the axis turns more than the tip's place asks for
+    const double beside = change - (one + other) / 2 * along;  // how much more the axis rotates than the tip's position requires
     off_direction += beside * beside;
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;
-  const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);  // of what is allowed, a unit of rounding
+  const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);  // share of the allowed, per unit of rounding
   return std::min(
       {turn / std::max(felt, straight_on), std::max(most_off, tolerance), most_swing * turn / std::max(std::sqrt(swing), straight_on)});
 }

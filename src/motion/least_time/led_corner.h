@@ -1,7 +1,8 @@
 #pragma once
-// LedCorner: how far a corner of the axes' path may be rounded where the tip is led (nct 25.14). The axes' path has a corner there by the
-// tip's own way, and by the rotary axes, which the linear ones make up for: of the second the tip feels nothing as long as all are rounded
-// together. So what counts is what the rounding does to the tip, across its way, and to the direction of the tool at its place on it.
+// LedCorner: how far a corner of the axes' path may be rounded while the tip is led (tool centre point control, nct 25.14). The axes'
+// path has a corner there for two reasons: the tip's own path, and the rotary axes, for which the linear ones compensate. The second has
+// no effect on the tip as long as all axes are rounded together. What counts, therefore, is how rounding moves the tip across its path,
+// and how it changes the tool's direction at each position of the tip.
 
 #include "action/axis_roles.h"
 #include "base/vec.h"
@@ -11,19 +12,19 @@ namespace kadr {
 /// A straight piece of the axes' path.
 struct LedPiece {
   bool known = false;
-  double length = 0;  // of the axes' way, mm and degrees
-  Axes along{};       // that way, of length 1
-  Vec3 tip;           // the way of the tip in the part, mm a mm of the axes' way
-  double feed = 0;    // mm/s of the axes' way
-  /// The tip goes equally fast in both, whatever the axes do.
+  double length = 0;  // of the axes' path, mm and degrees
+  Axes along{};       // direction of that path, a unit vector
+  Vec3 tip;           // the tip's movement in this piece, mm per mm of the axes' path
+  double feed = 0;    // mm/s along the axes' path
+  /// True if the tip is equally fast in both pieces, whatever the axes do.
   bool keeps_pace(const LedPiece& before) const;
 };
 
-/// Of the axes' way between two places, where the tip goes from one place to another.
+/// Returns the piece of the axes' path between two positions, during which the tip goes from `tip_from` to `tip_to`.
 LedPiece led_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_from, Vec3 tip_to, double feed);
 
-/// How far the axes may leave the corner between two pieces so that the tip leaves its own way by no more than `tolerance`, mm, and the
-/// tool its direction by no more than 0.01°: to first order, bounded where the second could count.
+/// Returns how far the axes may leave the corner between two pieces so that the tip leaves its own path by at most `tolerance`, mm, and
+/// the tool its direction by at most 0.01°. To first order, and bounded where the second order could count.
 double led_tolerance(const LedPiece& before, const LedPiece& behind, double tolerance, AxisMask rotary);
 
 }  // namespace kadr

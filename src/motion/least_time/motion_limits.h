@@ -1,11 +1,11 @@
 #pragma once
-// MotionLimits: what each axis can do.
+// MotionLimits: speed, acceleration and jerk limits of each axis.
 
 #include <vector>
 
 namespace kadr {
 
-/// Limits of each axis: mm/s, mm/s², mm/s³ (of rotary ones degrees); all above 0 and finite.
+/// Limits of each axis: mm/s, mm/s², mm/s³ (degrees for rotary axes); all positive and finite.
 struct MotionLimits {
   std::vector<double> speed, acceleration, jerk;
 };

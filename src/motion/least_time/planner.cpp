@@ -1,5 +1,5 @@
-// Planner: a path of straight pieces and stops → positions in time, with the least time that the axes' limits and the path's tolerances
-// allow (mode `optimal` of a machine profile). For the rest of motion; tested by tests/motion/planner_test.cpp.
+// Planner: turns a path of straight pieces and stops into positions in time, with the least time that the axes' limits and the path's
+// tolerances allow (mode `optimal` of a machine profile). Used by the other folders of motion; tested by tests/motion/planner_test.cpp.
 
 #include "motion/least_time/planner.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t planned_at = 1024;  // pieces: so many come in before the next plan
+constexpr std::size_t planned_at = 1024;  // pieces that arrive before the next plan
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void Planner::begin(const double* at) {
   now_.fresh_s = 0;
 }
 
-/// The next piece goes another way than the last.
+/// Returns true if the next piece has another direction than the last.
 bool Planner::turns(const double* to) const {
   constexpr double straight = 1e-9;  // |Δu|
   if (now_.way.empty()) return false;
@@ -113,7 +113,7 @@ void Planner::remember(const Memory& memory) {
   now_ = memory.path, cutter_ = memory.cutter, timer_.remember(memory.window);
 }
 
-/// Hands out what is done.
+/// Emits what is done.
 void Planner::fetch() {
   std::vector<TimedCells> done;
   done.swap(timer_.done());

@@ -1,12 +1,12 @@
 #pragma once
-// Planner: a path of straight pieces and stops → positions in time, with the least time that the axes' limits and the path's
-// tolerances allow (mode `optimal` of a machine profile; the controls of old had nothing like it). Constant memory: it plans a
-// window of the path, hands out what later pieces cannot change any more, and goes on from there.
+// Planner: turns a path of straight pieces and stops into positions in time, with the least time that the axes' limits and the path's
+// tolerances allow (mode `optimal` of a machine profile; older controls had nothing comparable). Memory is bounded: it plans a window of
+// the path, emits what later pieces cannot change any more, and continues from there.
 //
 //   pieces ─path/smooth/smooth_path─▶ smooth curve ─cell_cutter─▶ cells ─window_timer─▶ TimedCells
 //
-// Ahead of what is handed out: at most the way to stop, plus some thousand pieces. Smoothing and what comes after it may go on side by
-// side; what comes out, and when, does not depend on which of them is quicker.
+// It looks ahead of the emitted cells by the stopping distance plus some thousand pieces at most. Smoothing and the later stages may run
+// in parallel; what is emitted, and at which input, does not depend on which of them is faster.
 
 #include <cstdint>
 #include <functional>
@@ -21,51 +21,52 @@
 
 namespace kadr {
 
-/// Why a planner hands out nothing more.
+/// Why a planner emits nothing more.
 enum class PlanEnd : std::uint8_t {
-  none,      // it does
-  stopped,   // it was asked to
-  enough,    // nobody looks at more
-  too_slow,  // what it found is no plan: an error of its own
+  none,      // it still emits
+  stopped,   // it was stopped from outside
+  enough,    // the receiver needs no more
+  too_slow,  // the result is not a valid plan: an error of the planner
 };
 
 class Planner {
  public:
-  using Sink = std::function<void(TimedCells&)>;  // it may add what it knows
+  using Sink = std::function<void(TimedCells&)>;  // may complete the cells with its own data
   Planner(const MotionLimits& limits, Sink sink);
 
-  /// Where the axes stand. Before anything else, and where they were moved by something else while they stood.
+  /// Sets the position of the axes at rest. Call it first, and whenever something else has moved the axes while they were at rest.
   void begin(const double* at);
-  /// A straight piece. `feed`: mm/s along it, `tolerance`: of the corner at its beginning, mm; 0: exactly through it, so it stops there.
-  /// `on_curve`: that corner is one of a chain of chords of a curve. `tag`: comes out with its cells.
+  /// Adds a straight piece. `feed`: mm/s along it. `tolerance`: of the corner at its start, mm; 0: exactly through the corner, so the
+  /// axes stop there. `on_curve`: that corner lies between two chords of a curve. `tag`: is copied to the piece's cells.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
-  /// The axes come to rest; all is handed out.
+  /// Brings the axes to rest and emits everything.
   void stop();
 
-  /// Plans whenever so many seconds of motion at the commanded feeds have come in, not only after some hundred pieces: for whoever waits
-  /// for the first cells of long pieces. It costs some more plans.
+  /// Plans whenever pieces with this many seconds of motion at the commanded feeds have arrived, not only after some hundred pieces. For
+  /// callers that need the first cells of long pieces early; it costs additional plans.
   void plan_each(double seconds) { plan_each_ = seconds; }
-  /// Cells are cut and timed in a thread of its own while the next pieces come in and are smoothed: they are handed out with the next plan.
+  /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed: the cells are emitted with the next plan.
   void work_side_by_side() { side_by_side_ = true; }
-  /// Nothing is under way beside the caller: what is done is handed out. Before memory().
+  /// Waits for the separate thread and emits what is done. Call it before memory().
   void settle();
-  /// Asked by all that may take long.
+  /// Sets the token that all long computations check.
   void stop_by(StopToken stop) { stop_ = stop; }
-  /// Nothing more is planned; the sink may say so too.
+  /// Ends planning; the sink may call it too.
   void end_here() {
     if (now_.ended == PlanEnd::none) now_.ended = PlanEnd::enough;
   }
-  /// From then on whatever comes in is passed over.
+  /// Returns why planning has ended; from then on all input is ignored.
   PlanEnd ended() const { return now_.ended; }
-  /// Where it ended by an error of its own.
+  /// Returns the segment at which planning ended because of an error of the planner.
   const WindowTimer::Refused& refused() const { return timer_.refused(); }
 
   static constexpr double most_of_standing = WindowTimer::most_of_standing;
 
-  /// Stretches for which no speed was found, planned cell by cell with a stop after each (TimedCells::unsolved).
+  /// Returns the number of segments for which no speed was found; they are planned cell by cell with a stop after each
+  /// (TimedCells::unsolved).
   std::size_t failures() const { return timer_.failures(); }
 
-  /// What finding the speed took.
+  /// Statistics of the solvers.
   const PathTimer::Work& work() const { return timer_.work(); }
 
  private:
@@ -73,14 +74,14 @@ class Planner {
     explicit Path(std::size_t axes) : smooth(axes), at(axes) {}
     SmoothPath smooth;
     std::vector<double> at;   // the end of the last piece
-    std::vector<double> way;  // of the last piece: its unit vector; empty: none yet
+    std::vector<double> way;  // direction of the last piece, a unit vector; empty: none yet
     std::size_t fresh = 0;    // pieces since the last plan
-    double fresh_s = 0;       // s of them, at the commanded feeds
+    double fresh_s = 0;       // s, the time of these pieces at the commanded feeds
     PlanEnd ended = PlanEnd::none;
   };
 
  public:
-  /// What it remembers from piece to piece: the window of the path that is not handed out yet.
+  /// The state that it keeps from piece to piece: the window of the path that is not emitted yet.
   struct Memory {
     Path path;
     CellCutter cutter;
@@ -105,11 +106,11 @@ class Planner {
   CellCutter cutter_;
   WindowTimer timer_;
   CutCells cut_;
-  SmoothPath given_;  // a copy of the path, for who works beside
+  SmoothPath given_;  // a copy of the path, for the separate thread
   StopToken stop_;
-  double plan_each_ = 0;  // s; 0: by pieces alone
+  double plan_each_ = 0;  // s; 0: only the number of pieces counts
   bool side_by_side_ = false;
-  SideBySide beside_;  // it works with cutter_, timer_, cut_, given_
+  SideBySide beside_;  // uses cutter_, timer_, cut_, given_
 };
 
 }  // namespace kadr

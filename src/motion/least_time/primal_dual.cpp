@@ -1,5 +1,5 @@
-// PrimalDual: the least time along a path in cells: the steps, over all cells, then over what has not come to rest. For
-// motion/least_time/path_timer; tested by tests/motion/primal_dual_test.cpp.
+// PrimalDual: the iteration: steps over all cells, then over the blocks that have not converged. Used by motion/least_time/path_timer;
+// tested by tests/motion/primal_dual_test.cpp.
 
 #include "motion/least_time/primal_dual.h"
 
@@ -10,16 +10,16 @@
 namespace kadr {
 namespace {
 
-constexpr double first_mu = 0.5, last_mu = 3e-3;  // of the time, for all limits together
-constexpr double smaller = 0.2;                   // μ, from step to step
+constexpr double first_mu = 0.5, last_mu = 3e-3;  // μ of all limits together, as a share of the time
+constexpr double smaller = 0.2;                   // factor of μ from step to step
 constexpr int steps_of_all = 6;
-constexpr std::size_t beside = 4;  // blocks that go on with one that has not come to rest, to each side
-constexpr double slower = 0.7;     // of the envelope: to begin with
+constexpr std::size_t beside = 4;  // blocks on each side that continue together with a block that has not converged
+constexpr double slower = 0.7;     // initial guess, as a share of the envelope
 
 }  // namespace
 
-/// What limits the cells, in rows of eight.
-///   returns  false: it is none of its kind: an end in a cell beside a turn
+/// Fills the rows of eight with the limits of the cells.
+///   returns  false if the path is not supported: a stop in a cell next to a reversal, or too few cells
 bool PrimalDual::prepare() {
   const TimedPath& path = *path_;
   n_ = path.cells();
@@ -56,7 +56,7 @@ void PrimalDual::find_moving() {
   }
 }
 
-/// Lengths, the ordinates by the middles, the greatest middles.
+/// Computes the lengths, the weights of the middle ordinates in the other ordinates, and the greatest middle ordinates.
 void PrimalDual::mix() {
   const TimedPath& path = *path_;
   turns_ = false;
@@ -71,7 +71,7 @@ void PrimalDual::mix() {
       of_cell(k, own_before) = path.h[k - 1] / (path.h[k - 1] + h);
     }
     if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
-    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // it goes on as it crawls
+    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // the end crawls at a constant speed
     if (!is_last && !turn_behind) {
       of_cell(k, behind) = h / (h + path.h[k + 1]);
       of_cell(k, own_behind) = path.h[k + 1] / (h + path.h[k + 1]);
@@ -102,9 +102,9 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Somewhat below the envelope; at the front as an earlier solution had it, as far as its end had not slowed it.
+/// Sets the initial guess: somewhat below the envelope; at the front the earlier solution, as far as its end had not slowed it.
 void PrimalDual::guess() {
-  constexpr std::size_t unsure = 16;  // a part of what its end had not slowed
+  constexpr std::size_t unsure = 16;  // 1/16 of the part that its end had not slowed is not used either
   find_envelope(*path_, *ends_, middles_);
   for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];
   const std::vector<double>& known = ends_->guess;
@@ -124,8 +124,8 @@ double PrimalDual::seconds() const {
   return sum;
 }
 
-/// A Newton step.
-///   returns  false: there is none
+/// Makes one Newton step.
+///   returns  false if it has no finite solution
 bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
   derive(range, mu);
   if (!newton(range)) return false;
@@ -137,14 +137,14 @@ bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
 PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const {
   Range wide{range.first > by ? range.first - by : 1, std::min(range.end + by, blocks_end_), false, false};
   const auto is_tied = [&](std::size_t cell) { return tied_[cell] != 0 || tied_[cell + 1] != 0; };
-  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // not between the two cells of a turn
+  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // does not separate the two cells of a reversal
   while (turns_ && wide.end < blocks_end_ && is_tied(wide.end * lanes - 1)) ++wide.end;
   wide.from_stop = wide.first == 1 && ends_->from_stop;
   wide.to_stop = wide.end == blocks_end_ && ends_->to_stop;
   return wide;
 }
 
-/// Slower, but at the ends of the range.
+/// Slows the range down, except at its ends.
 void PrimalDual::lower(const Range& range) {
   constexpr double less = 0.3, over = 48;  // cells
   const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
@@ -158,7 +158,7 @@ void PrimalDual::lower(const Range& range) {
   if (range.to_stop) m_[pad + n_ - 1] = last_share_ * m_[pad + n_ - 2];
 }
 
-/// A range of cells until it comes to rest; where it does not, wider, and from farther inside the limits.
+/// Iterates over a range until it converges; if it does not, retries with a wider range and from a start farther inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
   constexpr int most_steps = 16, more = 12, most_tries = 4;
   constexpr std::size_t wider = 16;  // blocks, more with each try
@@ -180,8 +180,8 @@ bool PrimalDual::settle_range(Range& range, double mu) {
   return false;
 }
 
-/// What has not come to rest.
-///   returns  false: some of it will not
+/// Iterates over all blocks that have not converged.
+///   returns  false if some of them do not converge
 bool PrimalDual::settle(double mu) {
   bool all = true;
   for (std::size_t block = 1; block < blocks_end_; ++block) {
@@ -200,7 +200,7 @@ bool PrimalDual::settle(double mu) {
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr int most_looks = 12;
-  constexpr int most_tighter = 16;  // times what was exceeded: twice as much with each look, as the places between are tightened by others
+  constexpr int most_tighter = 16;  // times the excess: doubles with each check, as tightening also affects the positions between
   constexpr double most_of_limit = 1.01;
   path_ = &path;
   ends_ = &ends;

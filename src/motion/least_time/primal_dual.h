@@ -1,17 +1,17 @@
 #pragma once
-// PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method that need not
-// begin within the limits. Eight cells are calculated side by side (base/lanes.h), the same to the last bit on all processors.
+// PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method that may
+// start outside the limits. Eight cells are computed in parallel (base/lanes.h), with results that are bit-identical on all processors.
 //
-// Each limit ±c ≤ 1 has a slack s = 1 ∓ c of its own, and a dual z; s z = μ, μ → 0 (Nocedal, Wright: Numerical Optimization, 19). What
-// makes it quick:
+// Each limit ±c ≤ 1 has a slack s = 1 ∓ c of its own, and a dual z; s z = μ, μ → 0 (Nocedal, Wright: Numerical Optimization, 19). It is
+// fast for these reasons:
 //
 //   - The jerk is |L| ≤ J/√b with L linear in b. J/√b is convex, so its tangent lies below it: a step within the tangent is within the
-//   limit.
-//   - Every slack and every dual has a step length of its own, and b goes the whole step: one tight place does not shorten the step of the
-//     window. What that makes wrong the next step mends.
-//   - After some steps over all cells, only the blocks of eight cells go on that have not come to rest, and some beside them.
-//   - Limits are looked at in three places of a cell. Then in sixteen more; where one is exceeded the cell's limits are made tighter by as
-//     much, and its block goes on.
+//     limit.
+//   - Every slack and every dual has a step length of its own, and b makes the full step: one tight spot does not shorten the step of the
+//     whole window. The next step corrects the errors that this causes.
+//   - After some steps over all cells, only those blocks of eight cells continue that have not converged, and some blocks around them.
+//   - Limits are checked at three positions of a cell, afterwards at sixteen more; where a limit is exceeded, the limits of the cell are
+//     tightened by the excess, and its block continues.
 
 #include <array>
 #include <cstddef>
@@ -25,52 +25,51 @@ namespace kadr {
 
 class PrimalDual {
  public:
-  ///   returns  false: some blocks did not come to rest within the limits; then speeds() are of no use
-  ///            `stop` may ask it to end before
+  ///   returns  false if some blocks did not converge within the limits; speeds() are then of no use; `stop` may end the search early
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
-  /// The middle ordinates.
+  /// The middle ordinates of the solution, one per cell.
   const std::vector<double>& middles() const { return middles_; }
-  /// Steps over all cells, or as many blocks.
+  /// Work done: steps over all cells, or over as many single blocks.
   double steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t places = 3;     // of a cell that its limits are looked at: its ends and its middle
-  static constexpr std::size_t pad = lanes;    // cells of no meaning before the first and after the last: whole blocks
-  static constexpr std::size_t per_axis = 34;  // numbers of a moving axis in each cell: below
-  // of a place: x′, x″, x‴ divided by the jerk limit
+  static constexpr std::size_t places = 3;     // positions in a cell where its limits are checked: its ends and its middle
+  static constexpr std::size_t pad = lanes;    // dummy cells before the first and after the last cell, which fill up the blocks
+  static constexpr std::size_t per_axis = 34;  // numbers per moving axis in each cell, in the rows below
+  // per position: x′, x″, x‴ divided by the jerk limit
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
-  // of a place: slacks +, −, duals +, −
+  // per position: slacks +, −, duals +, −
   static constexpr std::size_t jerk_row(std::size_t place) { return 9 + place * 4; }
-  // of the middle and the end: the acceleration is continuous
+  // for the middle and the end only: the acceleration is continuous
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{0.996, 0.995};
-  static constexpr double at_rest = 0.005;                  // of a middle: a step
-  static constexpr double most_beyond = 0.005;              // of a limit with its margin, in the places
-  static constexpr double most_gap = 3;                     // slack · dual of the limits of a cell, as a share of their μ
-  static constexpr double allowed = 1;                      // of a limit
-  static constexpr double most_fall = -0.7, most_rise = 2;  // of a middle, in one step
+  static constexpr double at_rest = 0.005;                  // relative step of a middle ordinate, below which it has converged
+  static constexpr double most_beyond = 0.005;              // greatest excess over a limit with its margin, at the positions checked
+  static constexpr double most_gap = 3;                     // greatest slack · dual of the limits of a cell, as a share of their μ
+  static constexpr double allowed = 1;                      // greatest share of a limit
+  static constexpr double most_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
 
-  /// A number of each cell, eight in a row for each block.
+  /// The numbers kept for each cell; a block stores eight of each in a row.
   enum Row : std::size_t {
     length,
-    inverse,  // of the length
-    limited,  // 1: its limits count; 0: beside a stop, or no cell
-    before,   // of the ordinate at its start: the share of the middle before,
-    own_before,
-    given,   // and what is given
-    behind,  // of that at its end
-    own_behind,
+    inverse,     // 1 / length
+    limited,     // 1: the limits of the cell count; 0: next to a stop, or a dummy cell
+    before,      // weights in the ordinate at its start: of the previous middle ordinate,
+    own_before,  // of its own,
+    given,       // and the constant part
+    behind,      // weights in the ordinate at its end: of the next middle ordinate,
+    own_behind,  // of its own
     inverse_cap,
     cap_slack,
     cap_dual,
     rows
   };
 
-  /// Cells whose speed is sought, in whole blocks; those at its borders, but for stops, stay as they are.
+  /// Cells whose speed is being solved, in whole blocks; the cells at the borders are fixed, except at stops.
   struct Range {
     std::size_t first, end;  // blocks
     bool from_stop, to_stop;
@@ -84,15 +83,15 @@ class PrimalDual {
   template <class Lanes>
   struct OrdinateSums;
   struct Progress {
-    double worst = 1, step = 0;  // the least slack before the step; the greatest step, as a share
-    double gap = 0;              // slack · dual of a cell's limits, as a share of what it comes to
+    double worst = 1, step = 0;  // least slack before the step; greatest relative step
+    double gap = 0;              // slack · dual of a cell's limits, as a share of the value it should have
     bool is_quiet() const { return step <= at_rest && worst >= -most_beyond && gap <= most_gap; }
-    /// Nothing more will change: a start that an earlier solution has given may be so near its limits.
+    /// True if nothing more will change. Needed where an earlier solution gives a start that is very near its limits.
     bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
   struct Moving {
     std::size_t axis;
-    double ratio;  // of the limits of jerk and acceleration
+    double ratio;  // jerk limit / acceleration limit
     double by_jerk;
   };
 
@@ -143,18 +142,18 @@ class PrimalDual {
   const PathEnds* ends_ = nullptr;
   StopToken stop_;
   std::size_t n_ = 0;           // cells
-  std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 hold cells
+  std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
   std::vector<Moving> moving_;
   std::vector<double> cells_;                    // rows of each block
   std::vector<float> limits_;                    // of each block and moving axis
-  std::vector<double> m_, step_, gradient_;      // of each cell, pad before and after
-  std::array<std::vector<double>, 6> products_;  // of each cell: its part of the matrix, by the middles before, own, behind
-  std::array<std::vector<double>, 3> slopes_;    // and of the gradient
+  std::vector<double> m_, step_, gradient_;      // one per cell, with padding before and after
+  std::array<std::vector<double>, 6> products_;  // of each cell: its matrix elements, by pairs of the middle ordinates before, own, after
+  std::array<std::vector<double>, 3> slopes_;    // of each cell: its part of the gradient, likewise
   std::array<std::vector<double>, 3> diagonals_;
-  std::vector<double> tied_;                 // of each cell: its middle as a share of that before, beside a turn; else 0
-  bool turns_ = false;                       // any
-  std::vector<char> restless_;               // blocks
-  double first_share_ = 0, last_share_ = 0;  // beside stops
+  std::vector<double> tied_;                 // of each cell after a reversal: its middle ordinate as a share of the one before; else 0
+  bool turns_ = false;                       // true if the path has reversals
+  std::vector<char> restless_;               // blocks that have not converged
+  double first_share_ = 0, last_share_ = 0;  // middle ordinates next to stops, as shares of their neighbours'
   std::vector<double> middles_;
   std::vector<CellSpeeds> speeds_;
   double steps_ = 0;

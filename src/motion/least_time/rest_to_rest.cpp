@@ -1,4 +1,4 @@
-// The least time of a straight line from rest to rest: seven phases of constant jerk, some of them of no length. For
+// The least time of a straight line from rest to rest: seven phases of constant jerk, some of which may have no duration. Used by
 // motion/least_time/planner.
 
 #include "motion/least_time/rest_to_rest.h"
@@ -10,19 +10,19 @@
 namespace kadr {
 namespace {
 
-/// Speeding up from rest: `rising` s of jerk, `steady` s of acceleration, `rising` s of jerk the other way.
+/// Acceleration from rest: `rising` s of jerk, `steady` s of constant acceleration, `rising` s of opposite jerk.
 struct JerkRamp {
   double rising = 0, steady = 0, acceleration = 0, speed = 0;
   double seconds() const { return 2 * rising + steady; }
 };
 
 JerkRamp ramp_to(double speed, const LineLimits& limits) {
-  const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));  // √(v j): the acceleration is not reached
+  const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));  // √(v j): the acceleration limit is not reached
   const double rising = reached / limits.jerk;
   return {rising, std::max(0.0, speed / reached - rising), reached, speed};
 }
 
-/// The greatest speed that two ramps of half the length each reach.
+/// Returns the greatest speed that a ramp over half the length reaches.
 double peak(double length, const LineLimits& limits) {
   const double a = limits.acceleration, rising = a / limits.jerk;
   if (length < 2 * a * rising * rising) return std::cbrt(length * length * limits.jerk / 4);

@@ -1,4 +1,4 @@
-// ThreadChain: threads that follow each other, as one motion in step with the spindle. For motion/least_time/axis_motion; tested by
+// ThreadChain: consecutive threads as one motion synchronised with the spindle. Used by motion/least_time/axis_motion; tested by
 // tests/motion/thread_chain_test.cpp.
 
 #include "motion/least_time/thread_chain.h"
@@ -17,10 +17,10 @@ double path_speed(const Axes& speed) {
   return squares > 0 ? std::sqrt(squares) : 1;
 }
 
-/// A step of speed of 1 at time 0, spread: the way since −∞ and its derivatives.
+/// A unit step of speed at time 0, spread in time: the distance since −∞ and its derivatives.
 using Spread = std::array<double, 4>;
 
-/// Before the middle of the step; after it, the mirror image of that.
+/// Returns the spread step before its middle; after the middle it is the mirror image.
 Spread before_middle(double u, double longer, double shorter) {
   const double flat = (longer - shorter) / 2, x = u + (longer + shorter) / 2, area = longer * shorter;
   if (x <= 0) return {};
@@ -54,7 +54,7 @@ double ThreadChain::step(std::size_t knot, std::size_t axis) const {
   return knots_[knot].speed[axis] - (knot > 0 ? knots_[knot - 1].speed[axis] : 0);
 }
 
-/// For steps of these sizes; `jerks`: so many times that of a single one.
+/// Returns the weight for steps of these sizes; `jerks`: the factor by which overlapping steps multiply the jerk.
 ThreadChain::Weight ThreadChain::weight_of(const Axes& steps, double jerks) const {
   Weight weight;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a)
@@ -78,12 +78,12 @@ ThreadChain::Weight ThreadChain::weight() const {
   const Weight apart = weight_of(steps, 1);
   if (apart.time() <= shortest) return apart;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a) steps[a] = most_speed[a] - least[a];
-  return weight_of(steps, 2);  // steps that overlap: as if the greatest change of speed came within one, with two jerks at once
+  return weight_of(steps, 2);  // overlapping steps: as if the greatest change of speed came in one step, with two jerks at once
 }
 
 double ThreadChain::ramp() const { return weight().time(); }
 
-/// The moments between which the acceleration of every axis changes evenly.
+/// Returns the times between which the acceleration of every axis changes linearly.
 std::vector<double> ThreadChain::moments(const Weight& weight) const {
   const double half = weight.time() / 2, flat = (weight.longer - weight.shorter) / 2;
   std::vector<double> times;
@@ -93,8 +93,8 @@ std::vector<double> ThreadChain::moments(const Weight& weight) const {
   return times;
 }
 
-/// Appends the axes' polynomials between two moments, of the time.
-///   over  knot of which the step is over, if `moves`; else the first
+/// Appends the axes' polynomials between two times, as functions of time.
+///   over  the last knot whose step is finished, if `moves`; else the first knot
 void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves, const Weight& weight, std::vector<double>& path) const {
   const std::size_t axes = limits_.speed.size(), row = path.size();
   const double middle = (from + to) / 2;
@@ -109,7 +109,7 @@ void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves
   }
   for (std::size_t k = moves ? over + 1 : over; k < knots_.size() && knots_[k].time - weight.time() / 2 < middle; ++k) {
     Spread spread = spread_at(from - knots_[k].time, weight.longer, weight.shorter);
-    spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];  // the same all along
+    spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];  // constant over the whole interval
     for (std::size_t a = 0; a < axes; ++a) add(a, step(k, a), spread);
   }
 }
@@ -126,7 +126,7 @@ TimedCells ThreadChain::cells() const {
     while (over + 1 < knots_.size() && knots_[over + 1].time + spread.time() / 2 <= from) ++over;
     while (piece + 2 < knots_.size() && knots_[piece + 1].time <= middle) ++piece;
     const double speed = path_speed(knots_[piece].speed), seconds = to - from;
-    cells.laws.push_back({seconds, speed * seconds, true, speed, 0, 0});  // the way along the cell is that of the spindle
+    cells.laws.push_back({seconds, speed * seconds, true, speed, 0, 0});  // the distance along the cell is that demanded by the spindle
     cells.sources.push_back({knots_[piece].tag, speed, Bend::none});
     const std::size_t row = cells.path.size();
     add_shape(from, to, over, knots_[over].time + spread.time() / 2 <= from, spread, cells.path);

@@ -1,12 +1,12 @@
 #pragma once
-// ThreadChain: threads that follow each other, as one motion in step with the spindle. NCT 4.4.
+// ThreadChain: consecutive threads as one motion synchronised with the spindle. NCT 4.4.
 //
-//   speed of an axis, as the spindle asks:   ┌────┐┌───   each step is spread over the same time T, half before it and half after:
-//                                            │    └┘      ──/‾‾‾\_/‾‾  so that between the steps the axes are where the spindle
-//                                         ───┘                         says, neither ahead nor behind
+//   speed of an axis, as the spindle demands it:   ┌────┐┌───   each step is spread over the same time T, half of it before
+//                                                  │    └┘      the step and half after:   ──/‾‾‾\_/‾‾
+//                                               ───┘           so between the steps the axes neither lead nor lag the spindle
 //
-// T is the least with which every axis keeps its acceleration and jerk: the steps are weighed with a trapezoid (W1, W2 the sides of
-// the two boxes of which it is made). INFERRED: the manual leaves run-in and run-out to the servo's following error.
+// T is the shortest time for which every axis keeps its acceleration and jerk: the steps are convolved with a trapezoid (W1, W2: the
+// sides of the two boxes whose convolution it is). INFERRED: the manual leaves run-in and run-out to the servo's following error.
 
 #include <cstdint>
 #include <vector>
@@ -21,23 +21,25 @@ class ThreadChain {
  public:
   explicit ThreadChain(MotionLimits limits) : limits_(std::move(limits)) {}
 
-  /// Empty; the axes stand.
+  /// Clears the chain; the axes are at rest at this position.
   void begin(const Axes& at);
-  /// A straight thread in the time that the spindle gives it, s: more where an axis is not fast enough (then it is out of step).
+  /// Adds a straight thread that takes the time given by the spindle, s; longer if an axis is not fast enough (then it is not
+  /// synchronised).
   void add(const Axes& to, double seconds, std::uint64_t tag);
 
   bool empty() const { return knots_.size() < 2; }
-  /// No more should be added: memory is constant. The axes come to rest and find their way into step again.
+  /// True if no more should be added, so that memory stays bounded. The axes then come to rest and synchronise again.
   bool full() const { return knots_.size() > most; }
   const Axes& start() const { return knots_.front().at; }
   const Axes& end() const { return knots_.back().at; }
-  /// Between the first step and the last.
+  /// The time from the first step to the last, s.
   double seconds() const { return knots_.back().time; }
-  /// T: so much longer it takes from rest to rest.
+  /// T, s: the motion from rest to rest takes this much longer.
   double ramp() const;
 
-  /// From rest to rest, the first step `ramp() / 2` after the beginning.
-  ///   law  between two steps, T/2 away from both, position = that at the step + way · time since / time of the thread
+  /// Returns the motion from rest to rest; the first step is at `ramp() / 2` after its start.
+  ///   law  between two steps, at least T/2 away from both: position = position at the first step + thread length · time since it /
+  ///        thread time
   TimedCells cells() const;
 
   static constexpr std::size_t most = 1024;
@@ -46,8 +48,8 @@ class ThreadChain {
   struct Knot {
     double time;
     Axes at;
-    Axes speed;         // after it, per s
-    std::uint64_t tag;  // of what lies after it
+    Axes speed;         // after this knot, per s
+    std::uint64_t tag;  // of the thread after this knot
   };
   struct Weight {
     double longer = 0, shorter = 0;  // W1, W2, s

@@ -1,5 +1,5 @@
 #pragma once
-// TimedCells: a stretch of path with its time: what a planner emits, what positions are sampled from.
+// TimedCells: a segment of a path with its timing. The planner emits them; positions are sampled from them.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace kadr {
 
-/// How far along a cell after a time: from 0 to `length` in `seconds`.
+/// Position along a cell as a function of time: from 0 to `length` in `seconds`.
 struct TimeLaw {
   double seconds = 0, length = 0;  // mm
-  bool by_time = true;             // s = v t + a t²/2 + j t³/6; else by the way gone: s̈ = a + j s
+  bool by_time = true;             // s = v t + a t²/2 + j t³/6; else as a function of the distance: s̈ = a + j s
   double v = 0, a = 0, j = 0;
 
   double way(double t) const;
@@ -20,50 +20,49 @@ struct TimeLaw {
     double way = 0, speed = 0, acceleration = 0, jerk = 0;
   };
   State after(double t) const;
-  /// At a part of it: of the time, or where it goes by the way of that.
+  /// The state at a fraction of the cell: of its time if `by_time`, else of its length.
   State at(double part) const;
 
-  /// With a given jerk, mm/s³, for a time.
+  /// A law with constant jerk, mm/s³, for a given time.
   static TimeLaw of_jerk(double seconds, double v, double a, double j);
-  /// ṡ² = v² + 2 a s + j s² until `length`; greater than 0 all along.
+  /// A law with ṡ² = v² + 2 a s + j s² up to `length`; the polynomial is positive throughout.
   static TimeLaw of_squares(double length, double v, double a, double j);
-  /// From rest to the speed `v` at `length` with constant jerk; `reversed`: from there to rest.
+  /// A law that goes from rest to the speed `v` at `length` with constant jerk; `reversed`: from `v` to rest.
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
-/// How the path bends there.
+/// How the path bends in a cell.
 enum class Bend : std::uint8_t {
   none,    // straight
   corner,  // within the rounding of a corner
-  curve,   // within that between two chords of a curve
+  curve,   // within the rounding between two chords of a curve
 };
 
-/// Which of the operator's switches act there.
+/// Which of the operator's switches act in a cell.
 struct Switches {
   bool feed_override = true, hold = true;
 };
 
-/// What a cell was made of.
+/// What a cell was cut from.
 struct CellSource {
-  std::uint64_t tag = 0;  // of the piece where it begins: the caller's own
-  double feed = 0;        // mm/s, the greatest speed commanded; 0: the axes stand
+  std::uint64_t tag = 0;  // of the piece in which the cell starts: defined by the caller
+  double feed = 0;        // mm/s, the greatest commanded speed; 0: the axes are at rest
   Bend bend = Bend::none;
-  std::uint64_t motion = 0;  // that it begins in, counted by AxisMotion; 0: the planner has not told
+  std::uint64_t motion = 0;  // the motion in which the cell starts, as AxisMotion counts them; 0: unknown
   Switches switches{};
-  double beyond = 0;  // how far the path is beyond its tolerance, as a share of it, in the places looked at
+  double beyond = 0;  // greatest excess of the path over its tolerance at the sample positions, as a share of the tolerance
 };
 
-/// The spindle's angle along a cell, running degrees: over the time, or with the way of the axes (rigid tapping).
+/// The spindle's angle along a cell, cumulative degrees: over time, or with the distance of the axes (rigid tapping).
 struct SpindleTurn {
   double angle = 0, per_second = 0, per_mm = 0;
-  bool awaited =
-      false;  // at the cell's end the axes go in step with it: they stand until the angle, but for whole turns, is the planned one
-  bool absolute = false;  // the angle was commanded: where it begins, it is the planned one but for whole turns
+  bool awaited = false;  // after the cell the axes are synchronised: at its end they wait until the angle, modulo 360°, is the planned one
+  bool absolute = false;  // the angle was commanded: at the start of the cell it equals the planned angle modulo 360°
 
   double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
 };
 
-/// Cells in a row, each with the polynomial of its path.
+/// Consecutive cells, each with the polynomials of its path.
 struct TimedCells {
   static constexpr std::size_t terms = 6;
 
@@ -71,11 +70,11 @@ struct TimedCells {
   std::vector<TimeLaw> laws;
   std::vector<CellSource> sources;
   std::vector<double> path;            // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
-  std::vector<SpindleTurn> spindle{};  // of each cell; empty: nobody has told
-  bool unsolved = false;               // no speed was found for them: the axes stand after each
+  std::vector<SpindleTurn> spindle{};  // of each cell; empty: not set yet
+  bool unsolved = false;               // no speed was found for these cells: the axes stop after each of them
 
   void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }
-  /// Axis positions at a way along a cell.
+  /// Computes the axis positions at a distance along a cell, mm.
   void position(std::size_t cell, double way, double* x) const;
   double seconds() const;
 };

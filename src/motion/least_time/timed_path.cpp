@@ -1,4 +1,4 @@
-// TimedPath: what limits the speed of a path in cells, before any speed is known. For the solvers of least time; tested by
+// TimedPath: limits of the speed along a path in cells, before any speed is known. Used by the least-time solvers; tested by
 // tests/motion/least_time_test.cpp.
 
 #include "motion/least_time/timed_path.h"
@@ -21,7 +21,7 @@ void TimedPath::clear() {
   turns.clear();
 }
 
-/// Room for those of one more cell.
+/// Appends storage for the polynomials of one more cell and returns it.
 double* TimedPath::add_shapes() {
   shapes.resize(shapes.size() + axes * terms);
   return shapes.data() + shapes.size() - axes * terms;
@@ -78,7 +78,7 @@ TimedPath TimedPath::first(std::size_t count) const {
 }
 
 double fastest_alone(const TimedPath& path, std::size_t cell) {
-  constexpr double none = 1e-12;  // a derivative of this size limits nothing
+  constexpr double none = 1e-12;  // a derivative this small limits nothing
   constexpr std::array<double, 5> places = {0, 0.25, 0.5, 0.75, 1};
   double most = path.most[cell];
   for (std::size_t a = 0; a < path.axes; ++a) {
@@ -125,18 +125,18 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
     middles[k] = reached = std::min(middles[k], reached + soonest * path.h[k]);
   }
   constexpr int rounds = 8;
-  for (int round = 0; round < rounds; ++round)  // its corners are rounded
+  for (int round = 0; round < rounds; ++round)  // smooths the corners of the envelope
     for (std::size_t k = 1; k + 1 < n; ++k)
       if (path.turns[k] == 0 && path.turns[k - 1] == 0) middles[k] = (middles[k - 1] + 2 * middles[k] + middles[k + 1]) / 4;
   for (double& m : middles) m *= std::cbrt(m);
 }
 
-/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². Its
-/// middle is a third of b₁.
+/// In the cell next to a stop, at the fraction τ of its length from the stop: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9
+/// b₁^(3/2) / h². The middle ordinate is a third of b₁.
 double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;
-  double most = unbounded;  // of b₁
+  double most = unbounded;  // the greatest b₁
   for (std::size_t a = 0; a < path.axes; ++a)
     for (const double place : places) {
       const Derivatives x = Derivatives::at(path.shape(cell, a), place * h);

@@ -1,5 +1,4 @@
-// WindowTimer: cells of a path → the same with their speed, window by window. For motion/least_time/planner; tested by
-// tests/motion/planner_test.cpp.
+// WindowTimer: the speed of a path's cells, window by window. Used by motion/least_time/planner; tested by tests/motion/planner_test.cpp.
 
 #include "motion/least_time/window_timer.h"
 
@@ -16,8 +15,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t least_window = 600;  // cells
-constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
-constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end
+constexpr std::size_t most_window = 6000;  // cells: with more, some are emitted although the window's end may have slowed them
+constexpr double crawl_of_slowest = 0.03;  // share of the ṡ² that the slowest cell allows: the crawl after the window's end
 
 }  // namespace
 
@@ -38,7 +37,7 @@ void WindowTimer::take(const CutCells& more, bool last, StopToken stop) {
   if (last) begin();
 }
 
-/// Out goes what was made of a stretch of the path, if it is a plan.
+/// Adds the plan of a segment of the path to done(), if it is a valid plan.
 void WindowTimer::hand_on(TimedCells made, double standing, std::uint64_t tag) {
   const double seconds = made.seconds();
   if (std::isfinite(seconds) && seconds <= most_of_standing * standing) return done_.push_back(std::move(made));
@@ -52,12 +51,12 @@ void WindowTimer::hand_on(TimedCells made, double standing, std::uint64_t tag) {
   now_.refused = {way, made.sources.empty() ? tag : made.sources[longest].tag};
 }
 
-/// Of the first cells, s.
+/// Returns the standing time of the first cells, s.
 double WindowTimer::standing_of(std::size_t count) const {
   return std::accumulate(now_.cells.standing.begin(), now_.cells.standing.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
 }
 
-/// How many cells of a solution that ends crawling are as they will be: up to the last speed that the end has not lowered.
+/// Returns how many cells of a solution that ends crawling are final: up to the last speed that the end has not reduced.
 std::size_t WindowTimer::sure_cells() const {
   const std::vector<CellSpeeds>& speeds = timer_.speeds();
   std::size_t cell = now_.cells.count();
@@ -69,7 +68,7 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   now_.ends.to_stop = last;
   now_.ends.crawl = crawl_of_slowest * slowest_alone(now_.cells.path);
   bool found = timer_.solve(now_.cells.path, now_.ends, stop);
-  constexpr double as_slow = 2, a_little = 1e-6;  // the earlier solution's crawl does, where the new cells are hardly slower than its own
+  constexpr double as_slow = 2, a_little = 1e-6;  // the earlier solution's crawl may stay if it is below twice that of the new cells
   if (const auto& known = now_.ends.guess; !found && !stop.asked() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
     found = timer_.solve(now_.cells.path, now_.ends, stop);
@@ -83,7 +82,7 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   else if (all > most_window) hand_out(all / 3);
 }
 
-/// The first cells go out; the path begins anew after them, from a stop if they end with one.
+/// Emits the first cells; the path continues after them, from a stop if they end with one.
 void WindowTimer::hand_out(std::size_t count, bool stops) {
   const TimedPath& path = now_.cells.path;
   const std::size_t all = path.cells();
@@ -112,8 +111,9 @@ void WindowTimer::hand_out(std::size_t count, bool stops) {
   now_.cells.forget(count);
 }
 
-/// No speed was found that goes on from an earlier solution: where that ended crawling the axes stop, and the rest begins from there.
-///   returns  false: there is no such place, or they cannot stop there
+/// Handles the case that no speed was found which continues an earlier solution: the axes stop where that ended crawling, and the rest
+/// starts from there.
+///   returns  false if there is no such position, or the axes cannot stop there
 bool WindowTimer::stop_where_known(const StopToken& stop) {
   const std::size_t known = now_.ends.guess.size();
   if (now_.ends.from_stop || known < least_cells || known >= now_.cells.count()) return false;
@@ -124,7 +124,7 @@ bool WindowTimer::stop_where_known(const StopToken& stop) {
   return true;
 }
 
-/// No speed was found: the cells one after the other, as straight lines with a stop after each.
+/// Handles the case that no speed was found at all: passes the cells one by one, as straight lines with a stop after each.
 void WindowTimer::cell_by_cell() {
   ++now_.failures;
   const TimedPath& path = now_.cells.path;

@@ -1,6 +1,6 @@
 #pragma once
-// WindowTimer: cells of a path → the same with their speed, window by window (motion/least_time/path_timer): what later cells cannot change
-// any more is done. The second half of the planner; it may work in a thread of its own.
+// WindowTimer: finds the speed of a path's cells, window by window (motion/least_time/path_timer), and emits the cells that later ones
+// cannot change any more. The second half of the planner; it may run in a thread of its own.
 
 #include <cstdint>
 #include <vector>
@@ -14,27 +14,27 @@ class WindowTimer {
  public:
   explicit WindowTimer(const MotionLimits& limits);
 
-  /// Nothing is left: the axes stand.
+  /// Forgets all cells; the axes are at rest.
   void begin();
-  /// More cells, the last ones before the axes stand (`last`): what is done then is added to done().
-  ///   post  with `last`: all is done. But where `stop` asked it to end, or the window is_refused(), then nothing may be made of it
+  /// Takes more cells; `last`: the axes are at rest after them. What is finished then is added to done().
+  ///   post  with `last`, everything is in done(), unless `stop` ended the work or the window is_refused(): then done() is of no use
   void take(const CutCells& more, bool last, StopToken stop);
-  /// Hands out what was made elsewhere, if it is a plan. `standing`: s, about what it takes with a stop at each corner. `tag`: of where it
-  /// begins.
+  /// Adds a plan computed elsewhere to done(), or refuses it. `standing`: s, the approximate time with a stop at each corner. `tag`: of
+  /// its start.
   void hand_on(TimedCells made, double standing, std::uint64_t tag);
 
-  /// No cell is kept, and the axes stand.
+  /// True if no cell is waiting and the axes are at rest.
   bool is_at_rest() const { return now_.cells.count() == 0 && now_.ends.from_stop; }
 
-  /// What is done and not fetched, in its order; the caller empties it.
+  /// The finished cells that were not fetched yet, in order; the caller empties it.
   std::vector<TimedCells>& done() { return done_; }
 
-  /// So many times what it takes with a stop at each corner no plan takes. One with a stop after each cell takes up to 50 times that: a
-  /// cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. A speed that comes to nothing by rounding
-  /// takes 10⁶ times that, or for ever.
+  /// No valid plan takes more than this multiple of the time with a stop at each corner. A plan with a stop after each cell takes up to
+  /// 50 times that: a cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. With a speed that
+  /// rounding has reduced to nothing it takes 10⁶ times that, or never ends.
   static constexpr double most_of_standing = 100;
 
-  /// What it would not hand out, as it is no plan: mm of it, the tag of the cell that would have taken longest.
+  /// What was refused because it is not a valid plan: its length, mm, and the tag of the cell that would have taken longest.
   struct Refused {
     double way = 0;
     std::uint64_t tag = 0;
@@ -42,12 +42,12 @@ class WindowTimer {
   bool is_refused() const { return now_.is_refused; }
   const Refused& refused() const { return now_.refused; }
 
-  /// Stretches for which no speed was found, timed cell by cell with a stop after each (TimedCells::unsolved).
+  /// Number of segments for which no speed was found, timed cell by cell with a stop after each (TimedCells::unsolved).
   std::size_t failures() const { return now_.failures; }
-  /// What finding the speed took.
+  /// Statistics of the solvers.
   const PathTimer::Work& work() const { return timer_.work(); }
 
-  /// What it remembers: the cells that are not handed out yet.
+  /// The state that it keeps: the cells that are not emitted yet.
   struct Memory {
     CutCells cells;
     PathEnds ends;

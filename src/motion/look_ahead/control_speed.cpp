@@ -1,5 +1,5 @@
-// The limits that geometry sets to the speed on a path: of a block, and of the junction between two. For motion/look_ahead/look_ahead,
-// motion/time/rapid_time.
+// The geometric limits of the speed on a path: of a block, and of the junction between two blocks. Used by motion/look_ahead/look_ahead
+// and motion/time/rapid_time.
 
 #include "motion/look_ahead/control_speed.h"
 
@@ -13,14 +13,14 @@
 namespace kadr {
 namespace {
 
-/// Times `factor`, in the directions of the machine's axes.
+/// Returns `factor` times the vector, in the directions of the machine's axes.
 Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
   Axes all = turned(turn, work);
   for (double& value : all) value *= factor;
   return all;
 }
 
-/// The axis of the machine that a programmed one drives (nct 20.3).
+/// Returns the axis of the machine that a programmed axis drives (nct 20.3).
 std::size_t driven(std::size_t axis, const FrameTurn* turn) { return turn == nullptr ? axis : turn->drives.of(axis); }
 
 Axes change(const Axes& from, const Axes& to) {
@@ -35,7 +35,7 @@ double size(const Axes& axes) {
   return std::sqrt(sum);
 }
 
-/// The angle between two directions, degrees; exact for small ones.
+/// Returns the angle between two directions, degrees; accurate for small angles too.
 double turn_deg(const Axes& first, const Axes& second) {
   Axes one = first, other = second;
   const double one_size = size(first), other_size = size(second);
@@ -51,7 +51,7 @@ double slowest(const Axes& most, const Axes& part) {
   return least;
 }
 
-/// From the point to the centre, du/ds = (part in the plane)²/r.
+/// Returns du/ds of an arc: it points from the point to the centre, its size is (part in the plane)²/r.
 Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
   const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
   Axes towards{};
@@ -67,14 +67,14 @@ void widen(Axes& most, const Axes& u) {
 
 void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
   const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
-  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): of a spiral the smallest
+  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): of a spiral the least
   shape.in_plane = in_plane;
   shape.start_bend = bend(m, from, in_plane, turn);
   shape.end_bend = bend(m, m.to, in_plane, turn);
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// du/ds of a spline there: its curvature to its left.
+/// Returns du/ds of a spline at a part of it: its curvature, towards its left.
 Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_plane, const FrameTurn* turn) {
   const Axes rates = curve.rates(part);
   const double along = std::hypot(rates[m.first], rates[m.second]);
@@ -86,7 +86,7 @@ Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_
   return along_machine(towards, in_plane * in_plane, turn);
 }
 
-/// As an arc of its smallest radius.
+/// Treats a spline as an arc with the spline's smallest radius.
 void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in_plane, const FrameTurn* turn) {
   const int places = curve.samples();
   double most = 0;
@@ -99,7 +99,7 @@ void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// The part of the feed that is left on the inside of an arc (6.4); 1 on the outside, INFERRED.
+/// Returns the share of the feed that remains on the inside of an arc (6.4); 1 on the outside, INFERRED.
 double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
   const bool turns_left = m.kind == MotionKind::arc_ccw;
   const bool inside = m.tool_radius != 0 && m.side != 0 && (m.side * m.tool_radius > 0) == turns_left;
@@ -107,7 +107,7 @@ double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape&
   return std::max(shape.radius / (shape.radius + std::abs(m.tool_radius)), rules.least_arc_part);
 }
 
-/// F = √(a·r), a the smaller of the two axes; not below Circ F Min (7.2). INFERRED: of a helix its part in the plane counts.
+/// Returns F = √(a·r), a of the weaker of the two axes; not below Circ F Min (7.2). INFERRED: of a helix its part in the plane counts.
 double arc_speed(const SpeedRules& rules, const PathShape& shape) {
   double most = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -126,7 +126,7 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
   return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
 }
 
-/// u where the tip is led: over quarters of the motion, and close to its ends.
+/// Sets u where the tip is led: over quarters of the motion, and close to its ends.
 void set_led(PathShape& shape, const MachinePath& path, std::size_t axes) {
   constexpr double near = 1.0 / 64;
   constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};
@@ -223,7 +223,7 @@ bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathSha
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
   const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
-  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // counter-clockwise
+  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // positive: counter-clockwise
   const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
   return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;
 }

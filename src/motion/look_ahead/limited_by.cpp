@@ -1,5 +1,5 @@
-// What keeps a cell of the planner from being faster: of all limits that it must obey the one that is nearest
-// (motion/least_time/least_time.h). For motion, out; tested by tests/motion/limited_by_test.cpp.
+// Finds what keeps a planned cell from being faster: the nearest of all limits that it must obey (motion/least_time/least_time.h). Used
+// by motion and out; tested by tests/motion/limited_by_test.cpp.
 
 #include "motion/look_ahead/limited_by.h"
 
@@ -9,12 +9,12 @@
 namespace kadr {
 namespace {
 
-/// Speed, acceleration and jerk of one axis; the latter two as what the change of the speed and what the curvature brings.
+/// Speed, acceleration and jerk of one axis; the latter two split into the part due to the change of speed and the part due to curvature.
 struct AxisState {
   double speed = 0, along = 0, across = 0, jerk_along = 0, jerk_across = 0;
 };
 
-/// Calls back with each axis.
+/// Calls `take` with each axis and its state.
 template <class Take>
 void each_axis(const TimedCells& cells, std::size_t cell, double part, const Take& take) {
   const TimeLaw::State state = cells.laws[cell].at(part);
@@ -28,7 +28,7 @@ void each_axis(const TimedCells& cells, std::size_t cell, double part, const Tak
   }
 }
 
-/// Of one kind of limit: each axis' part of it, added up over the places of a cell.
+/// One type of limit: how much of it each axis uses, summed over the sample positions of a cell.
 struct Nearness {
   Axes part{}, along{}, across{};
 
@@ -65,8 +65,8 @@ LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, co
 }
 
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
-  constexpr double felt = 0.25;  // curvature is what limits, as far as it brings a fifth: the speed changes with it
-  constexpr double same = 1e-6;  // relative: the feed is the way divided by its time
+  constexpr double felt = 0.25;  // curvature counts as the limit if it causes a fifth or more: the speed changes because of it
+  constexpr double same = 1e-6;  // relative: the feed is a length divided by its time
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};
   Nearness speed, acceleration, jerk;

@@ -1,5 +1,5 @@
-// LookAhead: Steps with their programmed times in, the same in order with the times that the machine takes. For cli/run_view; tested by
-// tests/motion/look_ahead_test.cpp.
+// LookAhead: takes Steps with their programmed times and emits them in order with the times that the machine needs. Used by cli/run_view;
+// tested by tests/motion/look_ahead_test.cpp.
 
 #include "motion/look_ahead/look_ahead.h"
 
@@ -13,8 +13,8 @@
 namespace kadr {
 namespace {
 
-/// What the axes stand for: the motion before comes to rest (nct 7.0.1). INFERRED: each function of spindle, tool, coolant and
-/// machine; a text that asks nothing does not stop.
+/// Returns true for actions before which the axes stop (nct 7.0.1). INFERRED: every function of spindle, tool, coolant and machine; a
+/// message that expects no answer does not stop the axes.
 bool stops(const Action& action, const SpeedRules& rules) {
   return by_kind(
       action, same<FrameChange, ZoneChange>(rules.frames_stop), [](const Message& text) { return text.asks; },
@@ -23,7 +23,7 @@ bool stops(const Action& action, const SpeedRules& rules) {
            Uncouple>(true));
 }
 
-/// The spindle or the rotation centre says how fast it is, or it has no end.
+/// Returns true for motions that keep their programmed time: the spindle or the rotation centre determines it, or it is infinite.
 bool keeps_time(const Motion& motion, const MotionTime& programmed) {
   const bool polar = motion.detail && motion.detail->surface == PathSurface::polar;
   return motion.kind == MotionKind::thread || polar || !(programmed.seconds > 0);
@@ -81,7 +81,7 @@ void LookAhead::hold(const Step& step) {
 
 void LookAhead::motion(const Step& step, const Motion& motion) {
   const Curve& curve = step.curve();
-  if (!(curve.length(motion.along) > 0)) {  // nothing moves
+  if (!(curve.length(motion.along) > 0)) {  // no axis moves
     if (motion.exact) rest();
     return hold(step);
   }
@@ -133,7 +133,7 @@ void LookAhead::cut(const Step& step, const PathShape& shape, bool exact) {
   open_ = next;
 }
 
-/// How the open motion ends and the next one begins (nct 7: speed of a junction).
+/// Determines how the open motion ends and the next one starts (nct 7: speed of a junction).
 void LookAhead::join(Open& next) {
   Open& before = *open_;
   next.bend = bend_between(before.shape, next.shape);
@@ -154,14 +154,15 @@ void LookAhead::join(Open& next) {
   close(slow_from);
 }
 
-/// The step of acceleration from the junction at which the open line begins to that at which it ends (nct 7.3). INFERRED: it limits both.
+/// Limits the jump of acceleration between the junction at the start of the open line and the one at its end (nct 7.3). INFERRED: it
+/// limits the speed of both.
 void LookAhead::limit_step(Open* next, const Axes& bend) {
   const double most = speed_over_step(rules_, open_->bend, bend);
   open_->enter = std::min(open_->enter, most);
   if (next != nullptr) next->enter = std::min(next->enter, most);
 }
 
-/// The open motion becomes a part of the path: at most three pieces, the outer ones near inner corners.
+/// Adds the open motion to the path: as up to three pieces, of which the outer ones lie near inner corners.
 void LookAhead::close(double slow_from) {
   const Open& open = *open_;
   const Acceleration acceleration = acceleration_of(rules_, open.shape);
@@ -183,7 +184,7 @@ void LookAhead::close(double slow_from) {
   open_.reset();
 }
 
-/// Everything held is decided: the axes stand after it.
+/// Plans and emits everything held; the axes are at rest after it.
 void LookAhead::rest() {
   last_rapid_.reset();
   if (open_) {
@@ -195,8 +196,8 @@ void LookAhead::rest() {
   start_speed_ = 0;
 }
 
-/// The end of the last motion within the older half after which the path can be planned anew, else of the first one after that;
-/// all, if there is none.
+/// Returns the number of pieces up to the last motion end in the older half from which the path can be planned separately, else up to the
+/// first such end after that; all pieces if there is none.
 std::size_t LookAhead::place_to_part() const {
   std::size_t end = 0, best = pieces_.size();
   for (const Held& held : held_) {
@@ -216,7 +217,7 @@ void LookAhead::plan_older() {
   release(count);
 }
 
-/// Emits the motions of the first pieces, and what stands after them.
+/// Emits the motions of the first pieces, and the other actions that follow them.
 void LookAhead::release(std::size_t pieces) {
   std::size_t done = 0;
   while (!held_.empty() && (done < pieces || (held_.front().pieces == 0 && !(open_ && open_->held == &held_.front())))) {

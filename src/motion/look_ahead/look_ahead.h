@@ -1,11 +1,12 @@
 #pragma once
-// LookAhead: Steps with their programmed times in, the same in order with the times that the machine takes. NCT 6, 7; 4.1.2 for G0.
+// LookAhead: takes Steps with their programmed times and emits them in order with the times that the machine needs. NCT 6, 7; 4.1.2 for
+// G0.
 //
-//   motions at feed ──▶ a path of pieces, as long as nothing makes the axes stand ──▶ SpeedPlan ──▶ each motion's time
-//   rapid: each from rest to rest, or overlapping the next (N0421 ROL)
+//   motions at feed ──▶ a path of pieces, as long as nothing makes the axes stop ──▶ SpeedPlan ──▶ time of each motion
+//   rapid motions: each from rest to rest, or overlapping the next (N0421 ROL)
 //
-// Threads and polar interpolation keep their programmed time: the spindle leads there, here the rotary axis (6.2, 4.5). They begin and
-// end at rest, as does a probe's motion.
+// Threads and polar interpolation keep their programmed time, because the spindle or the rotary axis determines it (6.2, 4.5). They start
+// and end at rest, as does a probe motion.
 
 #include <cstdint>
 #include <deque>
@@ -22,43 +23,43 @@ namespace kadr {
 
 class LookAhead {
  public:
-  ///   longer  than its programmed time a motion takes, s; negative: shorter
+  ///   longer  the time that a motion takes beyond its programmed time, s; negative: it takes less
   using Sink = std::function<void(const Step&, double longer)>;
 
   /// `rapid`: the axes' rapid rates, mm/min, override included.
   LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, Sink sink);
-  LookAhead(const LookAhead&) = delete;  // it points into what it holds
+  LookAhead(const LookAhead&) = delete;  // holds pointers into its own members
   LookAhead& operator=(const LookAhead&) = delete;
 
-  /// Takes a step, a motion with its time by the TimeEstimate; emits what is decided by now. Holds at most `most_pieces` motions: when
-  /// full, the older half is decided as if the newest ended at rest. That is safe: with more to come the speeds at the end can only rise,
-  /// and those of the older half are low enough to stop; what is lost is speed in runs of motions so short that the machine could not stop
-  /// within the newer half.
+  /// Takes a step (a motion with its time by the TimeEstimate) and emits the steps whose times are final. Holds at most `most_pieces`
+  /// pieces: when it is full, the older half is planned as if the newest piece ended at rest. That is safe: further pieces can only raise
+  /// the speeds at the end, and those of the older half are low enough to stop. It loses speed only in runs of motions so short that the
+  /// machine could not stop within the newer half.
   void consume(const Step& step);
 
-  /// Nothing follows: what is held ends at rest.
+  /// Ends the path: what is held ends at rest.
   void finish();
 
   static constexpr std::size_t most_pieces = 1024;
-  static constexpr std::size_t most_actions = 4096;  // held in all, with what stands between the motions
+  static constexpr std::size_t most_actions = 4096;  // held in total, including the actions between motions
 
  private:
   struct Held {
-    KeptStep kept;           // it is emitted later: with where the tool stood then
+    KeptStep kept;           // a copy, with the tool position of its time, as it is emitted later
     double longer = 0;       // s
-    std::size_t pieces = 0;  // of the path; 0: its time is known, or it is the open one
+    std::size_t pieces = 0;  // pieces of the path; 0: its time is known, or it is the open motion
   };
-  /// The last motion at feed: what comes next says how it ends.
+  /// The last motion at feed. The next motion determines how it ends.
   struct Open {
     Held* held;
     PathShape shape;
     double commanded;       // mm/s
     double enter = 0;       // the highest speed at its start, mm/s
-    double slow_until = 0;  // mm from its start, after an inner corner (nct 6.3.5)
-    Axes bend{};            // where it begins
+    double slow_until = 0;  // mm from its start: the slow zone after an inner corner (nct 6.3.5)
+    Axes bend{};            // at its start
     const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
-  /// The last rapid motion, where the next may begin before it ends.
+  /// The last rapid motion, if the next may start before its end.
   struct LastRapid {
     Held* held;
     AxisMask moves;
@@ -66,12 +67,12 @@ class LookAhead {
   };
 
  public:
-  /// What it remembers from step to step.
+  /// The state that it keeps from step to step.
   struct Memory {
     std::deque<Held> held;
     std::vector<PathPiece> pieces;
-    std::optional<Open> open;             // points to …
-    std::size_t open_at = 0;              // … the held one there
+    std::optional<Open> open;             // its pointer is replaced by …
+    std::size_t open_at = 0;              // … this index into `held`
     std::optional<LastRapid> last_rapid;  // likewise
     std::size_t last_rapid_at = 0;
     double start_speed = 0;
@@ -94,10 +95,10 @@ class LookAhead {
 
   AxisRoles roles_;
   SpeedRules rules_;
-  Axes rapid_rates_{};  // per s
+  Axes rapid_rates_{};  // mm or degrees per s
   Sink sink_;
-  std::deque<Held> held_;          // in order; what stands after the last motion follows it
-  std::vector<PathPiece> pieces_;  // of the held motions, the open one excepted
+  std::deque<Held> held_;          // in order; actions after the last motion follow it
+  std::vector<PathPiece> pieces_;  // of the held motions, except the open one
   std::optional<Open> open_;
   std::optional<LastRapid> last_rapid_;
   double start_speed_ = 0;  // mm/s, at the first piece

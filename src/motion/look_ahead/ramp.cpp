@@ -1,4 +1,4 @@
-// A change of speed along the path: linear, bell-shaped or jerk-free acceleration. For motion/look_ahead/control_speed,
+// A change of speed along the path, with linear, bell-shaped or jerk-free acceleration. Used by motion/look_ahead/control_speed and
 // motion/look_ahead/speed_plan.
 
 #include "motion/look_ahead/ramp.h"
@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr int most_steps = 100;        // of a search: bisection comes down to rounding in some 60
-constexpr double near_enough = 1e-14;  // relative: a few roundings
+constexpr int most_steps = 100;        // of a search: bisection reaches rounding errors in some 60
+constexpr double near_enough = 1e-14;  // relative: a few rounding errors
 
-/// x of x³ + 2·b·x = q, none of them negative. Newton from above comes down monotonously: the left side is convex.
+/// Returns x of x³ + 2·b·x = q, none of them negative. Newton's method from above descends monotonically, as the left side is convex.
 double cubic_root(double b, double q) {
   if (b == 0) return std::cbrt(q);
   double x = std::min(std::cbrt(q), q / (2 * b));
@@ -38,7 +38,7 @@ double ramp_length(double from, double to, const Acceleration& acceleration) {
   return (from + to) / 2 * ramp_seconds(std::abs(to - from), acceleration);
 }
 
-/// (2v + D)/2 · (D/a + T) = L, a quadratic; for D < a·T: (2v + D) · √(D·T/a) = L, a cubic in √D.
+/// Solves (2v + D)/2 · (D/a + T) = L, a quadratic; for D < a·T: (2v + D) · √(D·T/a) = L, a cubic in √D.
 double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
@@ -88,7 +88,7 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
   peak_ = build_up_ > 0 ? change / build_up_ : 0;
 }
 
-/// The first half; the second is its mirror image.
+/// Computes the first half of the ramp; the second half is its mirror image.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
   double gained = 0, way = 0;  // within the build-up

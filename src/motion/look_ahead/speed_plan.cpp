@@ -1,4 +1,4 @@
-// The speeds along a path of pieces, each with a limit, from a given speed to rest. For motion/look_ahead/look_ahead; tested by
+// The speeds along a path of pieces, each with a limit, from a given speed to rest. Used by motion/look_ahead/look_ahead; tested by
 // tests/motion/speed_plan_test.cpp.
 
 #include "motion/look_ahead/speed_plan.h"
@@ -13,21 +13,21 @@
 namespace kadr {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: what a speed reached within a way needs more than that way
+constexpr double rounding = 1e-9;  // relative: rounding may make a speed need this much more length than it was computed from
 
-/// Speeds that only rounding holds apart are one: which of them is the lower must decide nothing.
+/// Returns true if two speeds differ by rounding errors only: which of them is lower must not matter.
 bool is_same(double a, double b) { return a == b || std::abs(a - b) <= rounding * std::max(a, b); }
 
-/// Limits along a row of pieces that only rounding holds apart become that of its first one.
+/// Sets the limits of consecutive pieces that differ by rounding errors only to that of the first.
 void level(std::span<PathPiece> pieces) {
   for (std::size_t k = 1; k < pieces.size(); ++k)
     if (is_same(pieces[k].most, pieces[k - 1].most)) pieces[k].most = pieces[k - 1].most;
 }
 
-/// The speed of an acceleration that goes on, after `length`: what a ramp to a far higher speed has there.
+/// Returns the speed after `length` of an acceleration that continues: the speed that a ramp to a far higher speed has there.
 double passing(double from, double length, const Acceleration& acceleration) {
   if (std::isinf(acceleration.most)) return length > 0 ? acceleration.most : from;
-  const double gain = std::sqrt(2 * acceleration.most * length);  // no ramp gains more on that way
+  const double gain = std::sqrt(2 * acceleration.most * length);  // no ramp gains more over this length
   const Ramp ramp(from, from + gain + acceleration.most * acceleration.build_up, acceleration);
   return ramp.speed_at(ramp.seconds_at(length));
 }
@@ -63,7 +63,7 @@ void SpeedPlan::make_linear() {
   }
 }
 
-/// The gentlest acceleration of several pieces: no axis has more than it may in any of them.
+/// Returns the gentlest acceleration of several pieces: with it no axis exceeds its limits in any of them.
 Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -73,7 +73,7 @@ Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// The other way round: no ramp through them is faster. A jerk-free one is bounded by its greatest jerk, π/2 times the mean.
+/// Returns the opposite: no ramp through the pieces is faster. A jerk-free one is bounded by its greatest jerk, π/2 times the mean.
 Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -84,12 +84,13 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Nothing changes at the node: a line in two pieces is one.
+/// Returns true if the limit does not change at the node, so that a line divided into two pieces counts as one.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }
 
-/// At its limit, if that is reached at all; where the path may pass faster than it can arrive evenly, at the speed of that.
+/// Places an anchor at the node's limit if that is reached at all; if the limit is above the speed that a complete ramp can reach there,
+/// but within reach of a ramp that continues, at the former speed.
 void SpeedPlan::place_anchor(std::size_t node) {
   std::size_t before = node - 1, after = node + 1;
   while (!anchor_[before]) --before;
@@ -114,7 +115,7 @@ void SpeedPlan::make_smooth() {
     if (!is_anchor_free(k)) order_.push_back(k);
   const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
   std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return speed_[a] < speed_[b]; });
-  for (auto same = order_.begin(); same != order_.end();) {  // of one speed: from both ends, so that backwards it is the same
+  for (auto same = order_.begin(); same != order_.end();) {  // equal speeds: from both ends inwards, so that the plan is symmetric
     auto end = std::next(same);
     while (end != order_.end() && is_same(speed_[*end], speed_[*std::prev(end)])) ++end;
     std::sort(same, end, [&](std::size_t a, std::size_t b) { return from_end(a) != from_end(b) ? from_end(a) < from_end(b) : a < b; });
@@ -128,9 +129,9 @@ void SpeedPlan::make_smooth() {
   }
 }
 
-/// Between two anchors. The limits in between are not reached on the ramps, so only those of the pieces at the top count. Where a plan
-/// begins in the middle of an older one that passed a limit while slowing down, arriving there evenly may need more way than there is:
-/// then the speed changes linearly, somewhat harder than it should.
+/// Plans between two anchors. The limits in between are not reached on the ramps, so only those of the pieces at the top speed count. If
+/// a plan starts in the middle of an older one that passed a limit while slowing down, a complete ramp may need more length than there
+/// is: then the speed changes linearly, somewhat harder than allowed.
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
   const double from = speed_[first], to = speed_[last], length = way(first, last);
   Acceleration a = gentlest(first, last);

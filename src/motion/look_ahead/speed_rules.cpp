@@ -1,5 +1,5 @@
-// What limits the speed of a machine along its path besides the programmed feed: its accelerations, and of a control that has parameters
-// (NCT 4.1, 6.2–6.4, 7) theirs. For motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
+// The limits of a machine's speed along its path besides the programmed feed: its accelerations, and the parameters of a control that has
+// them (NCT 4.1, 6.2–6.4, 7). Used by motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
 
 #include "motion/look_ahead/speed_rules.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// INFERRED: a limit of 0 is none (nct 7.3).
+/// Returns the limit, or `unlimited` for 0. INFERRED: a limit of 0 is off (nct 7.3).
 double limit(double value) { return value > 0 ? value : unlimited; }
 double feed_limit(double per_minute) { return limit(per_minute / seconds_per_minute); }
 
@@ -20,10 +20,10 @@ struct AxisAcceleration {
   double build_up = 0;      // s
 };
 
-/// The one place that says where accelerations come from.
+/// The only place that determines where accelerations come from.
 AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
-  for (const std::string& name : {std::string("*"), axis}) {  // the axis' own last
+  for (const std::string& name : {std::string("*"), axis}) {  // the axis' own entry overrides "*"
     const auto row = setup.machine.find(name);
     if (row == setup.machine.end()) continue;
     const AxisLimits& limits = row->second;

@@ -2,7 +2,7 @@
 
 namespace kadr {
 
-/// From a time on the axes go at a share of the planned speed: 0 is a feed hold.
+/// A change of the override: from `seconds` on, the axes move at `share` of the planned speed; 0 is a feed hold.
 struct OverrideChange {
   double seconds = 0, share = 1;
 };

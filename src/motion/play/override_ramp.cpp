@@ -1,5 +1,5 @@
-// OverrideRamp: how the share of the planned speed changes from one override to another: smoothly, so that acceleration and jerk stay
-// bounded. For motion/play/playback.
+// OverrideRamp: a smooth change of the share of the planned speed from one override to another, so that acceleration and jerk stay
+// bounded. Used by motion/play/playback.
 
 #include "motion/play/override_ramp.h"
 

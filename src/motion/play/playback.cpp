@@ -1,5 +1,5 @@
-// Playback: the axes' positions at the servo rate, from cells as the planner hands them out, with feed hold, resume and override at any
-// moment. For out/trace/samples; tested by tests/motion/playback_test.cpp.
+// Playback: the axes' positions at the servo rate, from the cells that the planner emits, with feed hold, resume and override at any
+// time. Used by out/trace/samples; tested by tests/motion/playback_test.cpp.
 
 #include "motion/play/playback.h"
 
@@ -12,28 +12,29 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;             // places of the next ramp looked at in one instant of the clock: some µs
-constexpr double least_places = 25;              // … of a ramp; of a long one each instant
-constexpr double longer = 1.15;                  // the next ramp to be tried
-constexpr double longest = 20;                   // s, of a ramp: longer ones are no answer; then from the shortest again
-constexpr double a_little_more = 0.005;          // of the jerk: a ramp may take that much more; where none does with it, as much again,
-constexpr double most_over = 0.015;              //   at most
-constexpr double rounding_of_limits = 1 + 1e-9;  // of limits
-// Of a plan that uses all of its jerk these shares leave 2, 9, 27 and 66 % of it for the change: a ramp that takes much longer than one
-// by itself is cut in two at one of them, so that what is left at the beginning need not do for the whole change.
+constexpr int tries_an_instant = 25;             // positions of the next ramp that are checked per servo period: some µs
+constexpr double least_places = 25;              // fewest positions per ramp; in a long ramp one per period
+constexpr double longer = 1.15;                  // factor of the duration of the next ramp to try
+constexpr double longest = 20;                   // s; no ramp is longer: then it tries again from the shortest, with more jerk
+constexpr double a_little_more = 0.005;          // share of the jerk limit by which a ramp may exceed it; if no ramp fits, as much again,
+constexpr double most_over = 0.015;              // up to this share
+constexpr double rounding_of_limits = 1 + 1e-9;  // tolerance for rounding errors, of all limits
+// If the plan uses its full jerk, playing it at these shares leaves 2, 9, 27 and 66 % of the jerk for the change. A ramp that would take
+// much longer than shortest() is therefore split at one of them, so that the little jerk left at its start need not do for the whole
+// change.
 constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
 constexpr double much_longer = 1.2;
-constexpr double least_change = 0.001;  // of the share, for want of cells
-constexpr double least_ramp = 4;        // periods
+constexpr double least_change = 0.001;  // of the share, when cells are missing
+constexpr double least_ramp = 4;        // servo periods
 
 }  // namespace
 
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// `seconds` of the clock further; `crossed(end, time on the ramp)` is told of each cell that ends on the way. It may return seconds that
-/// the next one, in which the axes stand, is to be put off; the share is 1 from there on.
-///   returns  false: there are not so many cells; the cursor is then at the end of the last
+/// Moves the cursor by `seconds` of the servo clock. `crossed(end, time on the ramp)` is called for each cell that ends meanwhile. It may
+/// return the seconds by which the next cell, in which the axes are at rest, has to be delayed; from there on the share is 1.
+///   returns  false if there are not enough cells; the cursor is then at the end of the last one
 template <class Crossed>
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
   double left = seconds;
@@ -75,7 +76,7 @@ void Playback::show(const Cursor& at, double* x) {
   now_.spindle = ring_.spindle(cell).at(t, s) + now_.slip;
 }
 
-/// No axis exceeds at this pace what it may, or what the plan itself asks of it.
+/// Returns true if at this pace no axis exceeds its limits, or the value that the plan itself demands where that is greater.
 bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
   if (pace.share < 0 || pace.share > rounding_of_limits) return false;
   if (is_over(at)) return true;
@@ -96,7 +97,7 @@ bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
   return true;
 }
 
-/// What a ramp to a share takes at least, by the speed and limits of the axes here, s.
+/// Returns the least time that a ramp to a share needs, by the speed and the limits of the axes at the current position, s.
 double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
   if (is_over(now_.at)) return seconds;
@@ -113,7 +114,7 @@ double Playback::shortest(double target) const {
   return std::min(seconds, longest);
 }
 
-/// Begins to try a ramp to a share, of so many seconds, from the instant at which it will have been tried.
+/// Starts to try a ramp to a share, with this duration. The ramp starts at the instant at which the trial will be complete.
 void Playback::try_ramp(double target, double seconds) {
   const double places = std::max(seconds / period_, least_places);
   const auto lead = static_cast<std::uint64_t>(std::ceil(places / tries_an_instant)) + 2;
@@ -127,7 +128,7 @@ void Playback::try_ramp(double target, double seconds) {
   now_.tried = false;
 }
 
-/// Where the ramp that is being tried might end instead, as near as can be to where it ends.
+/// Returns the intermediate share nearest to the target at which the ramp under trial might end instead; nullopt if there is none.
 std::optional<double> Playback::share_on_the_way() const {
   const double from = now_.next.at(0).share, to = now_.next.end();
   std::optional<double> nearest;
@@ -136,14 +137,14 @@ std::optional<double> Playback::share_on_the_way() const {
   return nearest;
 }
 
-/// From the shortest again.
+/// Allows a little more jerk and tries again from the shortest ramp.
 void Playback::exceed_a_little() {
   now_.over = std::min(now_.over + a_little_more, most_over);
   try_ramp(now_.next.end(), shortest(now_.next.end()));
 }
 
-/// The limits are looked at at the instants or, in a ramp of few, between them too, and, as jerk jumps there, at both sides of each cell's
-/// end.
+/// Continues the trial of a ramp. The limits are checked at the servo instants, in a short ramp also between them, and at both sides of
+/// each cell boundary, because the jerk jumps there.
 void Playback::go_on_trying() {
   const double step = std::min(period_, now_.next.seconds() / least_places);
   bool allowed = true;
@@ -159,7 +160,7 @@ void Playback::go_on_trying() {
     }
     const bool known = advance(now_.probe, now_.next, now_.on_next, step, look) || ring_.finished();
     now_.on_next += step;
-    if (!known) {  // somewhat more jerk, or a smaller change that fits into what is known; from there on another
+    if (!known) {  // not enough cells: a little more jerk, or a smaller change that fits into the known cells; another ramp follows it
       const bool fits = shortest(0) * share() < 2 * ahead();
       if (now_.next.end() <= 0 && now_.over < most_over && fits) return exceed_a_little();
       const double from = now_.next.at(0).share, change = (now_.next.end() - from) / 2;
@@ -175,7 +176,7 @@ void Playback::go_on_trying() {
   }
 }
 
-/// The share that the operator asks for, as far as the switches act here.
+/// Returns the share that the operator requests, as far as the switches act here.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
   if (wanted > 0) now_.last_override = wanted;
@@ -185,7 +186,7 @@ double Playback::asked() {
   return switches.feed_override ? now_.last_override : 1;
 }
 
-/// Sees to the share that is wanted.
+/// Compares the requested share with the current one, starts, continues or accepts the trial of a ramp. Brakes if cells become scarce.
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (now_.goal > 0 ? 1 : 2);
   const double wanted = scarce ? 0 : asked();
@@ -202,7 +203,7 @@ void Playback::steer() {
   now_.trying = now_.tried = false;
 }
 
-/// A cell begins at whose end the axes go in step with the spindle: how much longer it must turn, s.
+/// Called when a cell starts at whose end the axes synchronise with the spindle. Returns how much longer the spindle must rotate, s.
 double Playback::wait_for_spindle(std::uint64_t cell) {
   constexpr double turn = 360, same = 1e-6;  // degrees
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
@@ -216,14 +217,14 @@ double Playback::wait_for_spindle(std::uint64_t cell) {
   return wait;
 }
 
-/// One instant further, axes and spindle.
+/// Advances axes and spindle by one servo period. Returns false if there are not enough cells.
 bool Playback::go_on() {
   constexpr double turn = 360;
   const bool as_planned = now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() == 1;
   const double begins = now_.on_ramp;
-  double on_plan = now_.at.t, on_clock = begins, over = 0;  // s; where the cell was begun
+  double on_plan = now_.at.t, on_clock = begins, over = 0;  // s, at the start of the current cell
   bool in_step = false;
-  const auto turns_on = [&](const Cursor& to, double clock) {  // it turns by the clock, not by the plan
+  const auto turns_on = [&](const Cursor& to, double clock) {  // the spindle rotates by the clock, not by plan time
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };
   const bool known = advance(now_.at, now_.ramp, begins, period_, [&](const Cursor& end, double clock) -> std::optional<double> {

@@ -1,4 +1,4 @@
-// Machining time from programmed feeds and the machine's rapid rates, without acceleration. For machine, motion, out; tested by
+// Machining time from programmed feeds and the machine's rapid rates, without acceleration. Used by machine, motion and out; tested by
 // tests/motion/estimate_test.cpp.
 
 #include "motion/time/estimate.h"
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// The setup's entry of the axis, else the one for all axes.
+/// Returns the set-up's entry of the axis, else the one for all axes.
 template <class T>
 std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::*field) {
   for (const std::string& name : {axis, std::string("*")})
@@ -58,7 +58,7 @@ double Rates::least_most() const {
   return least;
 }
 
-/// INFERRED: along an arc each axis of the plane comes to the speed of the path, as at a whole quadrant.
+/// INFERRED: on an arc each axis of the plane reaches the speed of the path, as it does in a whole quadrant.
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
   SlowestAxis slowest;
   if (curve.surface() != PathSurface::plane) return slowest;  // its feed follows the rotary axis (polar_feed.h)
@@ -91,7 +91,7 @@ double& TimeEstimate::share_of(const Motion& motion) {
   return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
 }
 
-/// All axes together: the slowest decides.
+/// All axes move together: the slowest determines the time.
 double TimeEstimate::rapid_minutes(const Curve& curve) const {
   if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
   double minutes = 0;
@@ -102,14 +102,14 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   return minutes;
 }
 
-/// The lead counts along the axis with the longest way (nct 4.4), overrides do not.
+/// The lead applies along the axis with the longest travel (nct 4.4); overrides do not apply.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
   return longest == 0 ? 0 : longest / (*motion.detail->lead * turning(motion).now());
 }
 
-/// By a feed, mm/rev, of a spindle that turns by where the tool is (nct 11.5).
+/// Returns the time at a feed in mm/rev, of a spindle whose speed depends on the tool's position (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
   constexpr double error = 1e-9;  // relative
   const SpindleTurning& spindle = turning(motion);
@@ -136,15 +136,15 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
   return way / time.feed;
 }
 
-/// At the programmed feed, but no axis beyond its rapid rate.
+/// Returns the time at the programmed feed, but with no axis above its rapid rate.
 double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
   const double minutes = feed_minutes(motion, curve, time);
   if (!(time.feed > least_most_)) return minutes;
   return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
 }
 
-/// Where rotary axes take the tool or the part along, the axes of the machine go other ways than the work coordinates (nct 25): by their
-/// ends.
+/// Returns the least time by the machine axes' travel. Where rotary axes carry the tool or the part along, the machine's axes travel
+/// other distances than the work coordinates (nct 25); the ends of the motion are compared.
 double TimeEstimate::machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const {
   double minutes = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -199,7 +199,7 @@ void TimeEstimate::other(const Action& action) {
               ContourBreak, ContourCorner, ContourCheck>);
 }
 
-/// A pause as the sums grow, so that pauses add up to them.
+/// Times any step. The pause is the growth of the sums, so that the pauses add up to the sums exactly.
 void TimeEstimate::time(Step& step) {
   if (const Motion* const moved = step.motion()) {
     step.time = motion(*moved, step.curve(), &step.from);

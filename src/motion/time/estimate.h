@@ -1,5 +1,6 @@
 #pragma once
-// Machining time from programmed feeds and the machine's rapid rates, without acceleration; with it: motion/look_ahead/look_ahead.h.
+// Machining time from programmed feeds and the machine's rapid rates, without acceleration. With acceleration:
+// motion/look_ahead/look_ahead.h.
 
 #include "action/step.h"
 #include "config/machine_profile.h"
@@ -8,27 +9,27 @@
 
 namespace kadr {
 
-/// How fast the machine is, resolved per axis.
+/// The speeds of the machine, per axis.
 struct Rates {
   Axes rapid{};             // mm/min or degrees/min, override included
   double feed_part = 1;     // feed override / 100
   double spindle_part = 1;  // spindle override / 100
   double tool_change_s = 0;
   double spindle_start_s = 0;
-  bool exact_times = false;  // the axes take no time to speed up: the estimate is the truth
-  Axes most{};               // of each axis, mm/min or degrees/min: its rapid rate without override; 0: not known
-  /// The least of them: a motion at no more needs no closer look.
+  bool exact_times = false;  // the axes need no time to accelerate: the estimate is exact
+  Axes most{};               // of each axis, mm/min or degrees/min: its rapid rate without override; 0: unknown
+  /// Returns the least of the known `most`: a motion at this feed or less needs no check per axis.
   double least_most() const;
 };
 
-/// The setup's `machine` and `override` go before the profile. Times are exact if the setup says `"acceleration": null` for "*"
-/// or for every axis.
+/// Reads the rates from set-up and profile; the set-up's `machine` and `override` have priority. Times are exact if the set-up states
+/// `"acceleration": null` for "*" or for every axis.
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes);
 
-/// Limits of one axis in machine coordinates; the setup goes before the profile.
+/// Returns the limits of one axis in machine coordinates; the set-up has priority over the profile.
 std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis);
 
-/// The axis that takes longest at its rapid rate: no feed makes the motion shorter.
+/// The axis that needs the longest time at its rapid rate: no feed makes the motion shorter.
 struct SlowestAxis {
   std::size_t axis = 0;
   double minutes = 0;
@@ -40,40 +41,40 @@ struct TimeSplit {
   double cutting = 0;
   double rapid = 0;
   double dwell = 0;
-  double tool_change = 0;     // and starts of the spindle
-  std::uint64_t unknown = 0;  // motions that would never end: no feed, spindle stands, override 0; not in the times
+  double tool_change = 0;     // including starts of the spindle
+  std::uint64_t unknown = 0;  // number of motions that would never end (no feed, spindle at rest, override 0); not included in the times
   double total() const { return cutting + rapid + dwell + tool_change; }
 };
 
-/// Adds up the time of Actions in order.
+/// Adds up the time of Actions, in order.
 class TimeEstimate {
  public:
   TimeEstimate(const AxisRoles& roles, const Rates& rates);
 
-  /// Of a motion along its curve.
-  ///   from  where the axes stand; nullptr: as the curve begins
+  /// Times a motion along its curve.
+  ///   from  the axes' position before it; nullptr: the start of the curve
   MotionTime motion(const Motion& motion, const Curve& curve, const ToolPosition* from = nullptr);
 
-  /// Of any other action. A Sync takes no time of its own.
+  /// Times any other action. A Sync takes no time of its own.
   void other(const Action& action);
 
-  /// Of any: the step is told when it happens.
+  /// Times any step and stores the result in it.
   void time(Step& step);
 
-  /// A motion takes `longer` than its programmed time, s: the look-ahead has planned it.
+  /// Adds `longer`, s, to the time of a motion after the look-ahead has planned it; negative: the motion is shorter.
   void lengthen(const Motion& motion, double longer) { share_of(motion) += longer; }
 
   void spindle(double rpm, std::size_t number = 1) { spindle_of(number).rpm = rpm; }
-  /// As the set-up says that they turn.
+  /// Sets the spindle speeds that the set-up states.
   void spindles(const Setup& setup);
   const TimeSplit& split() const { return split_; }
-  /// Counts from zero; how the spindles turn is kept.
+  /// Resets the times to zero; the state of the spindles is kept.
   void start_over() { split_ = {}; }
 
  private:
   double& share_of(const Motion& motion);
   SpindleTurning& spindle_of(std::size_t number);
-  /// The spindle whose turns the motion's feed or thread counts (nct 11.4).
+  /// Returns the spindle to whose revolutions the motion's feed or thread refers (nct 11.4).
   const SpindleTurning& turning(const Motion& motion) const { return spindles_[motion.spindle < spindles_.size() ? motion.spindle : 0]; }
   double rapid_minutes(const Curve& curve) const;
   double machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const;
@@ -86,8 +87,8 @@ class TimeEstimate {
   Rates rates_;
   double least_most_;
   TimeSplit split_;
-  double feed_ratio_ = 1;  // feed per revolution: of a gearbox's slave for one of the spindle
-  std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // by number; 0 is none
+  double feed_ratio_ = 1;  // feed per revolution: revolutions of a gearbox's slave per revolution of the spindle
+  std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // by number; 0 is unused
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// LostTime: which lines of a program take longer than their feed alone would, and by which limit of the axes
-// (motion/look_ahead/limited_by). For session/planned, out/text/lost_time_text.
+// LostTime: finds the lines of a program that take longer than at their feed alone, and the limit of the axes that causes it
+// (motion/look_ahead/limited_by). Used by session/planned and out/text/lost_time_text.
 
 #include "motion/time/lost_time.h"
 
@@ -61,8 +61,8 @@ void LostTime::take(const TimedCells& cells) {
 }
 
 std::vector<LostTime::Place> LostTime::worst(std::size_t count) const {
-  constexpr double accurate = 1e-3;  // of the time: the planner is within half of it (motion/least_time/least_time)
-  constexpr double shown = 5e-4;     // s: less would be shown as nothing
+  constexpr double accurate = 1e-3;  // share of the time: the planner's error is up to half of that (motion/least_time/least_time)
+  constexpr double shown = 5e-4;     // s: a smaller value would be displayed as 0
   std::vector<Place> places;
   for (const Row& row : rows_) {
     if (row.place.lost() < std::max(shown, accurate * row.place.seconds)) continue;

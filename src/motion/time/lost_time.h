@@ -1,7 +1,7 @@
 #pragma once
-// LostTime: which lines of a program take longer than their feed alone would, and by which limit of the axes
-// (motion/look_ahead/limited_by). Bounded memory: a table of lines; when it is full, the half that lost least is forgotten. Lines that come
-// again are one place.
+// LostTime: finds the lines of a program that take longer than at their feed alone, and the limit of the axes that causes it
+// (motion/look_ahead/limited_by). Bounded memory: a table of lines; when it is full, the half that lost least is dropped. A line that is
+// executed several times is one entry.
 
 #include <unordered_map>
 #include <vector>
@@ -15,12 +15,12 @@ class LostTime {
   struct Place {
     std::uint16_t file = 0;  // Origin::file
     std::uint32_t line = 0;
-    std::uint64_t times = 0;  // that it was come to
-    bool rapid = false;       // the last time
+    std::uint64_t times = 0;  // how often it was executed
+    bool rapid = false;       // of its last execution
     double seconds = 0;       // spent
-    double at_feed = 0;       // by the programmed feed or rapid rate alone
-    LimitedBy by{};           // the limit that took most of what was lost
-    double by_part = 0;       // of what was lost
+    double at_feed = 0;       // s at the programmed feed or rapid rate alone
+    LimitedBy by{};           // the limit that caused most of the lost time
+    double by_part = 0;       // its share of the lost time
     double lost() const { return seconds - at_feed; }
   };
 
@@ -29,17 +29,18 @@ class LostTime {
 
   void take(const TimedCells& cells);
 
-  /// The `count` places that lost most, the worst first; of equal ones the first line. Pauses lose nothing, nor do motions whose time by
-  /// feed is unknown, nor places that lost less than the planner itself is off.
-  ///   law  exact where the program has no more lines than the table; else a line that lost little each time may count its last times only
+  /// Returns the `count` lines that lost most, the worst first; of equal ones the first line. Not included: pauses, motions whose time at
+  /// their feed is unknown, and lines that lost less than the planner's own error.
+  ///   law  exact if the program has no more lines than the table; else a line that lost little each time may count its last executions
+  ///        only
   std::vector<Place> worst(std::size_t count) const;
-  /// s lost in all lines.
+  /// Time lost in all lines, s.
   double all() const { return all_; }
 
  private:
   struct Row {
     Place place;
-    std::array<double, limit_count * max_axes> by{};  // s lost, by limit and axis
+    std::array<double, limit_count * max_axes> by{};  // lost time, s, by limit and axis
   };
   Row& row_of(std::uint64_t tag);
   void forget_half();
@@ -47,9 +48,9 @@ class LostTime {
   MotionLimits limits_;
   std::size_t most_;
   std::vector<Row> rows_;
-  std::unordered_map<std::uint64_t, std::size_t> index_;  // by file and line
+  std::unordered_map<std::uint64_t, std::size_t> index_;  // index in rows_, by file and line
   std::uint64_t last_ = ~std::uint64_t{0};
-  std::size_t at_ = 0;  // the row of the last
+  std::size_t at_ = 0;  // the row of `last_`
   double all_ = 0;
 };
 

@@ -1,7 +1,7 @@
-// Pace: how the time of a motion is shared by its pieces where the axes do not go as the feed counts: in polar interpolation, whose feed
-// is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical, on the unrolled surface (4.6), and at a
-// feed per revolution of a spindle that turns by where the tool is (11.5). For motion/least_time/axis_motion; tested by
-// tests/motion/pace_test.cpp.
+// Pace: how the time of a motion is distributed over its pieces where the axes do not move in proportion to the feed: in polar
+// interpolation, whose feed applies in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical interpolation, on
+// the unrolled surface (4.6), and at a feed per revolution of a spindle whose speed depends on the tool's position (11.5). Used by
+// motion/least_time/axis_motion; tested by tests/motion/pace_test.cpp.
 
 #include "motion/time/pace.h"
 
@@ -20,7 +20,7 @@ Pace::Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, dou
       by_spindle_(feed > 0 && motion.unit == FeedUnit::mm_per_rev && spindle.surface.on && curve.surface() == PathSurface::plane) {}
 
 int Pace::pieces() const {
-  constexpr double change = 0.02;  // of the speed
+  constexpr double change = 0.02;  // greatest change of speed within a piece, as a share
   constexpr double least = 1e-3;   // mm
   constexpr double most = 1000;
   const SurfaceSpeed& surface = spindle_.surface;

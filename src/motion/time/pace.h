@@ -1,7 +1,7 @@
 #pragma once
-// Pace: how the time of a motion is shared by its pieces where the axes do not go as the feed counts: in polar interpolation, whose
-// feed is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical, on the unrolled surface (4.6), and at a
-// feed per revolution of a spindle that turns by where the tool is (11.5).
+// Pace: how the time of a motion is distributed over its pieces where the axes do not move in proportion to the feed: in polar
+// interpolation, whose feed applies in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical interpolation, on
+// the unrolled surface (4.6), and at a feed per revolution of a spindle whose speed depends on the tool's position (11.5).
 
 #include "action/axis_roles.h"
 #include "motion/time/polar_feed.h"
@@ -9,19 +9,19 @@
 
 namespace kadr {
 
-/// A view of a curve: it must outlive this.
+/// A view of a curve, which must outlive it.
 class Pace {
  public:
-  ///   feed   mm/min along what the motion's feed counts along; 0: rapid
+  ///   feed   mm/min along the length that the motion's feed applies to; 0: rapid
   ///   rapid  of each axis, mm/min or degrees/min
   Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle);
 
-  /// All along the path the axes go as the feed counts.
+  /// True if the axes move in proportion to the feed along the whole path.
   bool is_even() const { return curve_.surface() == PathSurface::plane && !by_spindle_ && limits_.along != FeedAlong::turn; }
-  /// Equal pieces in each of which the feed changes little.
+  /// Returns the number of equal pieces to cut the motion into, so that the feed changes little within each.
   int pieces() const;
 
-  /// Time between two parts, near enough to share out what the whole motion takes (Simpson's rule).
+  /// Returns the time between two parts of the motion, accurate enough to distribute the time of the whole motion (Simpson's rule).
   ///   law  the rotary axis of polar interpolation keeps its limit
   double minutes(double from, double to) const;
 

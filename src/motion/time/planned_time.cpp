@@ -1,4 +1,4 @@
-// PlannedTime: what the time of the planner of least time is made of. For session/planned, out/text/summary.
+// PlannedTime: the components of the time of a least-time plan. Used by session/planned and out/text/summary.
 
 #include "motion/time/planned_time.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 
 void PlannedTime::take(const TimedCells& cells, const MotionLimits& limits) {
-  constexpr double barely = 0.02;  // of an acceleration: a steady speed as the planner finds it wavers by less
+  constexpr double barely = 0.02;  // share of an acceleration: the planner's constant speed varies by less
   const double least = barely * *std::min_element(limits.acceleration.begin(), limits.acceleration.end());
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     const TimeLaw& law = cells.laws[k];

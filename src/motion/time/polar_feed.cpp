@@ -1,4 +1,4 @@
-// The feed of polar interpolation: near the rotation centre the path waits for the rotary axis. For motion, out; tested by
+// The feed of polar interpolation: near the rotation centre the path waits for the rotary axis. Used by motion and out; tested by
 // tests/motion/polar_feed_test.cpp.
 
 #include "motion/time/polar_feed.h"
@@ -11,9 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double time_error = 1e-9;  // relative: a thousandth of a second in a week
+constexpr double time_error = 1e-9;  // relative: less than a millisecond in a week
 
-/// The slowest axis is fastest near the rotation centre: the integral has its peak at the end of both halves.
+/// Integrates over the motion. The slowest axis is fastest near the rotation centre, so the integrand peaks there: each half ends at the
+/// peak.
 template <class F>
 double over_motion(const Curve& curve, const F& minutes_per_part) {
   const double nearest = curve.nearest();

@@ -13,22 +13,22 @@ struct PolarFeed {
   FeedAlong along = FeedAlong::path;
 };
 
-/// The feed in force at a part of the motion, mm/min.
+/// Returns the actual feed at a part of the motion, mm/min.
 double feed_at(const Curve& curve, const PolarFeed& limits, double part);
 
-/// Its time per part there.
+/// Returns the time per part at a part of the motion, min.
 double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part);
 
-/// The highest feed along the motion.
+/// Returns the highest feed along the motion, mm/min.
 double highest_feed(const Curve& curve, const PolarFeed& limits);
 
-/// Time of the motion.
+/// Returns the time of the motion, min.
 double minutes(const Curve& curve, const PolarFeed& limits);
 
-/// Time of a rapid motion along the path: each axis at most at its rapid rate (mm/min, degrees/min).
+/// Returns the time of a rapid motion along the path, min: each axis at most at its rapid rate (mm/min, degrees/min).
 double rapid_minutes(const Curve& curve, const AxisRoles& roles, const Axes& rapid);
 
-/// Its time per part at a part.
+/// Returns the time per part of a rapid motion at a part of it, min.
 double rapid_minutes_per_part(const Curve& curve, const AxisRoles& roles, const Axes& rapid, double part);
 
 }  // namespace kadr

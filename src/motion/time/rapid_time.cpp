@@ -1,4 +1,4 @@
-// The time of a rapid motion, from rest to rest. For motion/look_ahead/look_ahead.
+// The time of a rapid motion from rest to rest. Used by motion/look_ahead/look_ahead.
 
 #include "motion/time/rapid_time.h"
 
@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-/// Time of slowing down from `top` to rest that is left when the speed has fallen by `part`.
+/// Returns the rest of the time that slowing down from `top` to rest takes, after the speed has fallen by the share `part`.
 double left_of_ramp(double top, double part, const Acceleration& acceleration) {
-  constexpr int steps = 60;  // halvings: down to rounding
+  constexpr int steps = 60;  // halvings: down to rounding errors
   const Ramp down(top, 0, acceleration);
   double low = 0, high = down.seconds();
   for (int step = 0; step < steps; ++step) {

@@ -1,4 +1,4 @@
-// SpeedRecord: speed, and how near the axes are to their limits, over the time of the planner of least time. For out/picture/speed_page;
+// SpeedRecord: speed, and how near the axes are to their limits, over the time of a least-time plan. Used by out/picture/speed_page;
 // tested by tests/motion/speed_record_test.cpp.
 
 #include "motion/time/speed_record.h"

@@ -1,6 +1,6 @@
 #pragma once
-// SpeedRecord: speed, and how near the axes are to their limits, over the time of the planner of least time; for a picture. Bounded memory:
-// columns of time; when they are full, two become one.
+// SpeedRecord: speed, and how near the axes are to their limits, over the time of a least-time plan; the data of a picture. Bounded
+// memory: columns of time; when all are used, pairs of columns are merged.
 
 #include <limits>
 #include <vector>
@@ -12,15 +12,15 @@ namespace kadr {
 
 class SpeedRecord {
  public:
-  /// A stretch of time. Where it is spent on several things, speed, feed, line and `on` are those of the cutting; without it of the rapid
-  /// motion, else of the pause.
+  /// An interval of time. If it is spent on several things, speed, feed, line and `on` are those of the cutting; without cutting those of
+  /// the rapid motion, else of the pause.
   struct Column {
     double least = std::numeric_limits<double>::infinity();  // path speed, mm/s
     double most = 0;
-    double feed = 0;                            // commanded, the greatest; 0: the axes stand, or no time is known
-    LimitShares::Share acceleration{}, jerk{};  // the greatest
+    double feed = 0;                            // the greatest commanded feed; 0: the axes are at rest, or the time is unknown
+    LimitShares::Share acceleration{}, jerk{};  // the greatest shares
     Spent::On on = Spent::On::cutting;          // what it is spent on
-    std::uint32_t line = 0;                     // … and for which line
+    std::uint32_t line = 0;                     // the line of the program it is spent on
     bool seen = false;
 
     void take(const Column& later);
@@ -32,11 +32,11 @@ class SpeedRecord {
   void take(const TimedCells& cells);
 
   const std::vector<Column>& columns() const { return columns_; }
-  /// s, of each column.
+  /// Width of each column, s.
   double width() const { return width_; }
-  /// s, of all.
+  /// Total time, s.
   double seconds() const { return now_; }
-  /// mm/s, the greatest of rapid motion.
+  /// The greatest speed of rapid motion, mm/s.
   double rapid() const { return rapid_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// SpindleTurning: how a spindle turns, by what is commanded of it. INFERRED: it takes its speed at once.
+// SpindleTurning: the rotation of a spindle as commanded. INFERRED: it reaches its speed at once.
 
 #include <algorithm>
 
@@ -9,20 +9,20 @@ namespace kadr {
 
 struct SpindleTurning {
   double rpm = 0;         // commanded, rev/min
-  bool on = true;         // the setup may say that it stands: then rpm is 0
+  bool on = true;         // the set-up may state that it is at rest: then rpm is 0
   bool reversed = false;  // counter-clockwise (M4)
 
   SurfaceSpeed surface{};  // of the main spindle
 
   double now() const { return on ? rpm : 0; }
-  /// Where the tool is there, work coordinates.
+  /// Returns the speed while the tool is at this position, work coordinates, rev/min.
   double at(const Axes& work) const { return on && surface.on ? by_surface(work) : now(); }
-  /// A motion ends there.
+  /// Reports the end of a motion there, work coordinates.
   void arrive(const Axes& work) {
     if (surface.on) rpm = by_surface(work);
   }
 
-  /// Degrees a second, clockwise.
+  /// Converts a speed to degrees per second, clockwise.
   double degrees(double at_rpm) const {
     constexpr double per_second_of_rpm = 360.0 / 60;
     return at_rpm * per_second_of_rpm * (reversed ? -1 : 1);
@@ -37,7 +37,7 @@ struct SpindleTurning {
   void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
 
  private:
-  /// INFERRED: towards the centre none turns faster than this, though nobody states a limit.
+  /// INFERRED: towards the centre no spindle exceeds this, even if no limit is stated.
   static constexpr double fastest = 1e5;  // rev/min
   double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), fastest); }
 };

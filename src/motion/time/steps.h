@@ -1,5 +1,5 @@
 #pragma once
-// Steps: makes of the Actions of one channel, in order, what its sinks get.
+// Steps: converts the Actions of one channel, in order, to Steps for its sinks.
 
 #include <utility>
 
@@ -9,13 +9,13 @@ namespace kadr {
 
 class Steps {
  public:
-  /// `roles`, `clock`: must outlive it.
-  ///   start  where the tool stands before the first action
-  ///   clock  times each step; nullptr: nobody counts
+  /// `roles` and `clock` must outlive it.
+  ///   start  position of the tool before the first action
+  ///   clock  times each step; nullptr: steps are not timed
   Steps(const AxisRoles& roles, ToolPosition start, TimeEstimate* clock = nullptr) : roles_(roles), at_(std::move(start)), clock_(clock) {}
 
-  /// Hands the next action to a `sink(const Step&)`.
-  ///   law  Step::from is where all actions given before have led
+  /// Passes the next action to a `sink(const Step&)`.
+  ///   law  Step::from is the position after all actions given before
   template <class Sink>
   void give(const Action& action, double begins, Sink&& sink) {
     Step step(roles_, action, at_, begins);
@@ -28,7 +28,7 @@ class Steps {
     give(action, 0, std::forward<Sink>(sink));
   }
 
-  /// Where the tool stands now.
+  /// The current position of the tool.
   const ToolPosition& position() const { return at_; }
 
  private:

@@ -19,20 +19,20 @@ double length_of(const Edges& path);
 Edge reversed(const Edge& e);
 Edges reversed(const Edges& path);
 
-/// Point at the part 0..1 of its length.
+/// Returns the point at `part` of the length, 0..1.
 Vec2 at(const Edge& e, double part);
-/// Unit vector of the way at that part.
+/// Returns the direction of travel at that part, a unit vector.
 Vec2 direction(const Edge& e, double part);
-/// The stretch between two parts.
+/// Returns the piece of the edge between two parts.
 Edge stretch(const Edge& e, double from, double to);
-/// Part of the point of the edge next to `p`.
+/// Returns the part of the edge's point nearest to `p`.
 double nearest_part(const Edge& e, Vec2 p);
 double distance(const Edge& e, Vec2 p);
 
-/// Least distance between two edges (path/curve/plane_distance); 0 where they cross.
+/// Returns the least distance between two edges (path/curve/plane_distance); 0 where they cross.
 double distance(const Edge& a, const Edge& b);
 
-/// Where two edges meet, ends included; overlapping edges give their ends.
+/// Returns where two edges meet, ends included; overlapping edges give their ends.
 std::vector<Vec2> meetings(const Edge& a, const Edge& b);
 
 struct Bounds {
@@ -40,15 +40,16 @@ struct Bounds {
   Vec2 most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   void take(Vec2 p);
   void take(const Edge& e);
-  /// At most `reach` apart.
+  /// True if the boxes are at most `reach` apart.
   bool near(const Bounds& other, double reach) const;
 };
 Bounds bounds_of(const Edges& path);
 
-/// Turned about the origin.
+/// Returns the edge rotated about the origin.
 Edge rotated(const Edge& e, double deg);
 
-/// Circular stretch from `from` in the direction `way` to `to`; a line where that is straight. Longer than half a circle: two edges.
+/// Returns a circular arc from `from`, starting in the direction `way`, to `to`; a line if that is straight. An arc longer than half a
+/// circle becomes two edges.
 Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
 
 }  // namespace kadr::area

@@ -1,4 +1,4 @@
-// Field: a connected area that the tool's centre may go to, for one zone. For the rest of path.
+// Field: a connected area that the tool's centre may reach, for one zone. Used by the other folders of path.
 
 #include "path/area/field.h"
 
@@ -18,7 +18,8 @@ Edges all_edges(const std::vector<Edges>& loops) {
   return all;
 }
 
-/// The stretches of a loop that are walls (or open), as lines; one that goes all around ends with its first two corners again.
+/// Appends the parts of a loop that are walls (or open sides) as polylines; a polyline round the whole loop ends with its first two
+/// corners again.
 void add_stretches(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {
@@ -53,7 +54,7 @@ std::vector<Edges> recovered(const Polygons& areas, const Carriers& carriers) {
   return loops;
 }
 
-/// How the fields of one zone are made.
+/// Computes the fields of one zone.
 class Fields {
  public:
   Fields(const Zone& zone, const Job& job, double off_walls) : job_(job), off_walls_(off_walls) {
@@ -76,7 +77,7 @@ class Fields {
       field.reach_area = flattened(field.reach, chord);
       if (field.reach.empty()) continue;
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
-      if (field.work.empty()) field.work = field.reach;  // the tool cuts here from beyond an open side alone
+      if (field.work.empty()) field.work = field.reach;  // here the tool only cuts from outside, through an open side
       field.work_area = flattened(field.work, chord);
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
       field.wanted = common(grown(field.reach_area, job_.radius, chord), area_);

@@ -1,6 +1,6 @@
 #pragma once
-// Field: a connected area that the tool's centre may go to, for one zone. Zone kinds (spec/correctors 4): closed where all sides are
-// walls, open where none is, half-open or combined in between; the centre keeps off walls and runs over open sides.
+// Field: a connected area that the tool's centre may reach, for one zone. A zone (spec/correctors 4) is closed if all sides are walls,
+// open if none is, else half-open or combined; the centre keeps off walls and runs over open sides.
 
 #include "path/area/mill.h"
 #include "path/area/recover.h"
@@ -9,29 +9,29 @@
 namespace kadr::area {
 
 struct Field {
-  std::vector<Edges> reach;  // loops around where the centre may be, exact
+  std::vector<Edges> reach;  // exact loops around the area that the centre may reach
   Polygons reach_area;
-  std::vector<Edges> work;  // the same with less overrun: what the scheme covers; the rest of `wanted` is cut along `reach`
+  std::vector<Edges> work;  // likewise with less overrun: what the scheme covers; the rest of `wanted` is cut along `reach`
   Polygons work_area;
-  Room roomy;   // reach, a little larger: what may be moved in
+  Room roomy;   // the reach, slightly enlarged: the tool's centre must stay in it
   Edges walls;  // of the zone
   Polygons zone;
-  Polygons wanted;  // what the tool can clear: of the zone all but corners and necks
+  Polygons wanted;  // the part of the zone that the tool can clear: all except corners and narrow places
 };
 
-/// The fields of a zone; none where the tool does not fit.
+/// Returns the fields of a zone; none if the tool does not fit.
 std::vector<Field> fields_of(const Zone& zone, const Job& job);
 
-/// The path stays within what may be moved in.
+/// Returns true if the path stays within field.roomy.
 bool holds(const Field& field, const Edges& path);
 
-/// The disk of the tool at `p` touches no material.
+/// Returns true if the disk of the tool at `p` touches no material.
 bool in_air(const Field& field, const Job& job, Vec2 p);
 
-/// Loops at `by` mm inside of the work area, exact.
+/// Returns exact loops at `by` mm inside the work area.
 std::vector<Edges> rings_at(const Field& field, double by);
 
-/// What is wanted and the paths leave uncut, cusps aside.
+/// Returns the part of `wanted` that the paths leave uncut, except cusps.
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths);
 
 }  // namespace kadr::area

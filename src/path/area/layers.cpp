@@ -1,4 +1,4 @@
-// Layers: the passes of each field, carried out level by level; plunges, links and lifts between them. The door is area_path().
+// Layers: executes the passes of each field level by level, with plunges, links and lifts between them. Entry point: area_path().
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace kadr::area {
 namespace {
 
-constexpr double above = 1;     // mm over cut ground at which rapid motion ends
-constexpr double rough = 0.02;  // mm: chords where it is only asked whether something is left
+constexpr double above = 1;     // mm over cut ground, where rapid motion ends
+constexpr double rough = 0.02;  // mm: chord tolerance for checks whether material remains
 
 class Layers {
  public:
@@ -59,7 +59,7 @@ class Layers {
     out_.reset();
   }
 
-  /// A ring has its start for all layers: a hole is drilled there, or it lies next to the hole given.
+  /// Chooses the start of a ring for all layers: there the hole is drilled, or it is next to the given hole or to air.
   void begin_first(Pass& first) {
     const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
@@ -70,7 +70,7 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // no lift that comes down where it went up
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // avoids a lift that ends where it started
       if (const auto begun = begun_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
@@ -89,13 +89,13 @@ class Layers {
     cut(path);
   }
 
-  /// Off a wall before the tool is lifted.
+  /// Moves off a wall before the tool is lifted.
   void leave(const Pass& pass) {
     if (!pass.closed || cut_.empty()) return;
     if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
   }
 
-  /// Down to the level and to the beginning of the path; `again`: in a layer already begun.
+  /// Goes down to the level and to the start of the path; `again`: in a layer already started.
   void enter(const Edges& path, bool again) {
     const Vec2 start = path.front().from;
     if (in_air(*field_, job_, start) || (again && cleared(start))) return descend(start, again);
@@ -116,7 +116,7 @@ class Layers {
     }
   }
 
-  /// Sideways from ground that is cut on this level, or down a hole.
+  /// Enters sideways from ground that is already cut on this level, or through a hole.
   void enter_by_hole(Vec2 start, bool again) {
     if (const auto beside = again ? cut_beside(start) : std::nullopt) {
       descend(*beside, again);
@@ -139,7 +139,7 @@ class Layers {
       path_.holes.push_back(hole);
   }
 
-  /// No ramp has room: into a hole, one already listed where it can be reached.
+  /// Enters through a hole because no ramp has room: through a listed one if it can be reached.
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)
@@ -152,7 +152,7 @@ class Layers {
     descend(start, again);
   }
 
-  /// To the point, through the air or over the ground cut by the layer before; then down.
+  /// Goes to the point, through the air or over the ground cut by the previous layer, then down.
   void descend(Vec2 point, bool again) {
     approach(point, again);
     go(MoveKind::plunge, {point.x, point.y, level_});
@@ -184,12 +184,12 @@ class Layers {
     go(MoveKind::plunge, {start.x, start.y, level_});
   }
 
-  /// As many strokes or turns as it takes. Every corner stands on a level that the control's Z word can say, and none lies so deep that
-  /// the motion to it is steeper than the job's ramp once its words are rounded.
+  /// Goes down in as many strokes or turns as necessary. Every corner is on a level that the control's Z word can express, and none is so
+  /// deep that the motion to it is steeper than the job's ramp after its words are rounded.
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    const int most = 4 * ramp.times + 4;  // corners so near to each other that rounding takes all: the last ones are as steep as they are
+    const int most = 4 * ramp.times + 4;  // if rounding stops all progress between close corners: the last ones are as steep as needed
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)
       for (std::size_t k = 1; k < corners.size(); ++k) {
@@ -203,13 +203,13 @@ class Layers {
       }
   }
 
-  /// The level itself or the next higher one that a Z word says.
+  /// Returns the level itself, or the next higher one that a Z word can express.
   double sayable(double z) const { return job_.level_step * std::ceil(z / job_.level_step - tol::tangential); }
 
-  /// Nothing is left under the tool at that point.
+  /// Returns true if no material is left under the tool at that point.
   bool cleared(Vec2 point) const {
     for (const Edge& e : cut_)
-      if (distance(e, point) < tol::same_point) return true;  // it has been there
+      if (distance(e, point) < tol::same_point) return true;  // the tool has been there
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
@@ -222,7 +222,7 @@ class Layers {
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 
-  /// The nearest point where the tool has been on this level and from which it can go straight to `start`.
+  /// Returns the nearest point where the tool has been on this level and from which it can move straight to `start`.
   std::optional<Vec2> cut_beside(Vec2 start) const {
     std::vector<Vec2> points;
     for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));
@@ -234,7 +234,7 @@ class Layers {
     return std::nullopt;
   }
 
-  /// A point beside the material from which the tool can go straight to `start`.
+  /// Returns a point next to the material from which the tool can move straight to `start`.
   std::optional<Vec2> air_near(Vec2 start) const {
     if (field_->roomy.empty()) return std::nullopt;
     std::vector<Vec2> points;
@@ -254,7 +254,7 @@ class Layers {
   const Field* field_ = nullptr;
   Vec3 at_{0, 0, 1e9};
   double ground_ = 0, level_ = 0;
-  Edges cut_;  // on this level
+  Edges cut_;  // edges cut on this level
   std::optional<Vec2> out_;
   bool hole_used_ = false;
 };

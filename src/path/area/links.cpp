@@ -1,4 +1,4 @@
-// Links: ways from one pass to the next that stay down. For path/area/layers, path/area/ramp.
+// Links: paths from one pass to the next without lifting the tool. Used by path/area/layers and path/area/ramp.
 
 #include "path/area/links.h"
 
@@ -10,11 +10,11 @@
 namespace kadr::area {
 namespace {
 
-/// A place on a ring.
+/// A position on a ring.
 struct Place {
   std::size_t edge = 0;
   double part = 0;
-  double far = 1e300;  // from the point it was looked for
+  double far = 1e300;  // distance from the point that was searched for
 };
 
 Place nearest(const Edges& ring, Vec2 p) {
@@ -26,7 +26,7 @@ Place nearest(const Edges& ring, Vec2 p) {
   return best;
 }
 
-/// `by` mm further on.
+/// Returns the position `by` mm further along the ring.
 Place ahead(const Edges& ring, Place place, double by) {
   by += place.part * length_of(ring[place.edge]);
   while (by > length_of(ring[place.edge])) {
@@ -37,7 +37,7 @@ Place ahead(const Edges& ring, Place place, double by) {
   return place;
 }
 
-/// Along a loop from place to place, the shorter way.
+/// Returns the shorter way round a loop from one position to another.
 Edges around(const Edges& loop, const Place& from, const Place& to) {
   const Edges ring = begun_at(loop, from.edge, from.part);
   const Place end = nearest(ring, at(loop[to.edge], to.part));
@@ -52,7 +52,7 @@ void drop_points(Edges& path) {
   std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
 }
 
-constexpr double shares[] = {1, 0.5, 0.25};  // of the largest radius: the arcs that are tried
+constexpr double shares[] = {1, 0.5, 0.25};  // of the largest radius: the arcs to try
 
 Edge quarter(Vec2 from, Vec2 way, double radius, double side) {
   const Vec2 normal{-side * way.y, side * way.x};
@@ -101,7 +101,7 @@ Edges begun_at_longest(const Edges& ring) {
 }
 
 std::optional<Begun> begun_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out) {
-  const double detour = 6 * job.radius;  // less than what a lift takes
+  const double detour = 6 * job.radius;  // shorter than what a lift takes
   if (!pass.closed) {
     const bool turn = !pass.lifted && length(pass.path.back().to - from) < length(pass.path.front().from - from);
     Begun begun{{}, turn ? reversed(pass.path) : pass.path};

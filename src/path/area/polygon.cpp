@@ -1,4 +1,4 @@
-// Polygons: areas as corners, over Clipper. For out, path.
+// Polygons: areas given by their corners, computed with the Clipper library. Used by out and path.
 
 #include "path/area/polygon.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double per_mm = 1e6;  // Clipper counts in whole numbers: nanometres, far below tol::area_chord
+constexpr double per_mm = 1e6;  // Clipper calculates in integers: nanometres, far below tol::area_chord
 
 cl::Paths to_clipper(const Polygons& polygons) {
   cl::Paths paths(polygons.size());

@@ -1,5 +1,6 @@
 #pragma once
-// Polygons: areas as corners, over Clipper. Where a path must be exact, path/area/recover finds its lines and arcs again.
+// Polygons: areas given by their corners, computed with Clipper. Where a path must be exact, path/area/recover restores its lines and
+// arcs.
 // Orientation: outer contours counter-clockwise, holes clockwise.
 
 #include "path/area/edge.h"
@@ -9,27 +10,27 @@ namespace kadr::area {
 using Polygon = std::vector<Vec2>;
 using Polygons = std::vector<Polygon>;
 
-/// Corners of a path, arcs within `chord` mm; the end of a closed one is not repeated.
+/// Returns the corners of a path, arcs as chords within `chord` mm; the end of a closed path is not repeated.
 Polygon flattened(const Edges& path, double chord);
 Polygons flattened(const std::vector<Edges>& loops, double chord);
 
-/// Larger by `by` mm (smaller: negative), corners rounded within `chord`.
+/// Returns the areas enlarged by `by` mm (reduced if negative), corners rounded within `chord`.
 Polygons grown(const Polygons& areas, double by, double chord);
 
 enum class Ends : std::uint8_t { round, cut };
-/// What a disk of that radius sweeps along lines that do not close; ends round, or cut off square.
+/// Returns the area that a disk of that radius sweeps along open polylines; with round ends, or ends cut off square.
 Polygons swept(const Polygons& lines, double radius, double chord, Ends ends = Ends::round);
 
 Polygons joined(const Polygons& a, const Polygons& b);
 Polygons less(const Polygons& a, const Polygons& b);
 Polygons common(const Polygons& a, const Polygons& b);
-/// The stretches of lines inside, or outside, of an area.
+/// Return the parts of lines inside, or outside, of an area.
 Polygons lines_inside(const Polygons& lines, const Polygons& areas);
 Polygons lines_outside(const Polygons& lines, const Polygons& areas);
 
 double area_of(const Polygons& areas);  // mm²
 bool contains(const Polygons& areas, Vec2 p);
-/// Each outer contour with its holes.
+/// Returns each outer contour with its holes.
 std::vector<Polygons> parts_of(const Polygons& areas);
 
 }  // namespace kadr::area

@@ -1,4 +1,4 @@
-// Ramps: how a tool goes down at a slope into material that is not yet cut, near the start of a pass. For path/area/layers; tested by
+// Ramps: how a tool goes down at a slope into uncut material, near the start of a pass. Used by path/area/layers; tested by
 // tests/path/area/ramp_test.cpp.
 
 #include "path/area/ramp.h"
@@ -12,15 +12,15 @@
 namespace kadr::area {
 namespace {
 
-constexpr double fine = tol::area_wall / 4;         // mm between an arc and its chords on a ramp that may run along a wall
-constexpr double coarse = 0.02;                     // mm: the same where there is room; fewer blocks
-constexpr double shortest = 2, longest = 6;         // tool radii that a stroke is long, where there is room
-constexpr double good_extent = 2;                   // tool radii: a ramp as wide as the tool needs no better one
-constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // tool radii; up to 1 no core stays
+constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a ramp that may run along a wall
+constexpr double coarse = 0.02;                     // chord tolerance, mm, where there is room; gives fewer blocks
+constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is room
+constexpr double good_extent = 2;                   // tool radii: no wider ramp is searched for
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // tool radii; up to 1 no core remains
 constexpr double good_helix = 0.5;
 constexpr double lines[] = {6, 4, 2, 1, 0.4};  // tool radii
-constexpr int directions = 24;                 // around the start
-constexpr int most_times = 2000;               // beyond it the slope is so flat that no program is wanted
+constexpr int directions = 24;                 // directions tried around the start
+constexpr int most_times = 2000;               // more would mean a slope too flat for a useful program
 
 double length_of_corners(const Polygon& corners) {
   double sum = 0;
@@ -34,7 +34,7 @@ double extent_of(const Polygon& corners) {
   return std::max(box.most.x - box.least.x, box.most.y - box.least.y);
 }
 
-/// The first `most` mm of a path.
+/// Returns the first `most` mm of a path.
 Edges beginning(const Edges& path, double most) {
   Edges piece;
   for (const Edge& e : path) {
@@ -50,7 +50,7 @@ class Search {
  public:
   Search(const Field& field, const Job& job, const Edges& path, double drop)
       : field_(field), job_(job), path_(path), needed_(drop / std::tan(job.ramp_deg * rad_per_deg)) {
-    // a flat ramp takes longer strokes, so that there are not thousands of them
+    // a flat ramp uses longer strokes, which avoids thousands of them
     stroke_ = std::clamp(needed_ / 2, shortest * job.radius, std::max(longest * job.radius, needed_ / 100));
   }
 
@@ -76,7 +76,7 @@ class Search {
     good_ = good || extent >= good_extent * job_.radius;
   }
 
-  /// As corners that stay in the field; none where they do not.
+  /// Returns the corners of a path if they stay in the field, else nullopt.
   std::optional<Polygon> held(const Edges& way) const {
     for (const double chord : {coarse, fine}) {
       Polygon corners = flattened(way, chord);
@@ -127,7 +127,7 @@ class Search {
       }
   }
 
-  /// The way of the pass first, then others around it.
+  /// Returns the direction of the pass first, then others on alternating sides of it.
   Vec2 heading(int i) const {
     const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
     return kadr::rotated(direction(path_.front(), 0), 360.0 * turn / directions);

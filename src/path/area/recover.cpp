@@ -1,5 +1,5 @@
-// Recovery: the corners of an offset polygon lie on offsets of the edges it was made from: lines, arcs, and circles around their ends. For
-// path/area/field; tested by tests/path/area/recover_test.cpp.
+// Recovery of exact paths: the corners of an offset polygon lie on offsets of the edges that it was made from: lines, arcs, and circles
+// around their ends. Used by path/area/field; tested by tests/path/area/recover_test.cpp.
 
 #include "path/area/recover.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr double off = 3 * tol::area_chord;  // mm between a corner and its channel_run: chords of the source, of the offset, and of a third
+constexpr double off = 3 * tol::area_chord;  // mm of a corner from its carrier, at most: chords of the source, the offset, and a third one
 constexpr std::size_t across = 64;           // cells of the index in each direction
 
 double away(const ChannelRun& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
@@ -27,7 +27,7 @@ bool carries(const ChannelRun& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
-  return chord * chord <= 16 * off * c.radius && c.radius > off;  // the chord's own height
+  return chord * chord <= 16 * off * c.radius && c.radius > off;  // height of the chord over its circle
 }
 
 void add_feet(std::vector<Vec2>& points, const ChannelRun& line, const ChannelRun& circle) {
@@ -58,13 +58,14 @@ std::vector<Vec2> meetings(const ChannelRun& a, const ChannelRun& b) {
   return points;
 }
 
-/// Angle from a to b about the centre, degrees, counter-clockwise positive, the one nearest to `about`.
+/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive: of the possible values the one nearest to
+/// `about`.
 double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
   return about + std::remainder(deg - about, 360);
 }
 
-/// Of a path on the circle that turns by `about` degrees, the arc from a to b.
+/// Appends the arc from a to b of a path on the circle that turns by about `about` degrees.
 void emit_arc(Edges& path, const ChannelRun& c, Vec2 a, Vec2 b, double about) {
   const double sweep = turned(c.point, a, b, about);
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;
@@ -76,7 +77,7 @@ void emit_arc(Edges& path, const ChannelRun& c, Vec2 a, Vec2 b, double about) {
 
 }  // namespace
 
-/// Chords in a row on one channel_run.
+/// Consecutive chords on one carrier (a ChannelRun).
 struct Carriers::Run {
   std::size_t first = 0, count = 0;  // chords
   std::optional<std::uint32_t> channel_run;
@@ -143,7 +144,7 @@ std::vector<std::uint32_t> Carriers::on(Vec2 a, Vec2 b) const {
 std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) const {
   const std::size_t count = corners.size(), chords = closed ? count : count - 1;
   std::size_t start = 0;
-  double sharpest = 2;  // begin at the sharpest corner: no run crosses it
+  double sharpest = 2;  // starts at the sharpest corner: no run crosses it
   for (std::size_t i = 0; closed && i < count; ++i) {
     const Vec2 in = corners[i] - corners[(i + count - 1) % count], out = corners[(i + 1) % count] - corners[i];
     const double cosine = dot(in, out) / std::max(length(in) * length(out), 1e-300);
@@ -172,7 +173,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   if (corners.size() < 2) return path;
   const std::size_t count = corners.size();
   const std::vector<Run> all = runs(corners, closed);
-  const auto reach = [&](const Run& run) {  // how far its ends may move
+  const auto reach = [&](const Run& run) {  // greatest displacement of its ends
     return 0.45 * length(corners[(run.first + run.count) % count] - corners[run.first]) + (run.count == count ? 1e300 : 0);
   };
   const auto joint = [&](const Run& before, const Run& after) {
@@ -195,7 +196,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
       continue;
     }
     const ChannelRun& c = all_[*run.channel_run];
-    double about = 0;  // of all chords: one alone, short beside the corners' error, may go back
+    double about = 0;  // over all chords: a single chord that is short compared with the corners' error may go backwards
     for (std::size_t k = 0; k < run.count; ++k)
       about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);
     emit_arc(path, c, a, b, about);

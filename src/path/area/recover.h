@@ -1,27 +1,28 @@
 #pragma once
-// Recovery: the corners of an offset polygon lie on offsets of the edges it was made from: lines, arcs, and circles around their
-// ends. Which one each chord lies on is found here, and the path becomes exact again; its corners are the meetings of these.
+// Recovery of exact paths: the corners of an offset polygon lie on offsets of the edges that it was made from: lines, arcs, and circles
+// around their ends. For each chord, the carrier (the line or circle it lies on) is found here; the path becomes exact again, with the
+// intersections of the carriers as its corners.
 
 #include "path/area/polygon.h"
 
 namespace kadr::area {
 
-/// A line or circle that chords may lie on.
+/// A carrier: a line or circle on which chords may lie.
 struct ChannelRun {
   bool line = true;
-  Vec2 point;  // of a line; centre of a circle
-  Vec2 way;    // unit vector of a line
+  Vec2 point;  // a point of a line; the centre of a circle
+  Vec2 way;    // direction of a line, a unit vector
   double radius = 0;
   Bounds box;
 };
 
 class Carriers {
  public:
-  /// The offsets of `source` to both sides by `by` mm, and circles of that radius around the ends; by = 0: the edges themselves.
+  /// Adds the offsets of `source` to both sides by `by` mm, and circles of that radius around its ends; by = 0: the edges themselves.
   void add(const Edges& source, double by);
 
-  /// The edges that the corners were made of; a chord on none of them stays a line.
-  ///   law  no point of the result is farther from the polygon than 3·tol::area_chord, but for its corners
+  /// Returns the edges that the corners were made from; a chord without a carrier stays a line.
+  ///   law  no point of the result, except its corners, is farther from the polygon than 3·tol::area_chord
   Edges recovered(const Polygon& corners, bool closed) const;
 
  private:
@@ -32,7 +33,7 @@ class Carriers {
   std::vector<Run> runs(const Polygon& corners, bool closed) const;
 
   std::vector<ChannelRun> all_;
-  mutable std::vector<std::vector<std::uint32_t>> cells_;  // by place, made when first needed
+  mutable std::vector<std::vector<std::uint32_t>> cells_;  // carriers by position, created when first needed
   mutable Bounds box_;
 };
 

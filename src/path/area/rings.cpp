@@ -1,4 +1,5 @@
-// Rings: level k is k steps inside of the work area. A ring follows (spiral out: leads) the rings one step further in next to it.
+// Rings: level k is k steps inside the work area. A ring follows the neighbouring rings one step further in (spiral out), or precedes
+// them (spiral in).
 
 #include <algorithm>
 
@@ -8,7 +9,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t samples = 16;  // corners of a ring at which its neighbours are looked for
+constexpr std::size_t samples = 16;  // corners of a ring at which neighbours are searched for
 
 struct Ring {
   Edges path;
@@ -31,7 +32,7 @@ bool neighbours(const Ring& outer, const Ring& inner, double step) {
   return false;
 }
 
-/// No ring is farther inside.
+/// Returns a depth that no ring exceeds.
 double half_width(const Field& field) {
   Bounds box;
   for (const Edges& loop : field.work)
@@ -45,7 +46,7 @@ class RingTree {
 
   bool grow(const Field& field, const Job& job) {
     const double step = job.step, deepest = half_width(field);
-    std::size_t first = 0;  // of the level before
+    std::size_t first = 0;  // of the previous level
     for (std::size_t level = 0;; ++level) {
       const std::size_t here = rings_.size();
       if (job.watch.stop.asked()) return true;
@@ -67,14 +68,14 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // no neighbour was seen
+    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // rings for which no neighbour was found
     return std::move(passes_);
   }
 
  private:
-  /// Depth first, without recursion: there may be thousands of levels.
+  /// Visits depth first, without recursion, as there may be thousands of levels.
   void visit(std::size_t root) {
-    std::vector<std::pair<std::size_t, std::size_t>> way;  // ring, the next of its inner ones
+    std::vector<std::pair<std::size_t, std::size_t>> way;  // ring, index of its next inner ring
     const auto enter = [&](std::size_t ring) {
       if (seen_[ring]) return;
       seen_[ring] = true;

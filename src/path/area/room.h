@@ -1,5 +1,5 @@
 #pragma once
-// Room: an area prepared for the question, asked of every move, whether a line stays in it.
+// Room: an area prepared for fast tests whether a line stays inside it; every move is tested.
 
 #include "path/area/polygon.h"
 
@@ -13,9 +13,9 @@ class Room {
   const Polygons& area() const { return area_; }
   bool empty() const { return area_.empty(); }
 
-  /// The line begins inside and meets no side of the boundary.
+  /// Returns true if the line starts inside and meets no side of the boundary.
   bool surely_holds(const Polygon& line) const;
-  /// No stretch of the line that is outside has chords longer than `most` mm.
+  /// Returns true if no part of the line outside the area has chords longer than `most` mm.
   bool holds(const Polygon& line, double most) const;
 
  private:
@@ -24,7 +24,7 @@ class Room {
   };
   std::size_t column(double x) const;
   std::size_t row(double y) const;
-  /// Calls `take(cell)` for the cells that the line from a to b goes through, until it returns true.
+  /// Calls `take(cell)` for the cells that the line from a to b passes through, until it returns true.
   template <class Take>
   bool any_cell(Vec2 a, Vec2 b, Take take) const;
   bool meets_boundary(Vec2 a, Vec2 b) const;

@@ -1,4 +1,4 @@
-// Sweep: what the tool cuts along a path, however closely its passes lie. For the rest of path.
+// Sweep: the area that the tool cuts along its passes, however closely they lie. Used by the other folders of path.
 
 #include "path/area/sweep.h"
 
@@ -8,7 +8,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t piece_corners = 32;  // a line longer than that is cut into pieces
+constexpr std::size_t piece_corners = 32;  // longer lines are divided into pieces
 
 Polygons in_pieces(const Polygons& lines) {
   Polygons pieces;

@@ -1,4 +1,4 @@
-// Verification: a path, wherever it comes from (a program read back too), against the zones. For cli/mill.
+// Verification: checks a path, whatever its source (also a program read back), against the zones. Used by cli/mill.
 
 #include "path/area/verify.h"
 
@@ -54,9 +54,9 @@ class Check {
     wanted_ = joined(wanted_, wanted);
   }
 
-  /// What a tool in the zone or beyond its open sides cuts of the zone without coming too near to a wall. No field is asked: the path is
-  /// made from the fields, and what they forget is to be found here. Places that are wider than the tool by less than the tolerance of the
-  /// walls do not count.
+  /// Returns the part of the zone that a tool in the zone or beyond its open sides cuts without coming too near to a wall. It does not
+  /// use the fields: the path is computed from them, so that their errors are found here. Places wider than the tool by less than the
+  /// tolerance of the walls do not count.
   Polygons reachable(const Polygons& area, const Polygons& open, const Polygons& walls) const {
     const double off_walls = job_.radius + job_.allowance + tol::area_wall;
     Polygons centres = joined(area, swept(open, job_.radius, verified_chord));
@@ -121,7 +121,7 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
-  Room room_;  // allowed_, and a little more
+  Room room_;  // allowed_, slightly enlarged
   std::vector<double> levels_;
   std::vector<Edges> cut_;  // by level
 };

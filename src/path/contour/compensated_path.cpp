@@ -1,4 +1,4 @@
-// What goes out of the window of cutter radius compensation: the first motion of it, checked, with its vectors.
+// RadiusCompensation, output of the window: the first motion leaves it, after the interference check, with its vectors.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// The motion of an action, whatever it was before.
+/// Returns the motion of an action; replaces any other content by a motion.
 Motion& motion_in(Action& action) {
   if (auto* const m = motion_of(action)) return *m;
   return action.what.emplace<Motion>();
@@ -29,18 +29,19 @@ std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
   return {blocks_.data(), now_.count};
 }
 
-/// The first of the window is checked against those after it, and goes: the motion, what waits after it, the way round the corner.
+/// Checks the first motion of the window against those after it and emits it: the motion, the actions waiting after it, the path round
+/// the corner.
 void RadiusCompensation::release_first() {
   const Mended mended = now_.check.interference ? mend_first() : Mended::sound;
   Held& first = held(0);
   if (mended != Mended::sound) {
     const Origin origin = held(mended == Mended::first_fails ? 0 : 1).origin;
-    if (mended == Mended::next_fails && now_.check.further == 0) (void)let_go(first);  // looking further the alarm comes before it
+    if (mended == Mended::next_fails && now_.check.further == 0) (void)let_go(first);  // with more look-ahead the alarm precedes it
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
     return;
   }
-  if (first.end.round) now_.round_first = first.motion;  // it is about to go
+  if (first.end.round) now_.round_first = first.motion;  // copied, because let_go() moves the motion away
   if (!let_go(first)) return;
   now_.vector = first.end.first();
   for (Action& action : first.waiting) {
@@ -56,7 +57,8 @@ void RadiusCompensation::release_first() {
   drop_first();
 }
 
-/// From the first vector at the end of `first` to the last: with the next motion's feed and kind; by an arc as the first one's.
+/// Moves the tool from the first vector at the end of `first` to the last: with feed and kind of the next motion; along an arc like the
+/// first motion.
 void RadiusCompensation::go_round(const Held& first) {
   const bool follows = now_.count > 1;
   if (first.end.round) {
@@ -71,7 +73,8 @@ void RadiusCompensation::go_round(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first of the window with a later one, if that mends it; the blocks between are dropped, their actions are not. 15.5.7.
+/// Joins the first motion of the window with a later one if that resolves an interference. The blocks between are dropped, but not their
+/// actions. 15.5.7.
 RadiusCompensation::Mended RadiusCompensation::mend_first() {
   Held& first = held(0);
   const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
@@ -89,8 +92,8 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
   return join ? Mended::sound : Mended::next_fails;
 }
 
-/// Hands the motion of the window out.
-///   returns  false: with an alarm
+/// Emits a motion of the window.
+///   returns  false if it raised an alarm
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;
   const Vec2 end_vector = held.end.first();
@@ -118,14 +121,14 @@ bool RadiusCompensation::let_go(Held& held) {
   return true;
 }
 
-/// A change of side without intersection after an arc: its ends are joined by an arc of the programmed radius (15.5.4).
+/// Handles a change of side without an intersection after an arc: the ends are joined by an arc of the programmed radius (15.5.4).
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
   const double way = length(chord), radius = e.start_radius;
   if (way > 2 * radius + tol::same_point || way == 0) return false;
   const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: as the programmed sweep
+  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: like the programmed sweep
   const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
   const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
   m.turns = minor > 0 ? half : 1 - half;
@@ -133,7 +136,7 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// From the vector in force to another one, about the programmed point (15.5.6).
+/// Moves from the current vector to another one along an arc about the programmed point (15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
   const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // counter-clockwise
   const bool cw = like.side > 0;
@@ -148,7 +151,7 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   m.turns = turns < 0 ? turns + 1 : turns;
 }
 
-/// A straight motion in the plane to the programmed point plus a vector.
+/// Adds a straight motion in the plane to the programmed point plus a vector.
 void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
   if (length(vector - now_.vector) <= tol::same_point) return;
   Action& action = out_.add();
@@ -165,7 +168,7 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
   now_.vector = vector;
 }
 
-/// Programmed actions as they are; those that compensation moves have been moved.
+/// Emits an action unchanged; motions shifted by compensation are emitted elsewhere.
 void RadiusCompensation::hand_out(Action action) {
   now_.stand.take(action);
   out_.add() = std::move(action);
@@ -173,14 +176,14 @@ void RadiusCompensation::hand_out(Action action) {
 
 void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
 
-/// The tool's coordinates in a frame: those programmed and the vector.
+/// Shifts the coordinates of a new frame: the tool's are the programmed ones plus the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[now_.first] += now_.vector.x;
   frame.work[now_.second] += now_.vector.y;
 }
 
-/// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side, nor what holds its
-/// vector (G38), as that is meant to leave the contour.
+/// Decides whether the last motion is watched: motions at feed along the contour are; not the entry and the exit, not the neighbours of a
+/// change of side, not a motion that keeps its vector (G38), as that is meant to leave the contour.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
@@ -197,7 +200,7 @@ void RadiusCompensation::watch_last() {
 void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   if (!held.watched) return;
   const Motion& m = held.motion;
-  const double radius = std::min(m.tool_radius, now_.radius_before);  // a new D: the allowance changes on the way
+  const double radius = std::min(m.tool_radius, now_.radius_before);  // with a new D the allowance changes during the motion
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;

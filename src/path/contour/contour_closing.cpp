@@ -1,4 +1,4 @@
-// Where a programmed contour closes: the way along it comes back to where it has been. For path/contour/contour_watch.
+// Where a programmed contour closes: where its path returns to an earlier point. Used by path/contour/contour_watch.
 
 #include "path/contour/contour_closing.h"
 
@@ -13,9 +13,9 @@ namespace kadr {
 namespace {
 
 constexpr double touches = 0.01;               // mm: programs are written in steps of 0.001 to 0.01
-constexpr double least_share = 0.25;           // of the whole length: a loop that is less is a knot in an open contour
-constexpr std::size_t most_candidates = 1000;  // more: rounds over rounds, all of which count
-constexpr double inner_share = 0.5;            // of the longest loop: of one within the other the inner is the part
+constexpr double least_share = 0.25;           // of the whole length: a shorter loop is a knot in an open contour
+constexpr std::size_t most_candidates = 1000;  // with more, the contour runs round several times, and all of it counts
+constexpr double inner_share = 0.5;            // of the longest loop: of two nested loops above it, the inner one is the part
 
 double length_of(const PlanePiece& p) { return p.is_arc ? p.radius * std::fabs(p.turns) * 2 * pi : length(p.to - p.from); }
 
@@ -25,7 +25,7 @@ Vec2 point_at(const PlanePiece& p, double part) {
   return p.is_arc ? p.center + rotated(p.from - p.center, 360 * p.turns * part) : p.from + part * (p.to - p.from);
 }
 
-/// How far along a piece the point lies; on a whole circle its beginning is its end too.
+/// How far along a piece the point lies; on a full circle the start is the end too, so there may be two positions.
 struct Places {
   std::array<double, 2> at{};
   std::size_t count = 0;
@@ -48,7 +48,8 @@ Places places_of(Vec2 point, const PlanePiece& p) {
   return places;
 }
 
-/// Points where two pieces meet: ends that lie on the other, and crossings. Of two that overlap these are the ends of what is common.
+/// Points where two pieces meet: ends that lie on the other piece, and crossings. Of two pieces that overlap: the ends of the common
+/// part.
 struct Points {
   std::array<Vec2, 8> at{};
   std::size_t count = 0;
@@ -108,12 +109,12 @@ bool near(const PlanePiece& a, const PlanePiece& b) {
 
 struct Candidate {
   ContourLoop loop;
-  double begins = 0, ends = 0;  // mm from the beginning of the contour
+  double begins = 0, ends = 0;  // mm from the start of the contour
   double length() const { return ends - begins; }
   bool within(const Candidate& outer) const { return begins >= outer.begins - touches && ends <= outer.ends + touches; }
 };
 
-/// Every place where the contour comes back to itself.
+/// Returns every place where the contour returns to itself.
 std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_t gap) {
   std::vector<double> start(pieces.size() + 1, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) start[i + 1] = start[i] + length_of(pieces[i]);
@@ -136,8 +137,9 @@ std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_
 
 }  // namespace
 
-/// Run-in and run-out may meet once more before they reach the part: of one loop within another the inner counts. Of loops that begin
-/// and end one after the other (an end over the beginning; a run-out that goes on through the part) all that belongs to any of them.
+/// Run-in and run-out may meet once more before they reach the part: of two nested loops the inner one counts. Of loops that start and
+/// end one after the other (an end that overlaps the start; a run-out that continues through the part), everything that belongs to any of
+/// them.
 std::optional<ContourLoop> closing(std::span<const PlanePiece> pieces, std::size_t gap) {
   double whole = 0, longest = 0;
   for (const PlanePiece& piece : pieces) whole += length_of(piece);

@@ -1,4 +1,4 @@
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For
+// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. Used by
 // session/channel_run; tested by tests/path/contour_corners_test.cpp.
 
 #include "path/contour/contour_corners.h"
@@ -18,7 +18,7 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   put_back(batch);
   const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  if (!now_.held && begin == batch.size()) return std::nullopt;  // mostly
+  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case
   out_.clear();
   fault_.reset();
   std::size_t i = begin;
@@ -32,7 +32,7 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   return fault_;
 }
 
-/// A held motion whose end is the programmed one, as the next motion shows, is the first of the batch.
+/// Puts a held motion back at the start of the batch if the next motion shows that its end is the programmed one.
 void ContourCorners::put_back(ActionBatch& batch) {
   if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
   if (!now_.waiting.empty() || !now_.settled.empty()) return;
@@ -46,7 +46,8 @@ void ContourCorners::put_back(ActionBatch& batch) {
   }
 }
 
-/// How many actions no corner concerns: up to the first motion with chapter 17's data, or to the last one, which a next batch may cut.
+/// Returns how many actions are not affected by any corner: up to the first motion with the data of chapter 17, or up to the last motion,
+/// which the next batch may shorten.
 std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows) const {
   const Motion* before = nullptr;
   std::size_t place = batch.size(), i = 0;
@@ -59,7 +60,7 @@ std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows)
   return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
 }
 
-/// The tool's position after these actions.
+/// Updates the tool's position by these actions.
 void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {
@@ -108,7 +109,7 @@ void ContourCorners::motion(Action& action, End end) {
   if (!waits) release();
 }
 
-/// The corner between the held motion and the next: where that begins.
+/// Computes the corner between the held motion and the next one. Returns where the next one starts.
 std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, End end) {
   const auto& m = std::get<Motion>(action.what);
   const ContourData *const own = contour_of(held()), *const its = contour_of(m);
@@ -142,7 +143,7 @@ std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, 
   return start;
 }
 
-/// The next motion as an element that begins at the corner; where its end is open, as far as it is known.
+/// Returns the next motion as an element that starts at the corner; if its end is open, as far as it is known.
 std::optional<ContourElement> ContourCorners::element_from(Vec2 corner, const Motion& m, End end) const {
   const ContourData* const c = contour_of(m);
   const Vec2 to = in_plane(m.to, m);
@@ -158,7 +159,7 @@ std::optional<ContourElement> ContourCorners::element_from(Vec2 corner, const Mo
   return length(way) > tol::same_point ? std::optional(ContourElement::line(corner, corner + way)) : std::nullopt;
 }
 
-/// The chamfer or rounding of the held motion at its corner.
+/// Returns the chamfer or rounding of the held motion at its corner.
 std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const ContourElement& second, End end) {
   const ContourData& own = *contour_of(held());
   const auto first = held_element(corner);
@@ -175,7 +176,7 @@ std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const Conto
   return inserted;
 }
 
-/// The held motion up to an end point; nothing: a line of no length.
+/// Returns the held motion up to an end point; nullopt for a line of no length.
 std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
   const auto& m = std::get<Motion>(now_.held->action.what);
   const Start& start = now_.held->start;
@@ -187,7 +188,7 @@ std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
   return length(end - start.corner) > tol::same_point ? std::optional(ContourElement::line(start.corner, end)) : std::nullopt;
 }
 
-/// The held motion ends at the corner, or where something is inserted there; what waits comes after that.
+/// Emits the held motion up to the corner, or up to what is inserted there; the waiting actions follow it.
 void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
   const auto element = held_element(corner);
   const Start& start = now_.held->start;
@@ -222,7 +223,7 @@ void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certaint
   now_.held.reset();
 }
 
-/// The chamfer or rounding as a motion of the block before it: its feed, side and tool.
+/// Returns the chamfer or rounding as a motion with the feed, side and tool of the block before it.
 Action ContourCorners::shaped_like(const Action& before, const CornerElement& inserted) const {
   Action action = before;
   auto& m = std::get<Motion>(action.what);
@@ -239,14 +240,15 @@ void ContourCorners::hand_on(Action action, Certainty certainty) {
   else out_.add() = std::move(action);
 }
 
-/// Nothing calculates the held motion's end: it is the programmed one.
+/// Emits the held motion with its programmed end, as nothing calculates another one.
 void ContourCorners::release() {
   CornerElement nothing;
   nothing.from = nothing.to = now_.held->end;
   let_go(now_.held->end, nothing, Certainty::certain);
 }
 
-/// Nothing follows that a corner could go to. Before an alarm the programmed corner is left; a line without an end is not begun.
+/// Ends the held motion, as no motion follows that could form a corner. Before an alarm the programmed corner is kept; a line without an
+/// end is not started.
 void ContourCorners::finish(Follows follows) {
   if (!now_.held) return;
   const ContourData* const c = contour_of(held());
@@ -257,7 +259,7 @@ void ContourCorners::finish(Follows follows) {
   else release();
 }
 
-/// The held motion is not carried out.
+/// Discards the held motion, which is not executed.
 void ContourCorners::drop() {
   for (Action& action : now_.settled) out_.add() = std::move(action);
   now_.settled.clear();
@@ -275,7 +277,7 @@ std::nullopt_t ContourCorners::failed(AlarmId id, const Origin& origin) {
   return std::nullopt;
 }
 
-/// Beside the axes of its plane none moves, but for those that follow one.
+/// Returns true if only the axes of the motion's plane move, and axes that follow one of them.
 bool ContourCorners::alone_in_plane(const Motion& m) const {
   AxisMask in_it = AxisMask{1} << m.first | AxisMask{1} << m.second;
   if (m.detail && m.detail->rolled != 0) return false;

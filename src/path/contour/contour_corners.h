@@ -1,11 +1,11 @@
 #pragma once
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. NCT 17.
-// It holds a motion back until the next one says where it ends, and the actions between; a motion that no corner concerns passes.
+// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. NCT 17. It holds a
+// motion, and the actions after it, until the next motion determines where it ends; a motion without such a corner passes.
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// What is handed out are ordinary motions: cutter radius compensation comes after. Where an over-determined block may still move the
-// end of motion k+1, what its start was cut by cannot be judged yet: motion k and its corner wait until motion k+1 has an end.
+// The output consists of ordinary motions; cutter radius compensation comes after it. If an over-determined block may still move the end
+// of motion k+1, the cut at the start of k+1 cannot be checked yet: motion k and its corner wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
 #include "path/contour/radius_compensation.h"
@@ -15,28 +15,28 @@ namespace kadr {
 
 class ContourCorners {
  public:
-  /// What comes after a batch: more, nothing that a corner could go to, or an alarm (then the programmed corner stays as it is).
+  /// What follows a batch: more actions, nothing that could form a corner, or an alarm (then the programmed corner is kept).
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
-  /// `start`: where the tool stands before the first action.
+  /// `start`: position of the tool before the first action.
   explicit ContourCorners(const ToolPosition& start) { now_.at = start; }
 
-  /// Takes a batch; leaves in it what can be said by now.
-  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), at the block before the corner:
-  ///           what comes before is in the batch, the rest is dropped
-  ///   law     without chamfers, roundings and over-determined blocks what is handed out is what came in
+  /// Takes a batch and leaves in it the actions that are final.
+  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), at the block before the corner: the
+  ///           batch keeps the actions before it, the rest is dropped
+  ///   law     without chamfers, roundings and over-determined blocks the output is the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
   enum class End : std::uint8_t { programmed, open };  // open: an over-determined block may still calculate it
   enum class Certainty : std::uint8_t { certain, settled_later };
 
-  /// How a motion begins: at the corner before it, cut by so much.
+  /// How a motion starts: at the corner before it, shortened by the cut.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // in which it was cut
-    double cut = 0;           // way
-    bool calculated = false;  // the corner is not the programmed one
+    Vec2 direction;           // direction of the element that was cut
+    double cut = 0;           // travel removed from the start
+    bool calculated = false;  // the corner is not the programmed end of the motion before
   };
   struct Held {
     Action action;
@@ -45,13 +45,13 @@ class ContourCorners {
   };
 
  public:
-  /// What it remembers from batch to batch.
+  /// The state that it keeps from batch to batch.
   struct Memory {
-    ToolPosition at;  // programmed, after the last action taken
+    ToolPosition at;  // programmed position after the last action taken
     std::optional<Held> held{};
-    std::vector<Action> waiting{};  // between the held motion and the next one
-    std::vector<Action> settled{};  // before the held motion: they wait for its length
-    Origin settled_origin{};        // of the block with the corner among them
+    std::vector<Action> waiting{};  // actions between the held motion and the next one
+    std::vector<Action> settled{};  // actions before the held motion that wait until its length is known
+    Origin settled_origin{};        // the block with the corner among them
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
@@ -77,7 +77,7 @@ class ContourCorners {
   const Motion& held() const { return std::get<Motion>(now_.held->action.what); }
   bool alone_in_plane(const Motion& m) const;
 
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's is not known
+  static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's limit is unknown
 
   Memory now_;
   ActionBatch out_;

@@ -1,4 +1,5 @@
-// What a motion tells of its contour in the plane (ContourData): is it an element, what does it lie on. For path/contour/contour_corners.
+// The contour data of a motion in the plane (ContourData): whether it is an element, and what it lies on. Used by
+// path/contour/contour_corners.
 
 #include "path/contour/contour_motion.h"
 
@@ -46,7 +47,7 @@ bool is_circular(const ContourElement& e) {
   return !e.is_arc || (std::fabs(e.start_radius - e.end_radius) <= tol::circular && e.start_radius > tol::same_point);
 }
 
-/// A motion in the plane may have the way in or out, axes that roll and followers besides.
+/// The other details of the motion (entry and exit direction, rolling axes, followers, parked axes) are kept.
 void without_contour(Motion& m) {
   if (contour_of(m) == nullptr) return;
   if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();

@@ -1,5 +1,5 @@
-// The contour in its plane, moved by the tool's radius: elements, the vectors at a junction of two of them, compensated arcs. For the rest
-// of path; tested by tests/path/contour_offset_test.cpp.
+// The contour in its plane, offset by the tool's radius: elements, the vectors at a junction of two elements, compensated arcs. Used by
+// the other folders of path; tested by tests/path/contour_offset_test.cpp.
 
 #include "path/contour/contour_offset.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 
-/// Tangential within rounding: |delta| below a millionth of a radian (15.5.0, INFERRED guard).
+/// Returns true if the tangents agree except for rounding errors: |delta| below a millionth of a radian (15.5.0, INFERRED guard).
 bool tangential(Vec2 a, Vec2 b) { return std::fabs(cross(a, b)) < tol::tangential && dot(a, b) > 0; }
 
 Meetings none() { return {}; }
@@ -68,10 +68,10 @@ OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_rad
   return beside;
 }
 
-/// Times the radius: lines that meet further away than this belong to a turn back within a degree, not to a corner (INFERRED).
+/// Times the radius: lines that meet further away than this form a reversal within a degree, not a corner (INFERRED).
 constexpr double farthest_corner = 100;
 
-/// Where the tangents, moved by the radius, meet: at an outside corner of at most a right turn.
+/// Returns the vector to where the offset tangents meet: at an outside corner of at most 90°.
 Vec2 of_tangents(Vec2 n1, Vec2 n2, double radius) { return radius / (1 + dot(n1, n2)) * (n1 + n2); }
 
 }  // namespace
@@ -169,7 +169,7 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
     v.add(radius * n2);
     return v;
   }
-  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;  // |n1 + n2| / (1 + n1 · n2) is its distance
+  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;  // |n1 + n2| / (1 + n1 · n2) is the distance
   if (first.is_arc) v.add(radius * n1);
   v.add(of_tangents(n1, n2, radius));
   if (second.is_arc) v.add(radius * n2);
@@ -179,7 +179,7 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
 std::optional<Vec2> entry_direction(Vec2 way, double radius, double side) {
   const double distance = length(way);
   if (!(distance > radius + tol::same_point)) return std::nullopt;
-  const double across = side * radius / distance;  // the tool's way leans away from the line by this sine
+  const double across = side * radius / distance;  // sine of the angle between the tool's path and the line
   const double along = std::sqrt((1 - across) * (1 + across));
   const Vec2 ahead = 1 / distance * way;
   return along * ahead + across * left_of(ahead);
@@ -231,7 +231,7 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
 }
 
 bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
-  constexpr double beside = tol::same_point / 10;  // what is told of a path is told to same_point
+  constexpr double beside = tol::same_point / 10;  // results about a path are accurate to same_point
   const Vec2 from = e.from + start_vector, to = e.to + end_vector;
   if (e.is_arc) {
     const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
@@ -244,16 +244,16 @@ bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector,
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // of a turn: the corner's at most
+  constexpr double quarter = 0.25;  // of a full turn: the greatest turn of the corner
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }
 
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
-  const auto turned = [&](Vec2 at, Vec2 vector) {  // of the direction from the centre, in (-1/2, 1/2] of a turn
+  const auto turned = [&](Vec2 at, Vec2 vector) {  // rotation of the direction from the centre, in (-1/2, 1/2] of a full turn
     const Vec2 arm = at - arc.center;
     const double along = dot(arm, arm + vector), across = cross(arm, vector);
-    constexpr double straight = 1e-8;  // radians: below it the angle is its tangent, to the last digit
+    constexpr double straight = 1e-8;  // radians: below it the angle equals its tangent in all digits
     if (std::fabs(across) <= straight * along) return across / along / (2 * pi);
     return angle_deg({along, across}) / 360;
   };

@@ -1,4 +1,4 @@
-// ContourWatch: does the tool cut into the part? A control only looks at the blocks next to each other (nct 15.5.7). For
+// ContourWatch: detects where the tool cuts into the part. A control only compares neighbouring blocks (nct 15.5.7). Used by
 // path/contour/radius_compensation; tested by tests/path/contour_watch_test.cpp.
 
 #include "path/contour/contour_watch.h"
@@ -44,7 +44,7 @@ std::uint64_t ContourWatch::contour(const ContourElement& element, double radius
   return seen.number;
 }
 
-/// The piece that leaves the row: among the first its cut is kept, later the deepest counts.
+/// Handles the piece that leaves the ring: if it is one of the first, its cut is kept; later only the deepest cut is.
 void ContourWatch::make_room() {
   ContourCut& cut = cuts_[contour_.place];
   if (contour_.loses_first()) {
@@ -76,13 +76,13 @@ void ContourWatch::compare(const Seen& contour, const Seen& path) {
   any_ = true;
 }
 
-/// Of a contour longer than the row: what begins it and what ends it have not met.
+/// For a contour longer than the ring: compares its start with its end, which have not been compared yet.
 void ContourWatch::compare_ends() {
   for (const Seen& path : path_.first) compare_path(path, {});
   for (const Seen& contour : contour_.first) path_.near(contour.piece, contour.radius, [&](const Seen& path) { compare(contour, path); });
 }
 
-/// The deepest cut into a piece of which only a part bounds the material.
+/// Recomputes the deepest cut into a piece of which only a part bounds the material.
 void ContourWatch::anew(const Seen& contour, const PlanePiece& piece) {
   if (cut_into(contour.number).depth == 0) return;
   cut_into(contour.number).depth = 0;
@@ -91,7 +91,7 @@ void ContourWatch::anew(const Seen& contour, const PlanePiece& piece) {
   path_.each([&](const Seen& path) { compare(rest, path); });
 }
 
-/// Cuts into the run-in and the run-out are none.
+/// Removes the cuts into the run-in and the run-out, which are no part of the workpiece.
 void ContourWatch::leave_out_tails() {
   std::vector<Seen> seen;
   std::vector<PlanePiece> pieces;

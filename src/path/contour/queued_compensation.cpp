@@ -1,5 +1,5 @@
-// What comes into the queue of LinuxCNC's cutter radius compensation. For path/contour; tested by tests/path/queued_compensation_test.cpp
-// and tests/cases/linuxcnc/compensation.cases.
+// QueuedCompensation, input of the queue of LinuxCNC's cutter radius compensation. Used by path/contour; tested by
+// tests/path/queued_compensation_test.cpp and tests/cases/linuxcnc/compensation.cases.
 
 #include "path/contour/queued_compensation.h"
 
@@ -15,16 +15,16 @@ namespace {
 constexpr double least_speed_by_time = 0.1;  // units/min: inverse_time_rate_straight
 constexpr double least_way_by_time = 1e-7;   // mm; find_straight_length
 
-/// Begun turns, counter-clockwise positive.
+/// Returns the number of started turns, counter-clockwise positive.
 int turn_of(const Motion& m) {
   const int begun = std::max(1, static_cast<int>(std::ceil(m.turns - tol::same_angle)));
   return m.kind == MotionKind::arc_ccw ? begun : -begun;
 }
 
-/// A turning tool with a tip beside the centre of its nose.
+/// True for a turning tool whose tip is not at the centre of its nose.
 bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
 
-/// From a point of the contour to the tool beside it, where the tangent is that.
+/// Returns the vector from a point of the contour to the tool, where the tangent is `way`.
 Vec2 beside_line(Vec2 way, const Motion& m) {
   const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
   return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
@@ -39,7 +39,7 @@ QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
 
 std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
   warnings_.clear();
-  if (!at_work()) {  // mostly: nothing to do but to know where the tool stands
+  if (!at_work()) {  // the usual case: it only follows the tool's position
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
       const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;
@@ -79,7 +79,7 @@ void QueuedCompensation::next(Action& action) {
   }
 }
 
-/// Behind the queued motions, if there are any.
+/// Appends an action to the queue, or emits it if the queue is empty.
 void QueuedCompensation::wait(Action& action) {
   Queued queued;
   queued.action = std::move(action);
@@ -87,7 +87,7 @@ void QueuedCompensation::wait(Action& action) {
   else push(queued);
 }
 
-/// G40, or a stop: what is queued ends beside its point (convert_cutter_compensation_off, convert_stop).
+/// G40, or a stop: the queued motions end perpendicular to their end point (convert_cutter_compensation_off, convert_stop).
 void QueuedCompensation::end_here(const ContourBreak& end) {
   if (!now_.on || !move_ends(now_.tool)) return;
   now_.start.reset();
@@ -117,7 +117,7 @@ void QueuedCompensation::motion(Action& action) {
   if (!fault_) now_.at.take(m);
 }
 
-/// To the programmed point, from wherever the tool stands.
+/// Emits a motion to the programmed point, from the tool's current position.
 void QueuedCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   hand_out_queue();
@@ -134,7 +134,7 @@ void QueuedCompensation::outside_contour(Action& action) {
   hand_out(queued);
 }
 
-/// The first motion: a line goes straight to where the tool stands beside its end.
+/// Queues the first motion: a line leads straight to the tool position next to its end.
 void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (is_arc(m.kind)) {
@@ -148,7 +148,7 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
     if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     const Vec2 normal = beside_line(to - from, m);
-    queued.direction = normal;  // as in the source; it cannot be reversed
+    queued.direction = normal;  // the normal, as in the source; the line cannot be reversed
     queued.end = to + normal;
     now_.start = from;
   }
@@ -157,7 +157,8 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   push(queued);
 }
 
-/// Before an arc the centre goes there where the tip stands, else it would be no arc; queued before it (convert_arc_comp1).
+/// Queues, before an entry arc, a line that moves the centre to where the tip is, as the arc would otherwise not be one
+/// (convert_arc_comp1).
 void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   Queued way;
   way.action = arc.action;
@@ -177,7 +178,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
-  if (from == to) {  // along the third axis, or rotary ones: it ends where the motion before does
+  if (from == to) {  // along the third axis, or rotary axes: it ends where the motion before it ends
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     queued.end = now_.tool;
     return push(queued);
@@ -223,7 +224,7 @@ CornerPlace QueuedCompensation::place_before(const Motion& m) const {
   return {in_plane(now_.at.work), now_.tool, m.tool_radius, static_cast<double>(m.side), now_.first_arc, !now_.queue.empty()};
 }
 
-/// In inverse time the programmed way counts: the corner, and what compensation makes of the way, are gone at that speed.
+/// Returns the speed in inverse time: the programmed length counts, and corner and compensated path are passed at that speed.
 double QueuedCompensation::programmed_speed(const Motion& m) const {
   if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
   double way = 0;
@@ -238,7 +239,8 @@ double QueuedCompensation::programmed_speed(const Motion& m) const {
   return std::max(least_speed_by_time * unit(), way * m.feed);
 }
 
-/// What is handed out from now on is compared with it. Motions at feed along the contour: not the way in, not the way out.
+/// Registers an element of the contour, with which everything emitted from now on is compared. Motions at feed along the contour only:
+/// neither entry nor exit.
 void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
   if (m.kind == MotionKind::rapid) return;
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
@@ -247,10 +249,10 @@ void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
                                      : ContourElement::line(from, to);
   const std::uint64_t number = now_.watch.contour(element, m.tool_radius, origin_);
   queued.watched = true;
-  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // its neighbours are the corner rules' affair
+  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // its neighbours are left to the corner rules
 }
 
-/// After an alarm, at the end of a file: the queue is forgotten.
+/// Discards the queue, after an alarm or at the end of a file.
 void QueuedCompensation::lose() {
   now_.queue.clear();
   now_.start.reset();
@@ -259,7 +261,8 @@ void QueuedCompensation::lose() {
   (void)now_.watch.end();
 }
 
-/// What comes behind an alarm is not carried out, but may be looked at further (kadr check): the tool is beside each end, uncut.
+/// Follows an action after an alarm. It is not executed, but may still be analysed (kadr check): the tool is assumed next to each end,
+/// uncut.
 void QueuedCompensation::follow(const Action& action) {
   if (const auto* const m = motion_of(action)) {
     now_.on = m->side != 0;

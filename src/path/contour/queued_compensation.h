@@ -1,13 +1,13 @@
 #pragma once
-// QueuedCompensation: cutter radius compensation as LinuxCNC does it: programmed actions in, those of the tool's centre out. A motion
-// beside the contour stands in a queue, with all that comes behind it, until the next element says where it ends: its end is moved there,
-// so are those of the motions behind it in the third axis, and all of them are handed out. spec/linuxcnc 7.5; its source: interp_convert.cc
-// (convert_straight_comp1 and 2, convert_arc_comp1 and 2), interp_queue.cc.
+// QueuedCompensation: cutter radius compensation as LinuxCNC does it: takes programmed actions and emits those of the tool's centre. A
+// motion along the contour waits in a queue, with everything that follows it, until the next element determines where it ends. Then its
+// end is moved there, and so are the ends of the queued motions along the third axis, and all of them are emitted. spec/linuxcnc 7.5; its
+// source: interp_convert.cc (convert_straight_comp1 and 2, convert_arc_comp1 and 2), interp_queue.cc.
 //
 //   programmed ──▶ queue: motion · actions · motions in Z ──▶ next element: corner ──▶ ends moved, out ──▶ corner, next element queued
 //
-// Messages and tools selected do not wait. What comes in: queued_compensation.cpp; what goes out: queued_output.cpp; the corners:
-// queued_corner.h. Other controls: path/contour/radius_compensation.
+// Messages and tool selections do not wait. Input: queued_compensation.cpp; output: queued_output.cpp; the corners: queued_corner.h.
+// Other controls: path/contour/radius_compensation.
 
 #include <optional>
 #include <vector>
@@ -21,65 +21,65 @@ namespace kadr {
 
 class QueuedCompensation {
  public:
-  /// What comes after a batch.
+  /// What follows a batch.
   enum class Follows : std::uint8_t { more, nothing };
 
-  /// `start`: where the tool stands before the first action.
+  /// `start`: position of the tool before the first action.
   explicit QueuedCompensation(const ToolPosition& start);
 
-  /// Takes a batch; leaves in it what can be said by now. Follows::nothing (an alarm, the end of a file): what is queued is dropped, as the
-  /// control does; before a stop or M2 a ContourBreak hands it out.
+  /// Takes a batch and leaves in it the actions that are final. Follows::nothing (an alarm, the end of a file): the queue is dropped, as
+  /// the control does; before a stop or M2 a ContourBreak emits it.
   ///   alarms  at the block that is being read: those of queued_corner.h, gouge_feed, gouge_rapid, gouge_arc, offset_arc_radii,
-  ///           entry_line_within_tool, compensated_thread, compensation_buffer: what comes before is in the batch, what is queued is
+  ///           entry_line_within_tool, compensated_thread, compensation_buffer: the batch keeps the actions before it, the queue is
   ///           dropped
-  ///   law     with no motion on a side of its path what is handed out is what came in
+  ///   law     without a motion that has a side the output is the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
-  /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
+  /// Warnings of the last batch: contour_cut, one per contour, at its deepest cut.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// A contour is under way, after what was handed out.
+  /// True if a contour is active after what was emitted.
   bool at_work() const { return !now_.queue.empty() || beside(); }
 
-  /// The tool does not stand on the programmed point, after what was handed out.
+  /// True if the tool is not at the programmed point after what was emitted.
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t most_queued = 4096;  // the control has no limit but its memory
+  static constexpr std::size_t most_queued = 4096;  // the control is limited only by its memory
 
   struct Queued {
     Action action;
-    bool moves = false;              // else it only waits
+    bool moves = false;              // false: an action that only waits
     Vec2 end;                        // of the tool, in the plane
     Vec2 direction;                  // of a straight motion as programmed; {}: along the third axis
-    std::optional<QueuedArc> arc{};  // the tool's way along an arc; its end is `end`
-    double swept = 0;                // … as programmed, rad
-    double speed = 0;                // inverse time: that of the programmed way in the programmed time, mm/min; 0: as the action says
-    bool watched = false;            // its way must not cut into the contour …
-    ContourSpan known{};             // … but for these pieces of it
+    std::optional<QueuedArc> arc{};  // the tool's path along an arc; its end is `end`
+    double swept = 0;                // of that arc as programmed, rad
+    double speed = 0;                // inverse time: the programmed length by the programmed time, mm/min; 0: as the action says
+    bool watched = false;            // its path must not cut into the contour …
+    ContourSpan known{};             // … except for these pieces of the contour
   };
 
  public:
-  /// What it remembers from batch to batch.
+  /// The state that it keeps from batch to batch.
   struct Memory {
-    ToolPosition at;                       // programmed, after the last action taken
+    ToolPosition at;                       // programmed position after the last action taken
     std::size_t first = 0, second = 1;     // axes of the plane
-    bool on = false;                       // the first compensated motion has come
-    bool inch = false;                     // unit of its block, or of the one taken last
-    Vec2 tool;                             // where the last element ends uncut
-    std::optional<Vec2> start;             // from where the queued motions go; nothing: not known, so they are not checked
+    bool on = false;                       // the first compensated motion has been read
+    bool inch = false;                     // unit of its block, or of the block taken last
+    Vec2 tool;                             // the uncut end of the last element
+    std::optional<Vec2> start;             // start of the queued motions; empty: unknown, so they are not checked
     std::vector<Queued> queue;             //
-    std::optional<QueuedArc> first_arc{};  // first motion of the queue; of an empty one, of the last that there was (the source reads it)
-    Axes stands{};                         // work coordinates of the tool, after what was handed out
-    Vec2 beside;                           // … from the programmed point
-    bool dropped = false;                  // the programmed point has not been reached
+    std::optional<QueuedArc> first_arc{};  // first motion of the queue; if it is empty, of the last queue (the source reads it)
+    Axes stands{};                         // work coordinates of the tool, after what was emitted
+    Vec2 beside;                           // offset of the tool from the programmed point, likewise
+    bool dropped = false;                  // the programmed point was not reached
     ContourWatch watch;
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
 
  private:
-  // what comes in
+  // input
   void next(Action& action);
   void wait(Action& action);
   void end_here(const ContourBreak& end);
@@ -95,7 +95,7 @@ class QueuedCompensation {
   void lose();
   void follow(const Action& action);
 
-  // the queue, and what goes out: false with an alarm
+  // the queue and its output; false: it raised an alarm
   bool move_ends(Vec2 to);
   bool may_end(const Queued& queued, Vec2 to);
   void push(Queued& queued);

@@ -1,4 +1,4 @@
-// Corners of a contour as LinuxCNC makes them: its own formulas, in its order, so that what lies at a limit falls on the same side. For
+// Corners of a contour as LinuxCNC computes them: its own formulas, in its order, so that borderline cases fall on the same side. Used by
 // path/contour/queued_compensation; tested by tests/path/queued_compensation_test.cpp.
 
 #include "path/contour/queued_corner.h"
@@ -17,12 +17,12 @@ Vec2 at_angle(double radius, double angle) { return {radius * std::cos(angle), r
 bool off_sine(double l) { return l > 1.0 || l < -1.0; }
 double apart_by(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// The tool on top of an arc that ends against the next line: it may not go round below (the shapes "h", "m" of the source).
+/// True if the tool is on top of an arc that ends against the next line: it must not go round below (the shapes "h", "m" of the source).
 bool comes_over_arc(const CornerPlace& p, double beta) {
   return beta > half_turn - small_angle && p.held && p.arc && (p.side > 0 ? p.arc->turn < 0 : p.arc->turn > 0);
 }
 
-/// Where the tool's way along the arc before meets that along the line.
+/// Returns where the tool's path along the previous arc meets its path along the line.
 Result<Vec2> arc_meets_line(const CornerPlace& p, Vec2 to) {
   const QueuedArc& before = *p.arc;
   const double radius = apart_by(before.center, before.end);
@@ -30,14 +30,14 @@ Result<Vec2> arc_meets_line(const CornerPlace& p, Vec2 to) {
   const double normal = before.turn > 0 ? along + quarter_turn : along - quarter_turn;
   const bool inside = inside_arc(p.side, before.turn);
   const double programmed = inside ? radius + p.radius : radius - p.radius;
-  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));  // from the line to the centre
+  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));  // distance of the centre from the line
   const double l = (inside ? across - p.radius : across + p.radius) / radius;
   if (off_sine(l)) return fail(alarm(AlarmId::gouge_arc_to_line, {}));
   const bool back = inside == (before.turn > 0);
   return before.center + at_angle(radius, (back ? -std::acos(l) : std::acos(l)) + normal + half_turn);
 }
 
-/// … the line before and the arc. `theta`: direction of that line.
+/// Returns where the tool's path along the previous line meets its path along the arc. `theta`: direction of that line.
 Result<Vec2> line_meets_arc(const CornerPlace& p, const QueuedArc& arc, double arc_radius, double theta, double beta) {
   const double across = arc_radius * std::sin(beta - quarter_turn);
   const bool inside = inside_arc(p.side, arc.turn);
@@ -49,7 +49,7 @@ Result<Vec2> line_meets_arc(const CornerPlace& p, const QueuedArc& arc, double a
   return arc.center + at_angle(from_center, adds ? angle + std::asin(l) : angle - std::asin(l));
 }
 
-/// … the arc before and the next one.
+/// Returns where the tool's path along the previous arc meets its path along the next arc.
 Result<Vec2> arc_meets_arc(const CornerPlace& p, const QueuedArc& arc, double arc_radius) {
   const QueuedArc& before = *p.arc;
   const double first = apart_by(before.center, before.end);
@@ -91,7 +91,7 @@ Result<QueuedCorner> corner_to_line(const CornerPlace& p, Vec2 to) {
     if (!meet) return fail(meet.error());
     return QueuedCorner{CornerWay::inner, *meet, to + normal};
   }
-  const double retreat = p.radius / std::tan((beta + half_turn) / 2);  // the angle is never 0: gouge checks find a reversal
+  const double retreat = p.radius / std::tan((beta + half_turn) / 2);  // the angle is never 0: the gouge checks find a reversal
   return QueuedCorner{CornerWay::inner, p.tool + at_angle(retreat, theta + across), to + normal};
 }
 
@@ -121,7 +121,7 @@ Result<QueuedArc> entry_arc(Vec2 from, const QueuedArc& arc, double radius, doub
   const bool inside = inside_arc(side, arc.turn);
   if (inside && apart_by(arc.center, from) <= radius) return fail(alarm(AlarmId::arc_within_tool, {}));
   const Vec2 end = arc.end + at_angle(radius, angle_of(inside ? arc.center - arc.end : arc.end - arc.center));
-  // Its centre lies on the line from there to the programmed one, as far from the start as from the end.
+  // The centre lies on the line from that end to the programmed centre, at equal distances from start and end.
   const double to_center = angle_of(arc.center - end), at_end = angle_of(from - end) - to_center;
   if (std::fabs(std::cos(at_end)) < least_entry_cos) return fail(alarm(AlarmId::arc_within_tool, {}));
   return QueuedArc{end, end + at_angle(apart_by(from, end) / 2 / std::cos(at_end), to_center), arc.turn};

@@ -1,6 +1,6 @@
 #pragma once
-// Corners of a contour as LinuxCNC makes them (spec/linuxcnc 7.5; convert_straight_comp2, convert_arc_comp2 of its source): by the angle of
-// the gap on the tool's side, from where the tool would stand at the end of the element before, uncut.
+// Corners of a contour as LinuxCNC computes them (spec/linuxcnc 7.5; convert_straight_comp2, convert_arc_comp2 of its source): by the
+// angle of the gap on the tool's side, measured from the tool's position at the uncut end of the previous element.
 //
 //      outer: an arc about p            straight on: nothing           inner: both are cut at `at`
 //        ───────╮ (tool)                  ──────┬──────                   (tool) ──┼ at
@@ -18,46 +18,46 @@
 
 namespace kadr {
 
-/// A way of the tool along an arc.
+/// The tool's path along an arc.
 struct QueuedArc {
   Vec2 end, center;
-  int turn = 1;  // begun turns, counter-clockwise positive
+  int turn = 1;  // started turns, counter-clockwise positive
 };
 
-/// From one point of a circle to another, in radians, counter-clockwise positive; a whole turn where they coincide, and for each further
-/// one of `turn` (find_turn).
+/// Returns the angle from one point of a circle to another, rad, counter-clockwise positive; a full turn if they coincide, plus a full
+/// turn for each further one of `turn` (find_turn).
 double swept_by(Vec2 from, Vec2 center, int turn, Vec2 to);
 
-/// Where the tool stands in the way of the contour's next element.
+/// The situation at a corner: where the tool is, relative to the next element of the contour.
 struct CornerPlace {
   Vec2 point;                         // the programmed corner
-  Vec2 tool;                          // beside it, at the end of the element before
+  Vec2 tool;                          // next to the corner, at the end of the previous element
   double radius = 0, side = 1;        // of the tool
-  std::optional<QueuedArc> arc = {};  // the tool's way along the element before, if that is one
-  bool held = true;                   // that way may still be changed
+  std::optional<QueuedArc> arc = {};  // the tool's path along the previous element, if that is an arc
+  bool held = true;                   // that path may still be changed
 };
 
 enum class CornerWay : std::uint8_t { inner, outer, straight };
 
 struct QueuedCorner {
   CornerWay way = CornerWay::straight;
-  Vec2 at;   // inner: where both elements end; outer: where the second one begins
-  Vec2 end;  // of the second one, uncut
+  Vec2 at;   // inner: where both elements end; outer: where the second one starts
+  Vec2 end;  // uncut end of the second element
 };
 
-/// The next element is a line to that point, another one than the corner.
+/// Returns the corner to a line that ends at `to`, which must differ from the corner point.
 ///   alarms  gouge_arc_to_line: the tool does not fit in
 Result<QueuedCorner> corner_to_line(const CornerPlace& place, Vec2 to);
 
-/// The next element is an arc; `arc.end` is its programmed end.
+/// Returns the corner to an arc; `arc.end` is the arc's programmed end.
 ///   alarms  arc_within_tool, gouge_arc, gouge_arc_to_arc, arcs_same_center
 Result<QueuedCorner> corner_to_arc(const CornerPlace& place, const QueuedArc& arc);
 
-/// The tool runs on the side of the arc's centre.
+/// True if the tool is on the side of the arc's centre.
 inline bool inside_arc(double side, int turn) { return side > 0 ? turn > 0 : turn < 0; }
 
-/// The arc by which the tool comes onto the contour, where the programmed one is `arc` (convert_arc_comp1): it ends beside the end on the
-/// line to the programmed centre, and is an arc from where the tool stands.
+/// Returns the arc by which the tool enters the contour, where the programmed arc is `arc` (convert_arc_comp1): it ends next to the
+/// programmed end, on the line to the programmed centre, and is an arc that starts at the tool's position.
 ///   alarms  entry_arc_within_tool, arc_within_tool
 Result<QueuedArc> entry_arc(Vec2 from, const QueuedArc& arc, double radius, double side);
 

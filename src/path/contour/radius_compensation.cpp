@@ -1,4 +1,4 @@
-// What comes into the window of cutter radius compensation, and how two motions of it are joined.
+// RadiusCompensation, input of the window: how motions enter it, and how two of them are joined.
 
 #include "path/contour/radius_compensation.h"
 
@@ -21,13 +21,13 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
   return m.detail ? m.detail->way : none;
 }
 
-/// At rapid there are no arcs.
+/// Returns the rule for the corner after `m`: between two rapid motions there are no arcs.
 CornerJoin join_of(const Motion& m, const Motion& next) {
   const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
   return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
 }
 
-/// One vector, inside or outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
+/// Returns a single vector, inside and outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
 }
@@ -45,7 +45,7 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (now_.count == 0 && !now_.zero && !beside()) {  // mostly: nothing to do but to know where the tool stands
+  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: it only follows the tool's position
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = motion_of(action)) any = any || m->side != 0;
@@ -94,7 +94,8 @@ void RadiusCompensation::next(Action& action) {
       });
 }
 
-/// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.
+/// A change of tool length does not affect the path. If the work offset changes, compensation that the program itself has to cancel
+/// (`entry`) stays.
 void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
   const bool stays = length(in_plane(frame.work) - in_plane(now_.at.work)) <= tol::same_point && frame.placement.turn == now_.at.turn;
   if (!now_.keeps_vector) flush(Vec2{});
@@ -127,7 +128,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     now_.at.take(m);
     hand_out(std::move(action));
-  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
+  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): it moves to the next vector on its own
     flush({});
     now_.at.take(m);
     now_.zero = std::move(action);
@@ -142,7 +143,7 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
-/// A motion that is no part of the contour: to the programmed point, but for the axes of the plane where it leaves them alone.
+/// Emits a motion outside the contour: to the programmed point; plane axes that it does not name keep the vector.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -158,7 +159,7 @@ void RadiusCompensation::outside_contour(Action& action) {
 
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  ContourElement& element = held(now_.count).element;  // of the place it will be held at
+  ContourElement& element = held(now_.count).element;  // in the slot where it will be held
   made_in(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
     const double way = length(in_plane(m.to) - in_plane(now_.at.work));
@@ -193,7 +194,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  if (&now.element != &element) now.element = element;  // blocks between have been dropped
+  if (&now.element != &element) now.element = element;  // blocks between them were dropped
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
@@ -206,7 +207,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
-/// G39: with a direction of its own at once; else when the next motion is known.
+/// G39: with a direction of its own it acts at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
   const auto& way = std::get<ContourCorner>(action.what).way;
@@ -219,7 +220,7 @@ void RadiusCompensation::corner(Action& action) {
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
 }
 
-/// Nothing follows in the plane: the last held motion ends with this vector, by default perpendicular to its end.
+/// Ends the contour, as no motion in the plane follows: the last held motion gets this vector, by default perpendicular to its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
@@ -235,7 +236,8 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
   while (!fault_ && now_.count > 0) release_first();
 }
 
-/// G40 without a motion in the plane: beside the end of the last block, then straight to its point (15.5.3).
+/// G40 without a motion in the plane: moves to the vector perpendicular to the end of the last block, then straight to its point
+/// (15.5.3).
 void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;
@@ -248,7 +250,7 @@ void RadiusCompensation::leave() {
   for (Action& action : behind) hand_out(std::move(action));
 }
 
-/// The program counts on from where the tool stands: the vector has become part of its point.
+/// The program continues from the tool's current position: the vector is added to the programmed point.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;
@@ -261,7 +263,8 @@ void RadiusCompensation::stay() {
   end_watch();
 }
 
-/// What the motion is to its neighbours. Without a direction: it cannot begin compensation, the point lies within the tool.
+/// Returns the element that its neighbours see. Its direction is zero if the motion cannot start compensation, as the point lies within
+/// the tool.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (m.side_step == SideStep::begins && m.entry == ContourEntry::tangent) {
@@ -272,7 +275,7 @@ ContourElement RadiusCompensation::element_of(const Motion& m) const {
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
 }
 
-/// What stands between the last motion and the next: known now.
+/// Computes the vectors between the last motion and the next, which is known now.
 void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
   Held& first = last_held();
   const auto vectors = vectors_to(next, second);
@@ -286,7 +289,7 @@ void RadiusCompensation::join(const Motion& next, const ContourElement& second) 
   }
 }
 
-/// At the junction with the next motion. The radius is that in force in the block that ends there.
+/// Returns the vectors at the junction with the next motion. The radius is the one of the block that ends there.
 std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
   Held& before = last_held();
   const Motion& m = before.motion;

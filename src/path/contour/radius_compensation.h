@@ -1,10 +1,11 @@
 #pragma once
-// RadiusCompensation: programmed actions in, those of the tool's centre out. It holds one motion back until the next one in the plane
-// says how the corner between them goes, and the actions between the two; with the interference check as many as that looks at. NCT 15.5.
+// RadiusCompensation: cutter radius compensation: takes programmed actions and emits those of the tool's centre. It holds a motion, and
+// the actions after it, until the next motion in the plane determines the corner between them; with the interference check it holds as
+// many motions as that needs. NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
-// What comes in: radius_compensation.cpp; what goes out: compensated_path.cpp.
+// Input: radius_compensation.cpp; output: compensated_path.cpp.
 
 #include <array>
 #include <optional>
@@ -18,7 +19,7 @@
 
 namespace kadr {
 
-/// An alarm and the action it belongs to.
+/// An alarm and the block that it belongs to.
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
@@ -27,70 +28,70 @@ struct CompensationFault {
 
 class RadiusCompensation {
  public:
-  /// `start`: where the tool stands before the first action.
+  /// `start`: position of the tool before the first action.
   explicit RadiusCompensation(const ToolPosition& start) { now_.at = now_.stand = start; }
 
-  /// Takes a batch; leaves in it what can be said by now. `last`: nothing follows.
-  ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090),
-  ///           compensation_turn (2048, INFERRED); of controls with a ContourEntry of their own compensation_entry_short,
-  ///           compensation_corner_sharp, compensation_gouge: what comes before is in the batch, what is held is dropped
-  ///   law     what is handed out ends where the programmed path ends, plus a vector no longer than the corner rules say
+  /// Takes a batch and leaves in it the actions that are final. `last`: nothing follows.
+  ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090), compensation_turn
+  ///           (2048, INFERRED); of controls with a ContourEntry of their own compensation_entry_short, compensation_corner_sharp,
+  ///           compensation_gouge: the batch keeps the actions before it, what is held is dropped
+  ///   law     the output ends where the programmed path ends, plus a vector no longer than the corner rules state
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
-  /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
+  /// Warnings of the last batch: contour_cut, one per contour, at its deepest cut.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// A contour is under way, after what was handed out.
+  /// True if a contour is active after what was emitted.
   bool at_work() const { return now_.count > 0 || beside(); }
 
-  /// The tool does not stand on the programmed point, after what was handed out.
+  /// True if the tool is not at the programmed point after what was emitted.
   bool beside() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
 
-  /// What is held is not carried out after all.
+  /// Discards what is held, as it is not executed.
   void drop();
 
  private:
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
-  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the one that comes; a power of two
+  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's limit is unknown
+  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the motion that arrives; a power of two
 
-  /// A motion of the contour, and what stands between it and the next.
+  /// A motion of the contour, and the actions between it and the next one.
   struct Held {
     Motion motion;
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // none: not known, or the offsets do not meet
-    bool rejoins = false;           // an arc of the programmed radius between its ends (15.5.4)
-    bool regular = false;           // `end` is what the corner rules say for it and the next, both on one side
-    std::uint64_t number = 0;       // of its contour, for the watch
-    bool watched = false;           // its way must not cut into the contour
-    std::vector<Action> waiting{};  // after it
+    JunctionVectors end;            // empty: unknown, or the offsets do not meet
+    bool rejoins = false;           // its ends are joined by an arc of the programmed radius (15.5.4)
+    bool regular = false;           // `end` follows from the corner rules for this motion and the next, both on one side
+    std::uint64_t number = 0;       // of its contour piece in ContourWatch
+    bool watched = false;           // its path must not cut into the contour
+    std::vector<Action> waiting{};  // actions after it
   };
 
  public:
-  /// What it remembers from batch to batch.
+  /// The state that it keeps from batch to batch.
   struct Memory {
-    ToolPosition at;     // programmed, after the last action taken
-    ToolPosition stand;  // programmed, after what was handed out
+    ToolPosition at;     // programmed position after the last action taken
+    ToolPosition stand;  // programmed position after what was emitted
     std::size_t first = 0, second = 1;
     bool keeps_vector = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
-    Vec2 vector;                // from the programmed point to the tool's centre, after what was handed out
+    Vec2 vector;                // from the programmed point to the tool's centre, after what was emitted
     std::array<Held, most_held> window;
     std::size_t head = 0, count = 0;
     Motion round_first;  // the motion before an arc about the programmed point
     ContourCheck check;
-    std::optional<Action> corner;  // G39 waits for the next motion
-    std::optional<Action> zero;    // a block of no displacement in the plane, its way is to the next vector
+    std::optional<Action> corner;  // G39 that waits for the next motion
+    std::optional<Action> zero;    // a block without displacement in the plane, which moves to the next vector
     ContourWatch watch;
-    double radius_before = 0;    // of the motion handed out last, mm
-    bool regular_start = false;  // the first of the window begins where such a junction ended
-    bool astray = false;         // after an alarm or an end: nothing is known of the contour until it begins anew
+    double radius_before = 0;    // of the motion emitted last, mm
+    bool regular_start = false;  // the first motion of the window starts at a regular junction (Held::regular)
+    bool astray = false;         // after an alarm or an end: the contour is unknown until a new one starts
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
 
  private:
-  // what comes in
+  // input
   void next(Action& action);
   void frame_change(Action& action, FrameChange& frame);
   void motion(Action& action);
@@ -106,7 +107,7 @@ class RadiusCompensation {
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
 
-  // what goes out
+  // output
   enum class Mended : std::uint8_t { sound, next_fails, first_fails };
   Mended mend_first();
   std::span<const CompensatedBlock> checked_blocks();

@@ -1,4 +1,4 @@
-// Bezier: a curve of the third degree between two points of the axes' space with given directions there. For motion/least_time/smoothing.
+// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. Used by motion/least_time/smoothing.
 
 #include "path/curve/bezier.h"
 
@@ -53,7 +53,7 @@ Axes Bezier::at(double part) const {
   return point;
 }
 
-/// Looked for in so many places that the greatest is missed by less than a thousandth of it: the distance is a cubic between them.
+/// Samples the curve so densely that the greatest distance is missed by less than a thousandth of it: the distance is a cubic in between.
 double Bezier::off_chord() const {
   constexpr int places = 64;
   const Axes chord = between(from_, to_);
@@ -69,7 +69,7 @@ double Bezier::off_chord() const {
   return std::sqrt(most);
 }
 
-/// A chord over a part h of the curve misses by h²/8 · |x″| at most; |x″| is greatest at an end.
+/// The chord of a fraction h of the curve misses it by at most h²/8 · |x″|; |x″| is greatest at an end.
 int Bezier::pieces(double chord) const {
   Axes start{}, end{};
   for (std::size_t a = 0; a < max_axes; ++a) {

@@ -1,6 +1,6 @@
 #pragma once
-// Bezier: a curve of the third degree between two points of the axes' space with given directions there. INFERRED (NCT 4.7 leaves
-// its construction open): the inner control points lie a third of the chord along the directions.
+// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. INFERRED (NCT 4.7 leaves its
+// construction open): the inner control points lie a third of the chord length from the ends, along the given directions.
 
 #include "base/vec.h"
 
@@ -8,17 +8,17 @@ namespace kadr {
 
 class Bezier {
  public:
-  /// `start_way`, `end_way`: unit vectors.
+  /// `start_way`, `end_way`: directions at the ends, unit vectors.
   Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way);
 
-  /// At the part 0..1.
-  ///   law  at(0) and at(1) are the ends, bit by bit
+  /// Returns the point at the parameter `part`, 0 … 1.
+  ///   law  at(0) and at(1) are exactly the given ends
   Axes at(double part) const;
 
-  /// The greatest distance between the curve and its chord.
+  /// Returns the greatest distance between the curve and its chord.
   double off_chord() const;
 
-  /// Number of equal pieces whose chords stay within `chord` mm of the curve.
+  /// Returns the number of equal pieces whose chords stay within `chord` mm of the curve.
   int pieces(double chord) const;
 
  private:
@@ -26,8 +26,9 @@ class Bezier {
   Axes start_pull_, end_pull_;  // control points: from + start_pull, to - end_pull
 };
 
-/// Unit vector at the point between two straight ways: the nearer neighbour's counts more (chord-length weighted, INFERRED, NCT 4.7).
-///   pre  they do not turn back
+/// Returns the direction at the point between two straight pieces, a unit vector: the shorter piece has more weight (chord-length
+/// weighted, INFERRED, NCT 4.7).
+///   pre  the path does not reverse there
 Axes way_between(const Axes& before, double before_length, const Axes& behind, double behind_length);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// The corner between two elements of a contour: where it lies if that is to be calculated, the chamfer and the rounding there. For
-// path/contour/contour_corners, path/contour/contour_motion; tested by tests/path/corner_geometry_test.cpp.
+// The corner between two elements of a contour: its calculated position, and the chamfer or rounding there. Used by
+// path/contour/contour_corners and path/contour/contour_motion; tested by tests/path/corner_geometry_test.cpp.
 
 #include "path/curve/corner_geometry.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// The supporting curve as an offset element of no offset, seen from `point`.
+/// Returns the supporting curve as an offset element with offset 0, relative to `point`.
 OffsetElement seen_from(const Support& s, Vec2 point) {
   OffsetElement e;
   e.is_arc = s.is_circle;
@@ -24,7 +24,7 @@ OffsetElement seen_from(const Support& s, Vec2 point) {
   return e;
 }
 
-/// The second point comes before the first one, clockwise on the circle from its element's start (17.3.4, INFERRED).
+/// Returns true if the second point precedes the first one, clockwise on the circle from the start of its element (17.3.4, INFERRED).
 bool second_comes_first(const Support& circle, const Meetings& meet, bool mirrored) {
   const Vec2 start = circle.point - circle.center;
   const double sense = mirrored ? 1 : -1;
@@ -34,7 +34,7 @@ bool second_comes_first(const Support& circle, const Meetings& meet, bool mirror
 
 double radius_at(const ContourElement& e, Vec2 corner) { return length(corner - e.center); }
 
-/// The point of an element at a chord from the corner, and the way to it; `back` -1: before the corner, at the element's end.
+/// The point of an element at a chord from the corner, and the travel to it; `back` -1: before the corner, at the end of the element.
 struct Touch {
   Vec2 point;
   double way = 0;
@@ -47,14 +47,14 @@ std::optional<Touch> at_chord(const ContourElement& e, Vec2 corner, Vec2 tangent
   return Touch{e.center + rotated(corner - e.center, back * e.sense() * angle), angle / 360};
 }
 
-/// Where an arc about `center` touches an element beside which the centre lies.
+/// Returns the point where an arc about `center` touches an element.
 Vec2 touch_point(const ContourElement& e, Vec2 corner, Vec2 tangent, Vec2 center) {
   if (!e.is_arc) return corner + dot(center - corner, tangent) * tangent;
   const Vec2 arm = center - e.center;
   return e.center + radius_at(e, corner) / length(arm) * arm;
 }
 
-/// Way between two points of an element, run from the first to the second; less than no way by rounding is none.
+/// Returns the travel along an element from one point to the other; a value that is negative by rounding errors only counts as 0.
 double way_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
   if (!e.is_arc) return dot(to - from, tangent);
   const double turns = swept_turns(from - e.center, to - e.center, e.sense());
@@ -104,7 +104,7 @@ std::optional<CornerElement> chamfer(const ContourElement& first, const ContourE
 
 std::optional<CornerElement> rounding(const ContourElement& first, const ContourElement& second, double radius, CornerRoom room) {
   const double turn = cross(first.end, second.start), side = turn > 0 ? 1 : -1;
-  if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // the second goes back where the first came from
+  if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // the second element goes back along the first
   const Vec2 corner = first.to;
   const OffsetElement before = offset_at_end(first, radius, side), behind = offset_at_start(second, radius, side);
   for (const OffsetElement& e : {before, behind})

@@ -1,5 +1,5 @@
-// machine_extents(): the bounding box of a motion in machine coordinates, turned frames included (nct 10.2.3). For
-// machine/virtual_machine, path/curve/machine_path.
+// machine_extents(): the bounding box of a motion in machine coordinates, including rotated frames (nct 10.2.3). Used by
+// machine/virtual_machine and path/curve/machine_path.
 
 #include "path/curve/machine_extents.h"
 
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// Axis by axis, whatever drives it.
+/// Computes the box by sampling each axis, whatever drives it.
 Extents sampled(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
   Extents box{from.machine, from.machine};
   for (std::size_t i = 0; i < roles.count; ++i) {

@@ -1,5 +1,5 @@
-// MachinePath: the way of one motion in machine coordinates, and the bounding boxes of its pieces: what a guard of the axes looks at. For
-// machine/zone_box, motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
+// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, for guards of the axes. Used by
+// machine/zone_box and motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
 
 #include "path/curve/machine_path.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_chords_of_motion = 20'000;  // of one motion
 
-/// The tip is led while a rotary axis turns: the axes do not go along a line.
+/// Returns true if a rotary axis turns while the tip is led: then the axes do not move along a line.
 bool turns_while_led(const ToolPosition& from, const Motion& motion) {
   if (!leads_tip(from, motion)) return false;
   if (motion.detail && motion.detail->tip_way) return true;
@@ -58,8 +58,9 @@ Extents MachinePath::led_extents(double from, double to) const {
   return box;
 }
 
-/// The axes' way along a straight motion is no farther from its chord, mm: the second derivative of a point that goes a way L while it is
-/// turned by ω about axes no farther than R is at most ω²R + 2ωL, and the chord is off by an eighth of it.
+/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord: the second derivative of a
+/// point that travels a length L while it is rotated by ω about axes at most R away is at most ω²R + 2ωL; the chord is off by at most an
+/// eighth of it.
 double MachinePath::most_off_chord() const {
   double turn = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -82,7 +83,8 @@ Extents MachinePath::rough_extents() const {
   return box;
 }
 
-/// One extreme of any axis each, about: a quarter of a turn of a rotary axis has one.
+/// Returns the number of samples: so many that about one extreme of an axis lies between two of them, as a quarter revolution of a rotary
+/// axis has one.
 int MachinePath::samples_led() const {
   constexpr double between = 15;  // degrees
   double way = 0;
@@ -95,11 +97,11 @@ int MachinePath::samples_led() const {
   return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
-/// Where rotary axes bend the path the chord is measured in the middle of pieces, which are halved until it is within: as h², so that half
-/// of what is wanted is aimed at.
+/// Where rotary axes bend the path, the deviation from the chord is measured in the middle of a few pieces and extrapolated: it decreases
+/// as h². The aim is half of the permitted deviation, as a reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  constexpr double few = 6;  // chords: a motion so flat is one, as it meets its neighbours in corners anyway
+  constexpr double few = 6;  // times the chord: a motion this flat stays one piece, as it meets its neighbours at corners anyway
   if (!bends_ || (plainly_led() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;
   double worst = 0;

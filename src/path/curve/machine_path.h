@@ -1,6 +1,6 @@
 #pragma once
-// MachinePath: the way of one motion in machine coordinates, and the bounding boxes of its pieces: what a guard of the axes
-// looks at. A piece of an arc, a spiral, a polar or cylinder motion is such a motion again, so its box is as exact as the whole's.
+// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, for guards of the axes. A piece of an
+// arc, of a spiral, of a polar or cylindrical motion is again such a motion, so its box is as exact as that of the whole.
 
 #include <algorithm>
 #include <optional>
@@ -10,44 +10,45 @@
 
 namespace kadr {
 
-/// A view of a motion: what it is made of must outlive it.
+/// A view of a motion; the objects passed to it must outlive it.
 class MachinePath {
  public:
-  ///   curve  of the motion from there
+  ///   curve  the curve of the motion that starts at `from`
   MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve);
-  /// Of a step that is a motion.
+  /// For a step that must be a motion.
   explicit MachinePath(const Step& step) : MachinePath(step.roles, step.from, *step.motion(), step.curve()) {}
 
-  /// A straight line of all axes, from start() to end().
+  /// True if all axes move along one straight line, from start() to end().
   bool straight() const { return straight_; }
-  /// The tip is led, and the axes' speeds are not in proportion to its own.
+  /// True if the tip is led and the axes' speeds are not proportional to its speed.
   bool bends() const { return bends_; }
   const Axes& start() const { return from_.machine; }
 
-  /// Where the axes stand after it. Axes that roll over count on beyond their turn.
+  /// The axes' position after the motion. Axes that roll over count on beyond one revolution.
   const Axes& end() const { return end_; }
   bool rolls_over(std::size_t axis) const { return motion_.detail && (motion_.detail->rolled >> axis & 1U) != 0; }
 
   Axes at(double part) const;
   bool leads_tip() const { return kadr::leads_tip(from_, motion_); }
-  /// Where the tip is then in the part, where it is led.
+  /// Returns the position of the tip at `part` of the motion, if the tip is led.
   Vec3 tip(double part) const { return led_tip(roles_, from_, motion_, curve_.at(part), part); }
 
-  /// Number of equal pieces whose chords stay within `chord` mm of the path, of the tool's tip too where that is led.
+  /// Returns the number of equal pieces whose chords stay within `chord` mm of the path, and of the tool tip's path if the tip is led.
   int pieces(double chord) const;
 
-  /// Bounding box of the piece between two parts. Exact for lines; else as machine_extents().
+  /// Returns the bounding box of the piece between two parts. Exact for lines; else like machine_extents().
   Extents extents(double from, double to) const;
 
-  /// The first part from which on the path may not be clear; nothing: it is clear all along.
-  ///   clear  whether a piece with this bounding box is certainly clear; true of a box means true of every box inside it
+  /// Returns the first part from which on the path may not be clear; nullopt if it is clear throughout.
+  ///   clear  returns whether a piece with this bounding box is certainly clear; if it is true for a box, it must be true for every box
+  ///          inside
   ///   law    at most `closeness` away from there, in every axis, the path is not clear
   template <class Clear>
   std::optional<double> first_not(const Clear& clear) const {
     return first_not(clear, 0, 1, most_halvings);
   }
 
-  /// A box that is certainly as great as that of the whole, found at once.
+  /// Returns a box that certainly contains the whole path, without sampling.
   Extents rough_extents() const;
 
   static constexpr double closeness = 1e-7;  // mm, degrees: a tenth of tol::same_point
@@ -55,7 +56,7 @@ class MachinePath {
  private:
   Extents led_extents(double from, double to) const;
   int samples_led() const;
-  /// The tip goes straight, the rotary axes evenly.
+  /// True if the tip moves straight and the rotary axes move evenly.
   bool plainly_led() const { return bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_way); }
   double most_off_chord() const;
 

@@ -1,4 +1,4 @@
-// Distance of two pieces of path in a plane: lines and arcs. For the rest of path.
+// The distance of two pieces of a path in a plane, lines or arcs. Used by the other folders of path.
 
 #include "path/curve/plane_distance.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// Does an arc pass in the direction of `arm` from its centre?
+/// Returns true if an arc crosses the ray from its centre in the direction of `arm`.
 bool passes(const PlanePiece& arc, Vec2 arm) {
   if (std::fabs(arc.turns) >= 1) return true;
   const Vec2 first = (arc.turns > 0 ? arc.from : arc.to) - arc.center, last = (arc.turns > 0 ? arc.to : arc.from) - arc.center;
@@ -34,7 +34,8 @@ bool lines_cross(const PlanePiece& a, const PlanePiece& b) {
   return ((a0 < 0) != (a1 < 0)) && ((b0 < 0) != (b1 < 0));
 }
 
-/// Where a line is nearest to an arc between its ends: where they cross, or at the foot of the centre. None: some large number.
+/// Returns the distance of a line and an arc away from their ends: 0 where they cross, else at the foot of the centre; HUGE_VAL if there
+/// is none.
 double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   constexpr double none = HUGE_VAL;
   const Vec2 way = line.to - line.from;
@@ -50,12 +51,12 @@ double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   return none;
 }
 
-/// Between the ends of two arcs: where they cross, or on the line of their centres.
+/// Returns the distance of two arcs away from their ends: 0 where they cross, else on the line through their centres.
 double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
   double least = HUGE_VAL;
   const Vec2 between = b.center - a.center;
   const double d = length(between);
-  if (d == 0) return least;  // concentric: the ends tell
+  if (d == 0) return least;  // concentric: the distances of the ends suffice
   const Vec2 u = 1 / d * between;
   for (const double i : {-1.0, 1.0})
     for (const double j : {-1.0, 1.0})

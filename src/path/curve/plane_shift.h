@@ -1,15 +1,15 @@
 #pragma once
-// The end of a motion moved in its plane, in work and machine coordinates alike.
+// shift_in_plane(): moves the end of a motion in its plane, in work and machine coordinates.
 
 #include "action/tool_position.h"
 
 namespace kadr {
 
-/// Moves the end of a motion in the plane of these two axes; in machine coordinates as the frame is turned. Axes that follow one of
-/// them (nct 20.2) go with it.
+/// Moves the end of a motion in the plane of these two axes; in machine coordinates according to the frame's rotation. Axes that follow
+/// one of them (nct 20.2) move too.
 inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameTurn* turn) {
   if (by == Vec2{}) return;
-  if (turn == nullptr && !motion.detail) {  // mostly
+  if (turn == nullptr && !motion.detail) {  // the usual case
     motion.to[first] += by.x;
     motion.to[second] += by.y;
     motion.machine[first] += by.x;

@@ -1,4 +1,4 @@
-// ChainSums: how the corners of a chain move the path, by running sums. For path/smooth/smooth_path; tested by
+// ChainSums: how the corners of a chain move the path, computed by running sums. Used by path/smooth/smooth_path; tested by
 // tests/path/chain_sums_test.cpp.
 
 #include "path/smooth/chain_sums.h"
@@ -12,13 +12,13 @@
 namespace kadr {
 namespace {
 
-constexpr double stretch = 16;  // mm: for so much the sums are made at once
+constexpr double stretch = 16;  // mm: the length for which the sums are computed at once
 
 struct Pulse {
   std::array<double, 5> node, kink;  // r_n, κ_n
 };
 
-/// k of the gentle corner: SoftCorner's start of an axis, backwards, mirrored, with the content 1.
+/// k of the gentle corner: the start of an axis as SoftCorner defines it, reversed and mirrored, with the integral 1.
 const Pulse& gentle_pulse_nodes() {
   constexpr double equal = SoftCorner::equal_swings;
   static const Pulse pulse = [] {
@@ -30,7 +30,7 @@ const Pulse& gentle_pulse_nodes() {
 
 }  // namespace
 
-/// Sums over the corners that are felt from s on.
+/// Computes the sums over the corners that affect the path from s on.
 void ChainSums::reach(const Corners& corners, double s) {
   if (s >= from_ && s <= to_) return;
   constexpr double widest = SoftCorner::widest;
@@ -59,7 +59,7 @@ void ChainSums::reach(const Corners& corners, double s) {
   for (std::size_t& seen : seen_) seen = std::min(seen, at_.size() - 1);
 }
 
-/// The sums over the corners up to y: where that is a corner, its piece is the one behind it.
+/// Returns the sums over the corners up to y; if y is at a corner, that corner is included.
 const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   std::size_t& seen = seen_[node];
   while (at_[seen] <= y) ++seen;
@@ -67,7 +67,7 @@ const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   return &sums_[seen * groups_];
 }
 
-/// `Groups`: as many as there are, known when it is compiled; they stay in registers.
+/// `Groups`: the number of groups as a compile-time constant, so that the sums stay in registers.
 template <std::size_t Groups>
 void ChainSums::add_ways(double at, double width, double* x) {
   const Pulse& pulse = gentle_pulse_nodes();

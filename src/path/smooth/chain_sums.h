@@ -1,15 +1,15 @@
 #pragma once
-// ChainSums: how the corners of a chain of short straight pieces move the path where all are rounded together, by running sums: at a place
-// five look-ups, however many corners are felt there.
+// ChainSums: how the corners of a chain of short straight pieces move the path if all are rounded together. It uses running sums: a
+// position takes five look-ups, however many corners affect it.
 //
-// With one width W for all corners around, the rounded path is the polyline convolved with the pulse k_W of a gentle corner
-// (path/smooth/soft_corner). k is piecewise linear with five nodes r_n: k(r) = Σ κ_n max(0, r − r_n). So with y_n = s − r_n W and sums over
-// the corners before y_n, at s_i, of bend Δu_i,
+// With one width W for all corners nearby, the rounded path is the polyline convolved with the pulse k_W of a gentle corner
+// (path/smooth/soft_corner). k is piecewise linear with five nodes r_n: k(r) = Σ κ_n max(0, r − r_n). With y_n = s − r_n W and sums over
+// the corners before y_n, at lengths s_i with bends Δu_i:
 //
 //   U = Σ Δu_i (y − s_i),  Q = Σ Δu_i (y − s_i)²,  C = Σ Δu_i (y − s_i)³
 //   x″ = Σ_n κ_n/W² U(y_n);  x′ = P′ + Σ_n κ_n/(2W²) Q(y_n) − Σ_(s_i < s) Δu_i;  x = P + Σ_n κ_n/(6W²) C(y_n) − U(s)
 //
-// W may change slowly along the path: its derivatives come to x′ and x″.
+// W may change slowly along the path: its derivatives enter x′ and x″.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace kadr {
 
-/// How wide corners are rounded at a place, mm, and its derivatives by the length.
+/// The width of the roundings at a position, mm, and its derivatives with respect to the length.
 struct WidthAt {
   double w = 0, w1 = 0, w2 = 0;
 };
@@ -29,22 +29,22 @@ class ChainSums {
  public:
   explicit ChainSums(std::size_t axes) : axes_(axes), groups_((axes + group - 1) / group) {}
 
-  /// The corners of the path: lengths, bends (of each axis), which of them are of the chain.
+  /// The corners of the path: their lengths, their bends (per axis), and which of them belong to the chain.
   struct Corners {
     const std::vector<double>& at;
     const std::vector<double>& bend;
     const std::vector<char>& is_chained;
   };
-  /// Other corners from here on.
+  /// Discards the sums, because the corners have changed.
   void forget() { from_ = 1, to_ = 0; }
 
-  /// By how much the path is moved at s, of each axis, mm: added to `x`.
+  /// Adds to `x` the displacement of the path at s, of each axis, mm.
   void move(const Corners& corners, double s, double width, double* x);
-  /// The same with derivatives.
+  /// Likewise, with the first two derivatives.
   void move(const Corners& corners, double s, const WidthAt& width, double* x, double* x1, double* x2);
 
  private:
-  static constexpr std::size_t group = 4;  // axes side by side
+  static constexpr std::size_t group = 4;  // axes computed in parallel
   static constexpr std::size_t max_groups = (max_axes + group - 1) / group;
   static constexpr std::size_t nodes = 5;
   struct Sums {
@@ -56,11 +56,11 @@ class ChainSums {
   void add_ways(double at, double width, double* x);
 
   std::size_t axes_, groups_;
-  double from_ = 1, to_ = 0;               // for places between it is ready
-  double origin_ = 0;                      // lengths are counted from here: the sums stay small
-  std::vector<double> at_;                 // of the corners; a last one that is never reached
-  std::vector<Sums> sums_;                 // over the first 0, 1, 2, … corners, of each group of axes
-  std::array<std::size_t, nodes> seen_{};  // corners before each node, at the last place
+  double from_ = 1, to_ = 0;               // the sums cover the positions between
+  double origin_ = 0;                      // lengths are counted from here, so that the sums stay small
+  std::vector<double> at_;                 // of the corners; the last entry is infinite
+  std::vector<Sums> sums_;                 // over the first 0, 1, 2, … corners, for each group of axes
+  std::array<std::size_t, nodes> seen_{};  // number of corners before each node, at the last position
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Compression: short straight feed motions made as one (nct 4.7, N3103 Accuracy). For machine/virtual_machine; tested by
+// Compression: joins short straight feed motions into one (nct 4.7, N3103 Accuracy). Used by machine/virtual_machine; tested by
 // tests/path/compression_test.cpp.
 
 #include "path/smooth/compression.h"
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// The motion, if it may be joined with others.
+/// Returns the motion of an action if it may be joined with others, else nullptr.
 const Motion* joinable(const Action& action) {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->join > 0 && motion->kind == MotionKind::feed && !motion->detail ? motion : nullptr;
@@ -23,7 +23,7 @@ bool is_single_block_stop(const Action& action) {
   return stop != nullptr && stop->reason == StopReason::single_block;
 }
 
-/// Longest way of an axis.
+/// Returns the longest travel of an axis.
 double longest_way(const Axes& from, const Axes& to) {
   double way = 0;
   for (std::size_t i = 0; i < max_axes; ++i) way = std::max(way, std::fabs(to[i] - from[i]));
@@ -55,7 +55,7 @@ std::size_t Compression::take(ActionBatch& batch, const Axes& from, bool last) {
   return of_before_;
 }
 
-/// The motion takes the held one's place; it is let out if it has gone far enough, or must stop at its end.
+/// Replaces the held motion by this one; emits it if it has gone far enough or must stop at its end.
 void Compression::join(Action& action) {
   auto& motion = std::get<Motion>(action.what);
   if (held_) motion.named |= std::get<Motion>(held_->what).named;

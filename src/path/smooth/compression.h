@@ -1,10 +1,10 @@
 #pragma once
-// Compression: short straight feed motions made as one (nct 4.7, N3103 Accuracy; Motion::join says which and how long).
+// Compression: joins short straight feed motions into one (nct 4.7, N3103 Accuracy; Motion::join says which, and up to which length).
 //
-//   way since the last point let out, in every axis at most `join`:   ·──·─·──·      held back, only its end is kept
-//   the next motion that goes further in some axis:                   ·─────────────▸·   let out, from there straight to its end
+//   travel since the last emitted point, in every axis at most `join`:   ·──·─·──·         held, only the end is kept
+//   the next motion that goes further in some axis:                      ·─────────────▸·   emitted, straight from there to its end
 //
-// Whatever else comes lets the rest out first. At most one motion, and the single-block stop after it, is held: constant memory.
+// Any other action emits the held motion first. At most one motion, and the single-block stop after it, is held: memory is bounded.
 
 #include <optional>
 
@@ -15,15 +15,15 @@ namespace kadr {
 class Compression {
  public:
   /// Joins the motions of a batch, in place.
-  ///   from   where the tool stands before it (after all that was let out), work coordinates
-  ///   last   nothing follows: nothing is held back
-  ///   returns  how many of its first actions belong to batches before
-  ///   law    motions whose `join` is 0 come out as they went in
-  ///   manual NCT 4.7; INFERRED: the way counts from the last point let out, a motion with exact stop ends where it should,
+  ///   from   position of the tool before the batch (after everything emitted), work coordinates
+  ///   last   nothing follows, so nothing is held back
+  ///   returns  how many of the batch's first actions belong to earlier batches
+  ///   law    motions whose `join` is 0 are emitted unchanged
+  ///   manual NCT 4.7; INFERRED: the travel counts from the last emitted point, a motion with exact stop ends at its programmed end,
   ///          feed and origin are those of the last motion joined
   std::size_t take(ActionBatch& batch, const Axes& from, bool last);
 
-  /// What is held back is not carried out: its block was taken back.
+  /// Discards what is held, because its block was withdrawn.
   void drop() { held_.reset(), stop_.reset(); }
 
   struct Memory {
@@ -37,10 +37,10 @@ class Compression {
   void let_out();
 
   ActionBatch out_;
-  Axes from_{};  // the last point let out
+  Axes from_{};  // the last emitted point
   std::optional<Action> held_;
-  std::optional<Action> stop_;  // single_block, after the held one (4.7: it stops after the joined block)
-  bool held_before_ = false;    // `held_` is of a batch before
+  std::optional<Action> stop_;  // a single_block stop after the held motion (4.7: it stops after the joined block)
+  bool held_before_ = false;    // `held_` belongs to an earlier batch
   std::size_t of_before_ = 0;
 };
 

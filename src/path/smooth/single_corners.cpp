@@ -1,5 +1,5 @@
-// SmoothPath: the corners that are rounded by themselves, sharp ones and those near where the axes stand: where several are felt their ways
-// add up, and all become narrower until nothing is moved further than the tolerance.
+// SmoothPath, the corners that are rounded singly: sharp ones, and those near a stop. Where several roundings overlap their displacements
+// add up, and all become narrower until no point is moved further than the tolerance.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// How far the roundings move the path at s, mm.
+/// Returns how far the single roundings move the path at s, mm.
 double SmoothPath::moved(double s, std::size_t around) const {
   std::array<double, max_axes> sum{};
   add_single_ways(s, around, sum.data());
@@ -31,11 +31,12 @@ void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const 
   });
 }
 
-/// How far the roundings move the path to one side of a vertex at most, mm: looked at in places as dense as its own rounding asks for where
-/// that is felt, but not beyond a vertex that asks for as much, and in some between there and half the way to the next vertex.
+/// Returns how far the roundings move the path at most on one side of a vertex, mm. Samples as densely as the vertex' own rounding
+/// requires within that rounding, but not beyond a vertex that requires the same, and at some positions from there to the middle of the
+/// next piece.
 double SmoothPath::moved_beside(std::size_t vertex, int side) const {
-  constexpr int places = 6;   // from the vertex to where it swings out
-  constexpr int farther = 4;  // after that
+  constexpr int places = 6;   // from the vertex to where the path swings out most
+  constexpr int farther = 4;  // beyond that
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
   const std::size_t beside = side < 0 ? vertex - 1 : vertex;
   std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
@@ -52,7 +53,7 @@ double SmoothPath::moved_beside(std::size_t vertex, int side) const {
   return most;
 }
 
-/// Another rounding is felt where this one is.
+/// Returns true if another single rounding overlaps this one.
 bool SmoothPath::overlaps(std::size_t vertex) const {
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + reach_, [&](std::size_t k) {
@@ -61,10 +62,10 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
   return any;
 }
 
-/// Beside the chain it leaves some of the tolerance to that.
+/// Returns the share of the tolerance that a single rounding may use: next to the chain it leaves a part for the chain.
 double SmoothPath::share_alone(std::size_t vertex) const {
   constexpr double beside_chain = 0.8;
-  constexpr double faint = 0.02;  // of the tolerance: a corner that moves the path less, as wide as can be
+  constexpr double faint = 0.02;  // of the tolerance: corners that move the path less, even at the greatest width, do not count
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) {
     any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]);
@@ -80,12 +81,12 @@ void SmoothPath::look_at_roundings(std::size_t first) {
   }
 }
 
-/// Makes roundings narrower where they move the path further than the tolerance. False: none does.
+/// Makes roundings narrower where they move the path further than the tolerance. Returns false if none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
-  constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
-  constexpr double far_off = 1.3;    // of the tolerance; nearer it goes in small steps, so that what matters most stays widest
-  constexpr double between = 0.99;   // of the tolerance: the rest is for what lies between the places looked at
-  constexpr double aim = 0.999;      // of that, so that the rounds come to an end
+  constexpr double rounding = 1e-9;  // relative: for roundings that share the tolerance evenly and meet it exactly
+  constexpr double far_off = 1.3;    // of the tolerance; below it the steps are small, so that the most important roundings stay widest
+  constexpr double between = 0.99;   // share of the tolerance: the rest is for the positions between the samples
+  constexpr double aim = 0.999;      // share of that, so that the iteration ends
   bool any = false;
   look_at_roundings(done_);
   factor_.assign(at_.size(), 1);
@@ -96,7 +97,7 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
                  allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
     any = true;
-    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners bear it together
+    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners share the reduction
     const double far = width_[i];
     corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + far) factor_[k] = std::min(factor_[k], less);
@@ -107,9 +108,9 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   return any;
 }
 
-/// As wide as the tolerance allows, if no other is felt.
+/// Returns the width that the tolerance allows if no other rounding overlaps.
 double SmoothPath::width_alone(std::size_t vertex) const {
-  constexpr double used = 0.9;  // of the tolerance, of a curve: the rest is for where it begins and ends
+  constexpr double used = 0.9;  // of the tolerance, on a curve: the rest is a reserve for its start and end
   const SoftCorner& shape = SoftCorner::of(turn_[vertex]);
   const double tolerance = tolerance_[vertex];
   if (!on_curve(vertex)) return tolerance / (shape.highest() * turn_[vertex]);

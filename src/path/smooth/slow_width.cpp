@@ -1,4 +1,4 @@
-// SlowWidth: how wide the corners of a chain are rounded along the path. For path/smooth/smooth_path; tested by
+// SlowWidth: the width of the roundings of a chain along the path. Used by path/smooth/smooth_path; tested by
 // tests/path/slow_width_test.cpp.
 
 #include "path/smooth/slow_width.h"
@@ -12,11 +12,11 @@ namespace kadr {
 namespace {
 
 constexpr double part_length = 0.1;  // mm
-constexpr double slope = 0.15;       // of the width
-constexpr double levelled = 0.5;     // of the width, to each side: the least of it, then the mean
+constexpr double slope = 0.15;       // mm per mm, greatest change of the width
+constexpr double levelled = 0.5;     // of the width, to each side: window of the minimum, then of the mean
 constexpr double widest = SoftCorner::widest;
-constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);  // each reaches a part further
-constexpr std::size_t reach = 2 * rounds + 4;                                    // parts, of both
+constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);  // each round extends the window by one part
+constexpr std::size_t reach = 2 * rounds + 4;                                    // parts, of both filters together
 
 }  // namespace
 
@@ -44,7 +44,8 @@ void SlowWidth::limit(double at, double width) {
   raw = std::min(raw, width);
 }
 
-/// The least, or the mean, of what lies within a part of the width, step by step: a place takes part in as many rounds as it is wide.
+/// Replaces each part by the minimum or the mean of the parts within a share of the width around it, step by step: a part takes part in a
+/// number of rounds proportional to its width.
 void SlowWidth::level(std::vector<double>& parts, bool mean) {
   const std::size_t n = parts.size();
   next_ = parts;
@@ -82,7 +83,7 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  const double place = std::max(0.0, s / part_length) + 0.5;  // the parts' middles are the knots
+  const double place = std::max(0.0, s / part_length) + 0.5;  // the knots are in the middle of the parts
   const auto knot = static_cast<std::size_t>(place);
   const double f = place - static_cast<double>(knot), g = 1 - f;
   const double* const w = width_.data() + std::min(knot - first_, width_.size() - 4);

@@ -1,10 +1,10 @@
 #pragma once
-// SlowWidth: how wide the corners of a chain are rounded along the path: nowhere wider than at the corners nearby, and changing so slowly
-// and evenly that the rounded path stays smooth (a saw in the width would cost third derivative, and with it speed).
+// SlowWidth: the width of the roundings of a chain along the path. It is nowhere wider than the corners nearby allow, and it changes so
+// slowly and evenly that the rounded path stays smooth (jumps of the width would increase the third derivative, and so reduce the speed).
 //
-// Kept in parts of 0.1 mm: the least of the corners in each, then no steeper than a slope, then the least and the mean of what lies within
-// half a width; between the parts a cubic B-spline, so that the second derivative of
-// the rounded path has no jumps. What is settled does not change any more, while the path goes on.
+// Stored in parts of 0.1 mm: first the minimum over the corners in each part, then limited in slope, then the minimum and the mean within
+// half a width; between the parts a cubic B-spline, so that the second derivative of the rounded path has no jumps. What is settled does
+// not change any more while the path is extended.
 
 #include <cstddef>
 #include <vector>
@@ -15,30 +15,30 @@ namespace kadr {
 
 class SlowWidth {
  public:
-  /// Nothing known: as wide as can be.
+  /// Resets the width to its maximum everywhere.
   void begin();
-  /// From here on it is found anew, up to a length.
+  /// Recomputes the width from the settled part up to this length.
   void open(double end);
-  /// At most so wide at a length; not before the settled part.
+  /// Limits the width at a length; ignored in the settled part.
   void limit(double at, double width);
   void close();
-  /// It will not be changed before this length.
+  /// Settles the width before this length: it will not change any more.
   void settle(double before);
-  /// Nobody asks for what lies before.
+  /// Drops the data before this length.
   void forget(double before);
 
   WidthAt at(double s) const;
 
-  /// So far ahead of a place what limits the width there may lie.
+  /// Returns how far ahead of a position the width there may be limited from.
   static double felt();
 
  private:
   std::size_t part_of(double at) const;
   void level(std::vector<double>& parts, bool mean);
 
-  std::size_t first_ = 0, settled_ = 0;  // parts, counted from length 0: that of front(); before it they are settled
-  std::vector<double> raw_, width_;      // of each part: with the slope; in the end
-  std::vector<double> now_, next_;       // while it is found
+  std::size_t first_ = 0, settled_ = 0;  // in parts from length 0: index of the first stored part; end of the settled parts
+  std::vector<double> raw_, width_;      // of each part: limited in slope; final
+  std::vector<double> now_, next_;       // work space
 };
 
 }  // namespace kadr

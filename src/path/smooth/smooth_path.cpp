@@ -1,4 +1,4 @@
-// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). For
+// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). Used by
 // motion/least_time/planner; tested by tests/path/smooth_path_test.cpp.
 
 #include "path/smooth/smooth_path.h"
@@ -14,9 +14,9 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest = 1e-9;        // mm: a shorter piece has no direction worth the name
-constexpr double same_feed = 1e-6;       // relative: rounding of a way divided by its time
-constexpr double straight_bend = 1e-12;  // |Δu| of pieces that go on straight but for rounding
+constexpr double shortest = 1e-9;        // mm: a shorter piece has no meaningful direction
+constexpr double same_feed = 1e-6;       // relative: rounding errors of a length divided by its time
+constexpr double straight_bend = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
 
 }  // namespace
 
@@ -83,7 +83,7 @@ bool SmoothPath::is_one_line() const {
   return !length_.empty();
 }
 
-/// The length along the path when long pieces are no longer than squeezed_to: their middle is left out.
+/// Returns the length along the path with long pieces shortened to squeezed_to: their middle is left out.
 double SmoothPath::squeezed(double s, std::size_t piece) const {
   const double along = s - at_[piece], length = length_[piece];
   if (length <= squeezed_to) return squeezed_[piece] + along;
@@ -111,7 +111,7 @@ void SmoothPath::forget(double before) {
   for (std::size_t& mark : marks_) mark -= drop;
 }
 
-/// From a point to the nearest one of a piece, mm².
+/// Returns the squared distance of a point from a piece, mm².
 double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
   const double* const start = point_.data() + piece * axes_;
   double along = 0, squares = 0;
@@ -124,7 +124,7 @@ double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
   return squares;
 }
 
-/// The greatest of the corners that are felt.
+/// Returns the greatest tolerance of the corners whose roundings cover s.
 double SmoothPath::tolerance_at(double s, std::size_t piece) const {
   const double chain = width_at(s, piece).w;
   double tolerance = 0;
@@ -139,7 +139,7 @@ double SmoothPath::beyond(double s, std::size_t piece, const double* x, double p
   if (least == 0) return 0;
   const double tolerance = part * tolerance_at(s, piece);
   if (tolerance == 0 || least <= tolerance * tolerance) return 0;
-  const double around = 4 * std::sqrt(least);  // of s: the nearest piece, but where the path comes back to the same place
+  const double around = 4 * std::sqrt(least);  // of s: finds the nearest piece, unless the path later returns to the same place
   for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));
   for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_way_to(i, x));
   return std::max(0.0, std::sqrt(least) / tolerance - 1);

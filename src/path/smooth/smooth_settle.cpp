@@ -1,4 +1,4 @@
-// SmoothPath: how wide its corners are rounded: of which kind each is, and the chain of gentle ones.
+// SmoothPath, the widths of its roundings: the kind of each corner, and the chain of gentle corners.
 
 #include <algorithm>
 #include <array>
@@ -11,16 +11,16 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;                    // |Δu| of pieces that go on straight but for rounding
-constexpr double sharp = 0.3;                            // |Δu| of a corner that is rounded by itself
-constexpr double alike = 0.1;                            // of |Δu|: a neighbour that bends at least so much makes a chain
-constexpr double feed_alike = 1e-6;                      // relative: rounding of a way divided by its time
-constexpr double used_by_chain = 0.95;                   // of the tolerance; the rest is for what lies between the places looked at
-constexpr double felt_ahead = 2.5 * SoftCorner::widest;  // mm: a corner's width in the chain is known when the path is, so far behind it
+constexpr double straight_on = 1e-12;                    // |Δu| of pieces that are collinear except for rounding errors
+constexpr double sharp = 0.3;                            // |Δu| from which a corner is rounded singly
+constexpr double alike = 0.1;                            // of |Δu|: a neighbour that bends at least this much makes a chain
+constexpr double feed_alike = 1e-6;                      // relative: rounding errors of a length divided by its time
+constexpr double used_by_chain = 0.95;                   // of the tolerance; the rest is for the positions between the samples
+constexpr double felt_ahead = 2.5 * SoftCorner::widest;  // mm: a corner's width in the chain can be found once the path is known this far
 
 }  // namespace
 
-/// From where the axes stand for an instant.
+/// Computes room_: the distance of each vertex from where the axes stop for an instant.
 void SmoothPath::find_ends(std::size_t first, bool last) {
   const std::size_t vertices = at_.size();
   double edge = 0;  // the last length that no rounding reaches over
@@ -39,7 +39,7 @@ void SmoothPath::find_ends(std::size_t first, bool last) {
   if (first == 1) room_[0] = edge - at_[0];
 }
 
-/// A gentle corner, not near where the axes stand, whose rounding reaches over one like it.
+/// Returns true for a gentle corner, not near a stop, whose rounding covers a similar corner.
 bool SmoothPath::makes_chain(std::size_t i) const {
   if (turn_[i] > sharp || room_[i] < widest) return false;
   const double reach = std::min(widest, width_alone(i));
@@ -74,7 +74,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
   while (done_ < at_.size() && (last || at_[done_] < settled_ + widest)) ++done_;
 }
 
-/// How far the path is moved at s with such a width of the chain, mm².
+/// Returns how far the path is moved at s with this width of the chain, squared, mm².
 double SmoothPath::square_moved(double s, std::size_t around, double width) {
   std::array<double, max_axes> sum{};
   sums_.move(chained(), s, width, sum.data());
@@ -84,9 +84,10 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
   return squares;
 }
 
-/// The same at a vertex and in places beside it, those that a width of this size asks for; more than `most` as soon as one is.
+/// Likewise, the greatest value at a vertex and at positions near it, chosen for a width of this size; stops as soon as one exceeds
+/// `most`.
 double SmoothPath::square_beside(std::size_t vertex, double width, double most) {
-  constexpr double flank = 0.65;  // of the width: where a corner alone swings out most
+  constexpr double flank = 0.65;  // of the width: where a single corner swings out most
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
   double square = square_moved(s, vertex, width);
   if (square <= most && behind > 0.25 * width) square = std::max(square, square_moved(s + behind / 2, vertex, width));
@@ -99,15 +100,15 @@ double SmoothPath::square_beside(std::size_t vertex, double width, double most) 
   return square;
 }
 
-/// The widest rounding of the chain that is within the tolerance at a vertex, looked for from `width` on.
+/// Returns the widest rounding of the chain that keeps the tolerance at a vertex; the search starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double narrowest = 1e-4;  // mm
-  constexpr double enough = 0.98;     // of the square
+  constexpr double enough = 0.98;     // of the squared tolerance
   constexpr double most_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
     return 0.997 * std::sqrt(std::sqrt(most / square));
-  };  // the way grows with the square of the width
+  };  // the displacement grows with the square of the width
   double square = square_beside(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
@@ -121,7 +122,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_beside(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbours are alike: the next one goes on
+    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbour is similar: its search continues from here
   }
   return width;
 }
@@ -136,7 +137,7 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// The chain's corners: each as wide as its tolerance allows, then evenly along the path, narrower where that is not enough.
+/// Rounds the chain's corners: each as wide as its tolerance allows, then evenly along the path, and narrower where that is not enough.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int most_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
@@ -151,10 +152,10 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// How dense the places of a piece are looked at, mm: as the narrowest rounding felt there asks for, and so dense that what bends most
-/// there moves the path by little of the tolerance between them.
+/// Returns how densely a piece is sampled, mm: as the narrowest rounding there requires, and so densely that the corner that bends most
+/// moves the path by only a small part of the tolerance between two samples.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
-  constexpr double in_chain = 4, alone = 24;  // places in a width
+  constexpr double in_chain = 4, alone = 24;  // samples per width
   constexpr double unseen = 0.02;             // of the tolerance
   constexpr double most_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
@@ -176,11 +177,12 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   return looks;
 }
 
-/// The places of a piece just beyond where a corner ceases to be felt: from there on its tolerance does not count.
+/// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner does not count any
+/// more.
 template <class Look>
 void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
   constexpr double just = 1e-6;  // mm
-  constexpr int rounds = 4;      // no steeper than 0.15 is the chain's width
+  constexpr int rounds = 4;      // the chain's width is no steeper than 0.15
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -195,7 +197,7 @@ void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
   });
 }
 
-/// How far a piece is moved at most, as a share of the tolerance.
+/// Returns how far a piece is moved at most, as a share of the tolerance.
 double SmoothPath::farthest(std::size_t piece) {
   const double tolerance = std::max(tolerance_[piece], tolerance_[piece + 1]), length = length_[piece];
   if (tolerance == 0) return 0;
@@ -208,19 +210,19 @@ double SmoothPath::farthest(std::size_t piece) {
   if (length < 2 * looks.felt) {
     const auto parts = std::max(2.0, std::ceil(length / looks.step));
     for (double k = 0; k < parts; ++k) look(length * k / parts);
-  } else {  // of a long one its ends
+  } else {  // only the ends of a long piece
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
   if (!has_one_tolerance_) beside_edges(piece, look);
   return std::sqrt(most);
 }
 
-/// Where it is not settled: what is moved too far becomes narrower there. After the first round only what is near enough to what became
-/// narrower in the last one to be changed by it is looked at.
-///   returns  false: nothing is
+/// Narrows the unsettled roundings where a piece is moved too far. After the first round it checks only the pieces near enough to what
+/// the last round narrowed to be affected.
+///   returns  false if nothing was narrowed
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;   // relative: of a corner alone that meets its tolerance exactly
-  constexpr double in_chain = 0.997;  // of the tolerance: the rest is for what lies between the places looked at
+  constexpr double rounding = 1e-9;   // relative: for a single corner that meets its tolerance exactly
+  constexpr double in_chain = 0.997;  // of the tolerance: the rest is for the positions between the samples
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
   last.swap(narrowed_);
