@@ -246,8 +246,7 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  constexpr double bulge_off =
-      0.1;  // the rounding of ends and centres changes an arc by this at most, since an arc is at least ten increments long
+  constexpr double bulge_off = 0.1;  // most that the rounding of ends and centres changes an arc: it is at least ten increments long
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
            std::abs(a.bulge - b.bulge) > bulge_off;
