@@ -60,12 +60,10 @@ void embed(std::ostream& out, const Target& target, const fs::path& root, const 
   }
   fmt::print(out,
              "\ntemplate <std::size_t T, std::size_t P>\n"
-             "[[maybe_unused]] static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char "
-             "(&table)[P]) {{\n"
+             "[[maybe_unused]] static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char (&table)[P]) {{\n"
              "  return {{name, {{reinterpret_cast<const char*>(text), T - 1}}, {{reinterpret_cast<const char*>(table), P - 1}}}};\n"
              "}}\n\n"
-             "std::span<const EmbeddedFile> {}() {{\n  static const std::initializer_list<EmbeddedFile> table = {{\n{}  }};\n  return "
-             "{{table.begin(), table.size()}};\n}}\n\n"
+             "std::span<const EmbeddedFile> {}() {{\n  static const std::initializer_list<EmbeddedFile> table = {{\n{}  }};\n  return {{table.begin(), table.size()}};\n}}\n\n"
              "}}  // namespace kadr\n",
              target.function, rows);
 }

@@ -56,8 +56,7 @@ Shares shares_of(const Stretch& stretch, const MotionLimits& limits, const Grid&
 /// single straight line.
 double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits);
 
-/// Reads a program of the control mach3 and plans its motion on a machine with these limits.
-///   throws  std::runtime_error for alarms, files that cannot be read, paths that reverse
+/// The limits of each axis (mm/s, mm/s², mm/s³) and the tolerance, mm.
 struct Machine {
   double speed = 200, acceleration = 1000, jerk = 20000, tolerance = 0.01;
 };
@@ -65,6 +64,8 @@ struct Planned {
   MotionLimits limits;
   std::vector<Stretch> stretches;
 };
+/// Reads a program of the control mach3 and plans its motion on a machine with these limits.
+///   throws  std::runtime_error for alarms, files that cannot be read, paths that reverse
 Planned planned(const std::string& file, const Machine& machine);
 
 }  // namespace kadr::reference
