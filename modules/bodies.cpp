@@ -126,8 +126,7 @@ bool is_mesh(const fcl::CollisionGeometryd& shape) { return shape.getObjectType(
 
 struct Found {
   double distance = std::numeric_limits<double>::quiet_NaN();
-  double certain = -std::numeric_limits<double>::infinity();  // distance that is certain: between two planes at right angles to the line
-                                                              // between the nearest points
+  double certain = -std::numeric_limits<double>::infinity();  // proven distance, between planes at right angles to that of the points
   fcl::Vector3d on_first{0, 0, 0}, on_second{0, 0, 0};
 };
 
