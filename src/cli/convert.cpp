@@ -159,7 +159,7 @@ class ConvertCommand {
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
     const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
-    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // the whole text lies between leader and trailer
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // the whole text goes between leader and trailer
     Status status = put(mark);
     (void)each_piece(*one.text, [&](std::string_view piece) {
       if (status) status = put(in_letters(piece));

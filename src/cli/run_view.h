@@ -16,7 +16,7 @@ namespace kadr::cli {
 struct View {
   View(const Channel& channel, const Rates& rates);
 
-  /// Shows a step when the machine executes it. Time still held in the look-ahead counts as programmed.
+  /// Shows a step when the machine executes it. The time of motions still in the look-ahead counts as programmed.
   void show(const Step& step);
 
   /// Shows a step with the machine's time for it.

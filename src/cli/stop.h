@@ -1,7 +1,6 @@
 #pragma once
 // Ends a command early: Ctrl-C, SIGTERM, a terminal that closes (SIGHUP), Ctrl-\ (SIGQUIT). Long work gets a token to check; a command that
 // does not check it in time is ended.
-// does not ask it in time is ended.
 
 #include <spawn.h>
 

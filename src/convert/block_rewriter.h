@@ -32,7 +32,7 @@ class BlockRewriter {
   Status write_label(std::uint32_t label, BlockMaker& out);
   /// Sets whether the blocks belong to a section of subprograms, where a program end does not end anything (spec/s2c42 6).
   void set_in_section(bool is) { in_section_ = is; }
-  /// Records a block that is written in another way: what it puts in force in the text still counts.
+  /// Records a block that is written otherwise: what it puts in force in the text still counts.
   void pass(const Block& block);
   /// Other blocks were inserted: the next motion repeats its code and, in inches, its feed.
   void say_again() { says_again_ = true, says_feed_again_ = is_inch_; }

@@ -48,7 +48,7 @@ struct WrittenOut {
   TextLines lines;
   std::optional<Alarm> cannot_say{};          // the reason: the other control cannot express them,
   std::optional<CourseDifference> differs{};  // or it would do something else, here or nearby,
-  bool varies = false;  // or they do not do the same each time. No reason: contours and frames that are applied to the coordinates
+  bool varies = false;                        // or they do not do the same each time. No reason: contours and frames, which are calculated
 };
 
 /// One of the ways that were tried, and why it was not used.

@@ -28,7 +28,7 @@ struct FlatPlace {
 
 /// Runs the program once and writes `places`, which are in order and do not overlap.
 ///   centres      radius compensation is applied to the coordinates: contours are written out as a whole
-///   straight_on  nothing leads back from behind the last range: the run ends there
+///   straight_on  nothing after the last range leads back: the run ends there
 ///   returns      number of blocks executed
 ///   alarms       conversion_too_long  for all ranges together; what cannot be expressed is noted in `places`
 Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on,

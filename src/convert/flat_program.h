@@ -65,7 +65,7 @@ class FlatProgram {
   Status end_block();
   Status finish();
 
-  /// Records an action that is written by other blocks: updates the state behind it.
+  /// Records an action that is written by other blocks: only follows the state after it.
   void pass(const Action& action);
   /// Begins flat blocks after rewritten ones.
   ///   before, now  what those have put in force

@@ -226,7 +226,7 @@ Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t tim
 }
 
 Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
-  constexpr double most_label = 9999;  // a number with more digits holds times and label together (spec/fanuc 9.1)
+  constexpr double most_label = 9999;  // a number with more digits contains times and label together (spec/fanuc 9.1)
   std::optional<std::uint32_t> label;
   std::uint32_t times = 1;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {

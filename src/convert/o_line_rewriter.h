@@ -36,7 +36,7 @@ class OLineRewriter {
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
   /// Rewrites a macro call, G65.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
-  /// True if this O… begins a subprogram that is called with arguments.
+  /// True if this O… begins a subprogram that is called with arguments; end() writes its M99.
   bool begins(std::uint32_t label) const { return shape_.macros.count(label) != 0; }
   Status begin(std::uint32_t label, BlockMaker& out);
   bool is_in_macro() const { return macro_ != 0; }

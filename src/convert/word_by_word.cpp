@@ -168,7 +168,7 @@ class WordByWord {
     for (const std::uint32_t line : shape_.calls_outside()) add({line, line});
   }
 
-  /// Restarts with what is known to fail applied from the beginning: contours, then also frames that rotate, mirror or scale.
+  /// Restarts. What is known to fail is written out from the beginning: contours, then also frames that rotate, mirror or scale.
   bool begin_anew() {
     const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
