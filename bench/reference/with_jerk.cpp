@@ -185,7 +185,7 @@ class Programme : public Ipopt::TNLP {
 std::optional<Found> with_jerk(const Grid& grid, const MotionLimits& limits, const PathMotion& start, double most_seconds) {
   constexpr Index most_steps = 1000;  // 30 to 60 are needed
   constexpr Number tolerance = 1e-5;  // of the mean interval's time: each limit costs at most this much
-  constexpr Number first_mu = 1e-2;   // so far from the limits that no start binds it
+  constexpr Number first_mu = 1e-2;   // far enough from the limits for any start
   const Ipopt::SmartPtr<Programme> programme = new Programme(grid, limits, start);
   Ipopt::IpoptApplication solver(false);
   solver.Options()->SetIntegerValue("print_level", 0);

@@ -91,7 +91,7 @@ class ProgramShape {
   bool rounds_corners_ = false;
   bool has_arcs_ = false;
   ProgramNames names_of_words_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line; only in macro programs that are not very long
+  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line; only in macro programs that are not too long
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N
   std::set<std::uint32_t> leaves_;
   std::set<std::uint32_t> macro_labels_;  // called by G65

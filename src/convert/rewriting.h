@@ -52,7 +52,7 @@ class LineOrigins {
 
  private:
   struct Stretch {
-    std::uint32_t made = 0, source = 0;  // from 0; from 1
+    std::uint32_t made = 0, source = 0;  // line of the text, from 0; line of the source, from 1
   };
   std::vector<Stretch> stretches_;
   std::uint32_t count_ = 0;
