@@ -1,5 +1,5 @@
-// Motions per second of a machine's bodies: eleven of them, the nose of the spindle so many mm above the jaws of a vise, over a surface in
-// steps of half a millimetre; three axes, and five of which two rock.
+// Measures motions per second with the bodies of a machine: eleven bodies, the nose of the spindle at a given distance in mm above the jaws
+// of a vise, over a surface in steps of half a millimetre; with three axes, and with five of which two rock.
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int motions = 100'000, row_length = 200;
-constexpr double jaws = -330;  // their top
+constexpr double jaws = -330;  // Z of their top
 
 BodyShape box(Vec3 least, Vec3 most) { return {BodyShape::Form::box, least, most, {}, 0, 0, 0, {}}; }
 BodyShape cylinder(double bottom, double top, double diameter) {
@@ -51,7 +51,7 @@ MovingBodies bodies_of_mill(bool five) {
   return bodies;
 }
 
-/// Along rows, up and down by a millimetre; A rocks by 5 degrees, C by 20.
+/// Position along rows, up and down by a millimetre; A rocks by 5 degrees, C by 20.
 Axes place(int i, double clear, bool five) {
   const int row = i / row_length, column = i % row_length;
   Axes axes{};

@@ -1,5 +1,5 @@
-// NearestTriangle: the surface of a ball-milled block as the part, a million points of it and near it. What `kadr cut --part` does for each
-// point of what it has cut.
+// Measures NearestTriangle: the part is the surface of a ball-milled block, and a million points on it or near it are looked up. `kadr cut
+// --part` does this for each point of the surface that it has cut.
 //
 //   build/bench/bench/kadr_bench --benchmark_filter=Nearest
 
@@ -17,7 +17,7 @@ constexpr std::uint32_t points_along = 695;  // 964,664 triangles
 constexpr std::size_t questions = 1'000'000;
 constexpr double off = 0.01;  // mm, up or down
 
-/// Grooves beside each other, over 100 by 100 mm.
+/// Returns grooves next to each other, over 100 by 100 mm.
 Mesh milled() {
   Mesh mesh;
   const double step = 100.0 / (points_along - 1);

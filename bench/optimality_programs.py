@@ -7,7 +7,7 @@ def line(x=None, y=None, z=None):
 
 
 def surface():
-    """A freeform surface, there and back in rows of segments of 0.5 mm."""
+    """A freeform surface, back and forth in rows of segments of 0.5 mm."""
     yield 'G0 X-5'
     for row in range(8):
         y = row * 0.5
@@ -17,7 +17,7 @@ def surface():
             yield line(x, y, 2 * math.sin(0.3 * x + 0.4 * y) + 0.7 * math.cos(0.9 * x - 0.2 * y))
 
 
-LETTERS = {  # strokes: points, 'ccw' and 'cw' with radius before a point: an arc that ends there; 4 wide, 6 high
+LETTERS = {  # strokes: lists of points; 'ccw' or 'cw' with a radius before a point: an arc that ends there; 4 wide, 6 high
     'K': [[(0, 0), (0, 6)], [(4, 6), (0, 2)], [(1.333, 3.333), (4, 0)]],
     'A': [[(0, 0), (2, 6), (4, 0)], [(0.667, 2), (3.333, 2)]],
     'D': [[(0, 0), (0, 6), (1, 6), ('cw', 3), (4, 3), ('cw', 3), (1, 0), (0, 0)]],
@@ -88,7 +88,7 @@ def spiral():
 
 
 def zigzag():
-    """Passes of 20 mm, 0.6 mm apart."""
+    """Parallel passes of 20 mm, 0.6 mm apart."""
     for i in range(90):
         yield line(0 if i % 2 == 0 else 20, i * 0.6)
         yield line(20 if i % 2 == 0 else 0, i * 0.6)
@@ -98,5 +98,5 @@ PROGRAMS = [surface, engraving, pocket, circles, spiral, zigzag]
 
 
 def text_of(program, feed):
-    """`feed`: mm/min."""
+    """Returns the text of a program; `feed` in mm/min."""
     return '\n'.join([f'G21 G90 G17 G91.1 G64 P0.01 F{feed}', 'G0 Z1', *program(), 'M30', ''])

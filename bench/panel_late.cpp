@@ -1,11 +1,10 @@
-// How late the servo clock of a machine at its panel comes, beside two idle loops of the same period in the same process: how far these
-// differ, who do the same, is how far the figure means anything on this machine.
+// Measures how late the servo clock of a machine at its panel comes, compared with two idle loops of the same period in the same process.
+// The two loops do the same, so the difference between them shows how much the figure means on this machine.
 //
 //     build/bench/bench/panel_late [SECONDS=60]
 //
-// The machine goes round and round in short segments; another thread asks for its state 60 times a second, as a page does. Prints the
-// greatest lateness of each in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than that of both idle loops
-// and 1 ms.
+// The machine runs in circles of short segments; another thread requests its state 60 times a second, as a page does. Prints the greatest
+// lateness of each in ms, every ten seconds and at the end. Exit status 1: the clock is later than both idle loops, and by more than 1 ms.
 
 #include <fmt/core.h>
 
@@ -25,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-/// Rounds of 400 segments, for as long as anybody looks.
+/// A program of circles of 400 segments that runs as long as anybody looks.
 std::string rounds() {
   std::string text = "G21 G90 G94 G17\nG0 X30 Y0 Z0\nM98 P7 L100000\nM30\nO7\n";
   for (int i = 1; i <= 400; ++i) {
@@ -35,7 +34,7 @@ std::string rounds() {
   return text + "M99\n";
 }
 
-/// The greatest lateness, s, of a loop that does nothing but sleep to its next instant.
+/// A loop that only sleeps to its next instant, and its greatest lateness, s.
 class IdleLoop {
  public:
   ~IdleLoop() {

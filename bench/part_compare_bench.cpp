@@ -1,5 +1,5 @@
-// What `kadr cut --part` does when the part is cut: a million points of a ball-milled surface, and the material beneath, against a part of
-// a million triangles.
+// Measures what `kadr cut --part` does once the part is cut: compares a million points of a ball-milled surface, and the material beneath,
+// with a part of a million triangles.
 //
 //   build/bench/bench/kadr_bench --benchmark_filter=Part
 
@@ -15,8 +15,8 @@ namespace {
 using namespace kadr;
 
 constexpr double side = 100;                            // mm
-constexpr double part_cell = 0.25, finer_cell = 0.167;  // mm: 482,000 points with two triangles each, and a million points
-constexpr double step = 0.5, off = 0.004;               // mm: between rows; the cut surface lies so much higher than the part
+constexpr double part_cell = 0.25, finer_cell = 0.167;  // mm: give 482,000 points with two triangles each, and a million points
+constexpr double step = 0.5, off = 0.004;               // mm: between rows; by how much the cut surface is higher than the part
 
 double height(double x, double y) { return -8 + 4 * std::sin(x / 9) * std::cos(y / 13); }
 

@@ -1,12 +1,12 @@
-// How fast the planner of least time is by itself, and whether what it plans keeps tolerance and limits: looked at every micrometre of the
-// way by a search for the nearest point that knows nothing of how the path was rounded, and at instants of two clocks.
+// Measures how fast the planner of least time is by itself, and checks whether its plans keep tolerance and limits: at every micrometre of
+// the path by a search for the nearest point that has no knowledge of how the path was rounded, and at the instants of two clocks.
 //
 //     build/bench/bench/planner_search PROGRAM... [--tolerance 0.01] [--times 5] [--fast]
 //
-// Programs of the control mach3, of lines and arcs; limits 200 mm/s, 1000 mm/s², 20,000 mm/s³ of each axis. Arcs are given to the planner
-// as chords within 0.0004 mm, searched as chords within 0.00001 mm. Prints for each program: pieces; µs of processor time a piece on one
-// thread; µs of wall time a piece, smoothing side by side with the rest; cycle time; how far from the path at most, as a share of the
-// tolerance of the motions around, and in mm; the greatest share of a limit at 1 kHz and 20 kHz. --fast: no search.
+// Programs of the control mach3 with lines and arcs; limits 200 mm/s, 1000 mm/s², 20,000 mm/s³ for each axis. Arcs are passed to the
+// planner as chords within 0.0004 mm, and searched as chords within 0.00001 mm. Prints for each program: pieces; µs of processor time per
+// piece on one thread; µs of wall time per piece with smoothing in parallel; cycle time; the greatest distance from the path, as a share of
+// the tolerance of the motions around, and in mm; the greatest share of a limit at 1 kHz and 20 kHz. --fast: no search.
 
 #include <fmt/core.h>
 
@@ -39,7 +39,7 @@ struct Piece {
   bool on_curve;
 };
 
-/// The straight pieces that are searched, each with the tolerance that holds around it.
+/// The straight pieces that are searched, each with the tolerance that applies around it.
 struct Ideal {
   std::vector<Point> points;
   std::vector<double> tolerance;  // of the piece that ends at each point, mm
@@ -53,7 +53,7 @@ struct Program {
 
 Point point_of(const kadr::Axes& axes) { return {axes[0], axes[1], axes[2]}; }
 
-/// Motions as they come → pieces.
+/// Turns motions into pieces as they come.
 class Reader {
  public:
   explicit Reader(double tolerance) : tolerance_(tolerance) {}
@@ -63,7 +63,7 @@ class Reader {
       if (step.pause > 0) stands_ = true;
       return;
     }
-    constexpr double searched = 1e-5, planned = 0.04;  // mm; of the tolerance
+    constexpr double searched = 1e-5, planned = 0.04;  // mm; share of the tolerance
     const kadr::MachinePath path(step);
     if (program_.ideal.points.empty()) program_.ideal = {{program_.start = point_of(path.start())}, {0}};
     const double tolerance = motion->tolerance > 0 ? motion->tolerance : tolerance_;
@@ -116,7 +116,7 @@ Program read(const std::string& file, const kadr::MotionLimits& limits, double t
   return reader.program();
 }
 
-/// Plans it.
+/// Plans the program.
 template <class Sink>
 void plan(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, const Sink& sink) {
   kadr::Planner planner(limits, sink);
@@ -133,7 +133,7 @@ void plan(const Program& program, const kadr::MotionLimits& limits, bool side_by
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Median of so many plans, s.
+/// Median of `times` plans, s.
 template <class Clock>
 double median_seconds(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, int times, const Clock& clock) {
   std::vector<double> all;
@@ -146,7 +146,7 @@ double median_seconds(const Program& program, const kadr::MotionLimits& limits, 
   return all[all.size() / 2];
 }
 
-/// The nearest of the pieces within some millimetres of way of the last nearest one.
+/// Finds the nearest piece within some millimetres of path around the last nearest one.
 class Search {
  public:
   explicit Search(const Ideal& ideal) : ideal_(ideal), at_(ideal.points.size(), 0) {
@@ -184,7 +184,7 @@ class Search {
   std::size_t last_ = 1;
 };
 
-/// Shares of the limits at the instants of a clock that goes on from cell to cell.
+/// Computes the shares of the limits at the instants of a clock that continues from cell to cell.
 class Instants {
  public:
   Instants(const kadr::MotionLimits& limits, double rate) : limits_(limits), period_(1 / rate) {}

@@ -1,11 +1,11 @@
-// How long one call of the servo clock takes: Playback::fill for one instant, with a change of the override every 0.1 s.
+// Measures how long one call of the servo clock takes: Playback::fill for one instant, with a change of the override every 0.1 s.
 //
 //     build/bench/bench/servo_time [SEGMENTS=20000] [RATE=1000]
 //
 // A freeform pass of short segments (limits of machines/linuxcnc-sim) is planned as fast as the clock needs it, then played. Prints the
-// percentiles of the times of a call in µs, beside those of a loop that always does the same (what the machine itself adds); then it is
-// played over and over and the least time of each call is taken: what the call itself takes, whatever the machine does beside it; and the
-// seconds of motion that a second of processor time gives, planned and played.
+// percentiles of the times of a call in µs, compared with a loop that always does the same (what the machine itself adds). Then it is
+// played again and again, and the least time of each call is used: the time of the call alone, without what else the machine does. Last,
+// the seconds of motion per second of processor time, planned and played.
 
 #include <fmt/core.h>
 
@@ -30,13 +30,13 @@ void print_times(const char* what, std::vector<double>& times) {
              percentile(0.9999), times.back());
 }
 
-/// Every 0.1 s another override, 0 to 100 %, always the same ones.
+/// Changes the override every 0.1 s, between 0 and 100 %, always in the same sequence.
 void change_override(kadr::Playback& playback, std::size_t call, double rate) {
   const auto change_every = static_cast<std::size_t>(0.1 * rate);
   if (call % change_every == 0) playback.override_to(0.1 * static_cast<double>(call / change_every * 7 % 11));
 }
 
-/// Plays planned cells several times, offered when there is room: the least time of each call, µs.
+/// Plays planned cells several times, passing cells when there is room. Returns the least time of each call, µs.
 std::vector<double> least_times(const kadr::MotionLimits& limits, double rate, const std::vector<kadr::TimedCells>& planned) {
   constexpr int rounds = 15;
   std::vector<double> least;
@@ -66,7 +66,7 @@ std::vector<double> least_times(const kadr::MotionLimits& limits, double rate, c
   return least;
 }
 
-/// As many times of the same 1200 additions, some µs.
+/// Returns `count` times of the same 1200 additions, some µs each.
 std::vector<double> of_the_machine(std::size_t count) {
   std::vector<double> times(count);
   volatile double x = 0;

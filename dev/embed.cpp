@@ -1,8 +1,9 @@
-// Writes OUT, a C++ file that holds each FILE: its text, and the table of a TOML file as packed_toml has it. A part of the build.
+// Writes OUT, a C++ file that contains each FILE: its text, and for a TOML file also its table in the form of packed_toml. Part of the
+// build.
 //
 //   kadr_embed OUT ROOT FILE...     names are relative to ROOT
-//   kadr_embed --page OUT FOLDER    all files of a folder, which need not be there, for server/page_files
-//   kadr_embed --report OUT FOLDER  the same, for cli/report_files
+//   kadr_embed --page OUT FOLDER    all files of a folder, which may be missing, for server/page_files
+//   kadr_embed --report OUT FOLDER  the same for cli/report_files
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -28,14 +29,14 @@ std::string text_of(const fs::path& file) {
   return std::move(text).str();
 }
 
-/// `static const unsigned char NAME[]` with a 0 after: no compiler limits the length of a list.
+/// Writes `static const unsigned char NAME[]` with a 0 at the end: no compiler limits the length of a list.
 void array(std::ostream& out, const std::string& name, std::string_view bytes) {
   fmt::print(out, "static const unsigned char {}[] = {{", name);
   for (std::size_t i = 0; i < bytes.size(); ++i) fmt::print(out, "{}{},", i % 64 == 0 ? "\n" : "", static_cast<unsigned char>(bytes[i]));
   fmt::print(out, "0}};\n");
 }
 
-/// Where the files go: what is included there, and the function that hands them out.
+/// The target of the files: the header to include, and the function that returns them.
 struct Target {
   const char *header, *function;
 };
@@ -67,7 +68,7 @@ void embed(std::ostream& out, const Target& target, const fs::path& root, const 
              target.function, rows);
 }
 
-/// All files of a folder, by name; none where it is not there.
+/// Returns all files of a folder, sorted by name; none if the folder is missing.
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
@@ -95,7 +96,7 @@ int main(int argc, char** argv) {
     if (!out) throw std::runtime_error(std::string(name) + ": cannot be written");
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
-    fs::remove(name);  // half of it would pass for made
+    fs::remove(name);  // half a file would pass for a complete one
     return 1;
   }
 }

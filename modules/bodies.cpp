@@ -1,5 +1,5 @@
-// kadr-bodies.so: how far solid bodies are from each other, asked of FCL. Loaded at need by stock/bodies/bodies_library: to start with FCL
-// and what it brings would cost every command.
+// kadr-bodies.so: computes the distance between solid bodies with FCL. stock/bodies/bodies_library loads it when it is needed: starting
+// with FCL and its libraries would slow down every command.
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
@@ -25,9 +25,9 @@ namespace {
 
 using Mesh = fcl::BVHModel<fcl::OBBRSSd>;
 
-constexpr int sides = 128;          // of a circle: about it by 0.03 % of its radius at most
-constexpr double tolerance = 1e-9;  // mm between two steps of the search: then it is within 5e-6 of the distance
-constexpr double doubtful = 1e-4;   // mm: a distance that is off by more is not believed
+constexpr int sides = 128;          // of a circle: the polygon reaches beyond it by 0.03 % of its radius at most
+constexpr double tolerance = 1e-9;  // mm between two steps of the search: the result is then within 5e-6 of the distance
+constexpr double doubtful = 1e-4;   // mm: a distance with a greater error is not trusted
 
 fcl::Transform3d placed(const double* pose) {
   fcl::Transform3d t = fcl::Transform3d::Identity();
@@ -36,7 +36,7 @@ fcl::Transform3d placed(const double* pose) {
   return t;
 }
 
-/// Whatever is thrown ends here.
+/// Exceptions end here.
 template <class Make>
 int added(KadrBodies* bodies, const Make& make) {
   try {
@@ -55,7 +55,7 @@ int add_cylinder(KadrBodies* bodies, double diameter, double height) {
   return added(bodies, [&] { return std::make_shared<fcl::Cylinderd>(diameter / 2, height); });
 }
 
-/// Circles as polygons about them, faces between.
+/// Builds a body from circles: polygons around the circles, and faces between them.
 std::shared_ptr<fcl::CollisionGeometryd> round_body(const double* circles, int count) {
   const double about = 1 / std::cos(fcl::constantsd::pi() / sides);
   const auto points = std::make_shared<std::vector<fcl::Vector3d>>();
@@ -112,7 +112,7 @@ int add_mesh(KadrBodies* bodies, const float* points, std::size_t point_count, c
 
 const fcl::CollisionGeometryd* body(const KadrBodies* bodies, int number) { return bodies->all[std::size_t(number)].get(); }
 
-/// The farthest that a convex body reaches along a direction of its own.
+/// Returns the farthest extent of a convex body along a direction in its own coordinates.
 double reach(const fcl::CollisionGeometryd& shape, const fcl::Vector3d& along) {
   if (const auto* const box = dynamic_cast<const fcl::Boxd*>(&shape)) return 0.5 * box->side.dot(along.cwiseAbs());
   if (const auto* const cylinder = dynamic_cast<const fcl::Cylinderd*>(&shape))
@@ -126,7 +126,7 @@ bool is_mesh(const fcl::CollisionGeometryd& shape) { return shape.getObjectType(
 
 struct Found {
   double distance = std::numeric_limits<double>::quiet_NaN();
-  double certain = -std::numeric_limits<double>::infinity();  // that they are apart: between two planes across the way to each other
+  double certain = -std::numeric_limits<double>::infinity();  // proven distance, between planes at right angles to that of the points
   fcl::Vector3d on_first{0, 0, 0}, on_second{0, 0, 0};
 };
 
@@ -154,8 +154,8 @@ Found found_by(fcl::GJKSolverType solver, const fcl::CollisionGeometryd& a, cons
   return found;
 }
 
-/// FCL's own search; where a plane between the two does not bear it out, libccd's (which is off by far in 1 of 100 pairs of boxes whose
-/// sides are parallel). What is then certain counts.
+/// Uses FCL's own search. If a plane between the two bodies does not confirm its result, uses libccd's search (which is far off for 1 in
+/// 100 pairs of boxes with parallel sides). The greater certain distance counts.
 double distance(KadrBodies* bodies, int a, const double* pose_a, int b, const double* pose_b, double* nearest) {
   const fcl::CollisionGeometryd &first = *body(bodies, a), &second = *body(bodies, b);
   const fcl::Transform3d at_a = placed(pose_a), at_b = placed(pose_b);
@@ -169,7 +169,7 @@ double distance(KadrBodies* bodies, int a, const double* pose_a, int b, const do
   return found.distance;
 }
 
-/// FCL's own search: libccd's misses it by hundredths of a mm on cylinders.
+/// Uses FCL's own search: libccd's result is off by hundredths of a mm on cylinders.
 double depth(KadrBodies* bodies, int a, const double* pose_a, int b, const double* pose_b) {
   if (is_mesh(*body(bodies, a)) || is_mesh(*body(bodies, b))) return 0;
   try {

@@ -1,4 +1,4 @@
-// Kadr's planner of least time beside reference solvers of the same path and limits: bench/optimality.
+// Compares Kadr's planner of least time with reference solvers on the same path and limits: bench/optimality.
 //
 //   kadr_reference PROGRAM [--jerk J] [--parts N] [--starts N] [--seconds S] [--no-jerk]
 

@@ -1,4 +1,4 @@
-// A program → the planner's cells, cut at the rests.
+// Turns a program into the planner's cells, cut at the rests.
 
 #include <cmath>
 #include <fstream>
@@ -28,7 +28,7 @@ MachineProfile profile_of(const Machine& machine, const std::vector<std::string>
   return profile;
 }
 
-/// Cells as they come → stretches.
+/// Turns cells into stretches as they come.
 class Collector {
  public:
   void take(const TimedCells& cells) {

@@ -14,7 +14,7 @@ struct Row {
   double p, q, r;
 };
 
-/// The limits of one interval. Its end: b + 2 h u.
+/// The limits of one interval. At its end ṡ² is b + 2 h u.
 class Rows {
  public:
   Rows(const Grid& grid, const MotionLimits& limits, std::size_t interval, double most_at_end) {
@@ -29,7 +29,7 @@ class Rows {
     add(-2 * h, -1, 0);
   }
 
-  /// The greatest b, up to `most`, for which there is a u: each lower bound of u is no greater than each upper one.
+  /// Returns the greatest b, up to `most`, for which a u exists: no lower bound of u exceeds an upper one.
   double greatest_b(double most) const {
     for (const Row& row : rows_)
       if (row.p == 0 && row.q > 0) most = std::min(most, row.r / row.q);

@@ -20,7 +20,7 @@ State state_of(const TimeLaw& law, double t) {
   return {v, law.a + law.j * law.way(t), law.j * v};
 }
 
-/// When a way along a cell is reached.
+/// Returns when a distance along a cell is reached.
 double time_at(const TimeLaw& law, double way) {
   if (way <= 0) return 0;
   if (way >= law.length) return law.seconds;
@@ -106,7 +106,7 @@ void Shares::take(const Place& at, const MotionLimits& limits, double v, double 
   }
 }
 
-constexpr int looks = 16;  // places in each cell or interval where the limits are looked at
+constexpr int looks = 16;  // points in each cell or interval where the limits are checked
 
 Shares shares_planned(const Stretch& stretch, const MotionLimits& limits) {
   Shares shares;

@@ -1,5 +1,5 @@
 #pragma once
-// Stretch: what the planner made of a program between two rests: the path as it follows it, and its time. A reference solver is given the
+// Stretch: what the planner computed for a program between two rests: the path as it is followed, and its time. A reference solver gets the
 // same path and the same limits.
 
 #include <string>
@@ -14,24 +14,25 @@ struct Stretch {
   std::vector<double> feed;  // greatest speed along the path in each cell, mm/s
 };
 
-/// The path at a place: derivatives by its length, and the greatest ṡ² that feed and axes allow there, mm²/s².
+/// The path at one point: derivatives by its length, and the greatest ṡ² that feed and axes allow there, mm²/s².
 struct Place {
   std::array<double, max_axes> x1{}, x2{}, x3{};
   double most = 0;
 };
 Place place(const Stretch& stretch, const MotionLimits& limits, std::size_t cell, double way);
 
-/// Cuts a stretch into intervals, each within one cell.
+/// A stretch cut into intervals, each within one cell.
 struct Grid {
   std::vector<double> h;          // mm
   std::vector<Place> start, end;  // of each interval
   std::vector<std::size_t> cell;
-  std::vector<double> from;  // its start, mm into the cell
+  std::vector<double> from;  // start of the interval, mm into the cell
 
   std::size_t intervals() const { return h.size(); }
   double most(std::size_t knot) const;
 };
-/// `parts` intervals a cell, and none longer than `longest` of the whole.
+///   parts    intervals per cell
+///   longest  greatest length of an interval, as a share of the whole
 Grid grid_of(const Stretch& stretch, const MotionLimits& limits, int parts, double longest);
 
 /// Path speed and its derivative by time at the knots of a grid, and the time of each interval.
@@ -39,7 +40,7 @@ struct PathMotion {
   std::vector<double> v, a, seconds;
   double total() const;
 };
-/// What the planner made of it.
+/// Returns the planner's own motion.
 PathMotion motion_of(const Stretch& stretch, const Grid& grid);
 
 /// The greatest share of a limit that is used anywhere.
@@ -48,14 +49,14 @@ struct Shares {
   void take(const Place& at, const MotionLimits& limits, double v, double a, double j);
 };
 Shares shares_planned(const Stretch& stretch, const MotionLimits& limits);
-/// Of a motion with constant path jerk in each interval.
+/// For a motion with constant path jerk in each interval.
 Shares shares_of(const Stretch& stretch, const MotionLimits& limits, const Grid& grid, const PathMotion& motion);
 
-/// The time of the whole stretch, planned by motion/least_time/least_time as one window; the planner's own if that is one straight line.
+/// Returns the time of the whole stretch, planned by motion/least_time/least_time as one window; the planner's own time if the stretch is a
+/// single straight line.
 double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits);
 
-/// Reads a program of the control mach3 and plans its motion on a machine with these limits.
-///   throws  std::runtime_error: alarms, files that cannot be read, paths that turn back on themselves
+/// The limits of each axis (mm/s, mm/s², mm/s³) and the tolerance, mm.
 struct Machine {
   double speed = 200, acceleration = 1000, jerk = 20000, tolerance = 0.01;
 };
@@ -63,6 +64,8 @@ struct Planned {
   MotionLimits limits;
   std::vector<Stretch> stretches;
 };
+/// Reads a program of the control mach3 and plans its motion on a machine with these limits.
+///   throws  std::runtime_error for alarms, files that cannot be read, paths that reverse
 Planned planned(const std::string& file, const Machine& machine);
 
 }  // namespace kadr::reference

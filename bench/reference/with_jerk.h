@@ -1,12 +1,13 @@
 #pragma once
-// The least time along a path with limits of speed, acceleration and jerk, as a dense nonlinear programme, solved by Ipopt.
+// Computes the least time along a path with limits of speed, acceleration and jerk, as a dense nonlinear programme that Ipopt solves.
 //
 //   unknowns   path speed v and acceleration a at each knot of the grid, the time t of each interval; its path jerk is (a₁ − a₀)/t
 //   equations  v₀ t + (2 a₀ + a₁) t²/6 = h,   v₀ + (a₀ + a₁) t/2 = v₁
 //   limits     at each knot |x′ a + x″ v²| ≤ A, at both ends of each interval |x′ j + 3 x″ v a + x‴ v³| ≤ J
 //   Σ t        to be the least
 //
-// In time, not in ṡ² as motion/least_time/least_time: a stop is nothing special. Not convex: the best of several starts.
+// It is formulated in time, not in ṡ² as in motion/least_time/least_time: a stop is nothing special. It is not convex: the best of several
+// starts counts.
 
 #include <optional>
 
@@ -18,8 +19,8 @@ struct Found {
   PathMotion motion;
   int steps = 0;
 };
-/// From a motion to begin with, which need not obey anything.
-///   returns  nothing: no motion was found that obeys the limits in `most_seconds`
+/// Starts from a motion that need not keep any limit.
+///   returns  nullopt if no motion within the limits was found in `most_seconds`
 std::optional<Found> with_jerk(const Grid& grid, const MotionLimits& limits, const PathMotion& start, double most_seconds);
 
 }  // namespace kadr::reference

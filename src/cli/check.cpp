@@ -1,4 +1,4 @@
-// kadr check: every fault of every program, its channels included, and how many.
+// kadr check: finds every fault of every program, in all its channels, and counts them.
 
 #include <fmt/core.h>
 
@@ -29,9 +29,9 @@ struct Count {
   std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
-/// Where findings go as they are found, or when all are there.
+/// Collects findings, and prints them as they come or all at the end.
 struct Report {
-  std::FILE* text = nullptr;  // of --format text: as they come; else nullptr
+  std::FILE* text = nullptr;  // for --format text: prints findings as they come; else nullptr
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
   Count count;
@@ -43,7 +43,7 @@ struct Report {
   }
 };
 
-/// Takes what is found in the programs of one file; what the baseline knows is left out.
+/// Collects what is found in the programs of one file, and leaves out what the baseline has.
 class Collector {
  public:
   Collector(const Job& job, const Options& options, Report& report, Found& found)
@@ -70,7 +70,7 @@ class Collector {
   Found& found_;
 };
 
-enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
+enum class Checked { clean, faulty, unreadable, unknown };  // unknown: not a program of a control that Kadr supports
 
 Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& check) {
   auto program = open_program(job);
@@ -81,8 +81,8 @@ Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& che
   return Checked::clean;
 }
 
-/// Every program of the file, if it is a tape with several and none is named.
-///   basis  of all files together
+/// Checks the file: every program of a tape with several, if none is named.
+///   basis  shared by all files
 Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
@@ -93,7 +93,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   RunLimits limits = options.limits;
   const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes asks for more
   if (one_pass) limits.restarts = 0;
-  const bool only_program = programs == 1 && options.program == 0;  // of a tape
+  const bool only_program = programs == 1 && options.program == 0;  // not one of several on a tape
   if (!basis.tools) basis.tools = tool_table_beside(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
   basis.own_setup = only_program && basis.own_setup;
@@ -116,7 +116,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   return std::max(worst, faulty ? Checked::faulty : Checked::clean);
 }
 
-/// "3 programs checked: 1 error, 0 warnings."
+/// Prints "3 programs checked: 1 error, 0 warnings."
 void print_count(const Options& options, std::size_t files, Count count, std::size_t known) {
   if (options.format != "text" || options.quiet) return;
   const auto [faults, warnings, advices] = count;
@@ -133,7 +133,7 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   type_out("\n");
 }
 
-/// The baseline that is asked for; complains.
+/// Reads the baseline, if one is named; complains on errors.
 bool read_baseline(const Options& options, Report& report) {
   constexpr std::size_t longest = std::size_t{256} << 20;  // bytes
   if (options.baseline.empty()) return true;
@@ -148,7 +148,7 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
-/// The tools file that is asked for; complains.
+/// Reads the tools file, if one is named; complains on errors.
 bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
   if (options.table.empty()) return true;
   auto tools = load_tools(options.table);
@@ -168,12 +168,12 @@ Outputs outputs_of(const Options& options, const ProgramFiles& programs) {
   return outputs;
 }
 
-/// json, sarif: all findings at once.
+/// Writes all findings as json or sarif.
 void write_findings(std::FILE* to, const Options& options, const Report& report, int status) {
   Invocation invocation{KADR_VERSION, status, {}};
   for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
   const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
-  write_data(to, text);  // Outputs::keep() tells whether all was written
+  write_data(to, text);  // Outputs::keep() reports whether all was written
 }
 
 }  // namespace
@@ -204,15 +204,15 @@ int check(const Options& given) {
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
-    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // of a folder not every file is a program
+    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // not every file of a folder is a program
       report.unreadable.push_back({file, told("cannot be checked", "не может быть проверен")});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // nobody can read it
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // the reader has gone
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
-  if (checked == 0 && status == ok) {  // of the files of a folder
+  if (checked == 0 && status == ok) {  // in the folders' files
     complain(told("no program of a control that Kadr knows is there: --control says which it is",
                   "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
     status = wrong_usage;

@@ -1,4 +1,4 @@
-// The command line: commands, options, help with examples. For the rest of cli.
+// The command line: commands, options, and help with examples. Used by the rest of cli.
 
 #include "cli/command_line.h"
 
@@ -124,12 +124,12 @@ void add_pages(CLI::App& app, Commands& c) {
     type_out("{}", codes_of(control));
     throw CLI::Success();
   };
-  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // asked by the scripts alone
+  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // only the scripts call it
   language_option(*complete, c.options.lang);
   complete->footer(completion_examples());
 }
 
-/// CLI11 takes the next option for the value of one that has none: `--trace --why` would write a file of that name.
+/// CLI11 would read the next option as the value of an option without one: `--trace --why` would write a file of that name.
 void want_values(CLI::App& app) {
   for (CLI::Option* const option : app.get_options({})) {
     if (takes_nothing(*option)) continue;
@@ -137,7 +137,7 @@ void want_values(CLI::App& app) {
       const bool is_option = word.size() > 2 && word.starts_with("--");
       return is_option ? told("a value is missing: ", "нет значения: ") + option->get_type_name() : std::string();
     };
-    option->transform(CLI::Validator(check, ""));  // the first of its validators
+    option->transform(CLI::Validator(check, ""));  // runs before the other validators
   }
   for (CLI::App* const sub : app.get_subcommands({})) want_values(*sub);
 }

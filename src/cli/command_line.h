@@ -1,5 +1,5 @@
 #pragma once
-// The command line: commands, options, help with examples. Manual page and shell completion are made from the same tree.
+// The command line: commands, options, and help with examples. The manual page and the shell completion are built from the same tree.
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ class App;
 
 namespace kadr::cli {
 
-/// What was asked, once parsed.
+/// The options of all commands, as parsed.
 struct Commands {
   Options options;
   ExplainOptions explain;
@@ -25,23 +25,24 @@ struct Commands {
   ConvertOptions convert;
   ServeOptions serve;
   ReportOptions report;
-  std::string machine;  // of machines; empty: all
-  std::string shell;    // of completion
+  std::string machine;  // of `machines`; empty: all
+  std::string shell;    // of `completion`
 };
 
-/// Its texts are in the language of told().
+/// Returns the parser; its texts are in the language of told().
 std::unique_ptr<CLI::App> make_app(Commands& commands);
 
-/// What --lang says anywhere on the line, so that a wrong line, too, is answered in that language; empty: nothing.
+/// Returns the language that --lang names anywhere on the line, so that a faulty line too is answered in that language; empty if there is
+/// none.
 std::string language_on(int argc, const char* const* argv);
 
-/// Every command answers in that language.
+/// Sets the language in which every command answers.
 void speak(Commands& commands, const std::string& lang);
 
 std::string manual_page(const CLI::App& app);
-/// `shell`: bash, zsh or fish.
+///   shell  bash, zsh or fish
 std::string completion(const CLI::App& app, const std::string& shell);
-/// What `kadr explain CONTROL` may be asked for, a line each; empty: no such control.
+/// Returns what `kadr explain CONTROL` can explain, one per line; empty if there is no such control.
 std::string codes_of(const std::string& control);
 
 }  // namespace kadr::cli

@@ -1,5 +1,5 @@
 #pragma once
-// The parts that command_line.cpp puts together: each adds its commands. Every text stands here in both languages (told.h).
+// The parts that command_line.cpp assembles: each adds its commands. Their texts are written in both languages (told.h).
 
 #include <array>
 
@@ -26,7 +26,7 @@ void add_convert(CLI::App& app, Commands& commands);
 /// report (report_command.cpp).
 void add_report(CLI::App& app, Commands& commands);
 
-/// --stock and --tools of cut and report, in this order, and --fixture (cut_command.cpp).
+/// --stock and --tools of cut and report, returned in this order, and --fixture (cut_command.cpp).
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& options);
 /// --resolution.
 void cell_option(CLI::App& app, CutOptions& options);
@@ -34,10 +34,10 @@ void cell_option(CLI::App& app, CutOptions& options);
 /// serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);
 
-/// The options of a program, of all commands that take one (program_commands.cpp).
+/// The argument and the options of a program, for all commands that read one (program_commands.cpp).
 void program_argument(CLI::App& app, Options& options);
 void program_options(CLI::App& app, Options& options);
-/// --files of the commands in which a program writes nothing.
+/// --files, for the commands in which a program writes nothing.
 void memory_option(CLI::App& app, Options& options);
 
 void control_option(CLI::App& app, std::string& control);

@@ -1,4 +1,4 @@
-// The completion scripts of bash, zsh and fish, from the tree of commands.
+// Writes the completion scripts of bash, zsh and fish, from the tree of commands.
 
 #include <fmt/core.h>
 
@@ -12,12 +12,12 @@
 namespace kadr::cli {
 namespace {
 
-/// What may stand after an option, or in the place of an argument.
+/// The possible values of an option or argument.
 struct Values {
   std::string words;   // separated by blanks
-  std::string ending;  // of files, an extended pattern of names: "json", "@(svg|png)"; empty: any
+  std::string ending;  // of files, as an extended pattern of names: "json", "@(svg|png)"; empty: any
   bool folders = false;
-  bool files = false;  // any
+  bool files = false;  // any file
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -34,7 +34,7 @@ std::vector<const CLI::Option*> named_options(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
 }
 
-/// A set of words is named as one: "text|json|sarif" (one_of in cli/option_values).
+/// A set of words has the name "text|json|sarif" (one_of in cli/option_values).
 Values values_of(const std::string& name, const CLI::Option& option) {
   if (name == "--control") return {joined(control_names()), "toml", false};
   if (name == "--machine") return {joined(built_in_machines()), "toml", false};
@@ -50,7 +50,7 @@ Values values_of(const std::string& name, const CLI::Option& option) {
   return {words, "", false};
 }
 
-/// Subcommands and long options.
+/// Returns subcommands and long options.
 std::string words_of(const CLI::App& app) {
   std::string words;
   for (const CLI::App* const sub : subcommands(app)) words += sub->get_name() + " ";
@@ -69,7 +69,7 @@ std::string shell_reply(const Values& values) {
   return reply;
 }
 
-/// A branch of `case "$command $before"` for each option with a value.
+/// Adds a branch of `case "$command $before"` for each option with a value.
 void shell_values(const CLI::App& app, const std::string& command, std::string& cases) {
   for (const CLI::Option* const option : named_options(app)) {
     if (takes_nothing(*option)) continue;
@@ -91,7 +91,7 @@ void shell_words(const CLI::App& app, const std::string& command, std::string& c
   for (const CLI::App* const sub : subcommands(app)) shell_words(*sub, command + (command.empty() ? "" : " ") + sub->get_name(), cases);
 }
 
-/// The words of the line that name the command, as bash looks for them.
+/// Returns the words of the line that name the command, as bash looks for them.
 std::string shell_groups(const CLI::App& app) {
   std::string groups;
   for (const CLI::App* const sub : subcommands(app)) {
@@ -102,7 +102,7 @@ std::string shell_groups(const CLI::App& app) {
   return groups;
 }
 
-// The functions that the tables below call, of bash and of zsh: what they offer begins as $word does, in small letters or capitals.
+// Functions of bash and zsh that the tables below call: they offer what begins with $word, in small or capital letters.
 constexpr const char* bash_functions = R"sh(# bash completion of kadr; made by `kadr completion bash`
 _kadr_words() {
   local one
@@ -164,7 +164,7 @@ constexpr const char* zsh_beginning = R"sh(_kadr() {
   if ((CURRENT > first + 1)); then group="$command ${words[first + 1]}"; fi
 )sh";
 
-/// The tables, which both shells read.
+/// Returns the tables that both shells read.
 std::string tables(const CLI::App& app) {
   std::string values, words;
   shell_values(app, "", values);
@@ -178,7 +178,7 @@ std::string bash_script(const CLI::App& app) {
   return std::string(bash_functions) + bash_beginning + tables(app) + "complete -F _kadr kadr\n";
 }
 
-/// In a file of fpath it is the function itself; read by `source` it is to be made known.
+/// In a file of fpath the script is the function itself; read by `source` it must be registered.
 std::string zsh_script(const CLI::App& app) {
   return std::string(zsh_functions) + zsh_beginning + tables(app) +
          "if [[ ${funcstack[1]} == _kadr ]]; then _kadr \"$@\"; else compdef _kadr kadr; fi\n";
@@ -190,7 +190,7 @@ std::string in_quotes(const std::string& text) {
   return "'" + out + "'";
 }
 
-/// What fish offers after an option.
+/// Returns what fish offers after an option.
 std::string fish_values(const Values& values) {
   std::string offer;
   if (!values.words.empty()) offer += values.words + " ";

@@ -1,4 +1,4 @@
-// kadr convert: a program of one control as a program of another, proven equal. Tested by tests/convert.py.
+// kadr convert: converts a program of one control to another and proves that both do the same. Tested by tests/convert.py.
 
 #include <fmt/core.h>
 
@@ -136,7 +136,7 @@ class ConvertCommand {
     return ok;
   }
 
-  /// As much as a guess looks at.
+  /// Returns as much as a guess reads.
   static std::string beginning_of(const ConversionTry& one) {
     constexpr std::size_t looked_at = std::size_t{256} << 10;  // bytes
     std::string text;
@@ -147,7 +147,7 @@ class ConvertCommand {
     return text;
   }
 
-  /// The program, in its letters.
+  /// Writes the program in its letters.
   ///   alarms  bad_encoding
   Status write(const ConversionTry& one, bool unproven) {
     std::FILE* const file = outputs_.stream("--out");
@@ -159,7 +159,7 @@ class ConvertCommand {
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
     const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
-    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // all of it between leader and trailer
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // the whole text goes between leader and trailer
     Status status = put(mark);
     (void)each_piece(*one.text, [&](std::string_view piece) {
       if (status) status = put(in_letters(piece));
@@ -176,7 +176,7 @@ class ConvertCommand {
       say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
     }
   }
-  /// Why the first so many ways were not taken; ways that one and the same reason rules out in one line.
+  /// Prints why the first `count` ways were not used; ways with the same reason share a line.
   void tell_whys(const Converted& made, std::size_t count, const ConversionSides& sides) const {
     std::vector<ConversionRefusal> whys;
     for (std::size_t i = 0; i < count; ++i) {
@@ -196,7 +196,7 @@ class ConvertCommand {
     }
   }
 
-  /// "flange.nc:12 | 14: "; the second line is of what was written.
+  /// Returns "flange.nc:12 | 14: "; the second line number refers to the written text.
   std::string place_of(const ConversionRefusal& why) const {
     if (why.at.line == 0 && why.written_line == 0) return {};
     if (why.at.line == 0)
@@ -210,7 +210,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
-  WrittenLetters letters_;  // of what is written
+  WrittenLetters letters_;  // of the written text
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// kadr cut: a program carried out on a blank; what is left, what collides.
+// kadr cut: executes a program on a blank, and reports what remains and what collides.
 
 #include <fmt/core.h>
 
@@ -30,9 +30,9 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_of_mb = 1 << 20;
-constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; what a point of the surface may be off: docs/stock.md
+constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; error of a surface point, cells: docs/stock.md
 
-/// The files of the command, none of them opened yet.
+/// Returns the files of the command, none of them opened yet.
 Outputs outputs_of(const CutOptions& options, const Job& job) {
   Outputs outputs(language(options.run));
   outputs.reads(job.file);
@@ -58,15 +58,15 @@ PartColour colour_of(const std::string& word) {
                                : PartColour::tool;
 }
 
-/// What there is when the program has been carried out.
+/// The state after the program was executed.
 struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // whose surface it is
+  const Stock& stock;  // the stock of that surface
 };
 
-/// The picture, if one is asked for. Returns an error sentence.
+/// Draws the picture, if one is requested. Returns an error sentence.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
                                      const CutResult& result) {
   if (options.run.plot.empty()) return {};
@@ -97,7 +97,7 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   return outputs.keep();
 }
 
-/// Why a result cannot be written in that form; complains.
+/// Complains if a result cannot be written in the requested format.
 bool can_write(const CutOptions& options) {
   if (!can_write_meshes(options)) return false;
   const std::string fault = options.run.plot.empty() ? "" : page_fault(options.run.plot);
@@ -105,7 +105,7 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// Figures, part, files, once the program has been carried out. Returns the exit status.
+/// Reports figures, part and files after the program was executed. Returns the exit status.
 int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
                  Outputs& outputs) {
   const Stock* const window = run.cutting().window();
@@ -129,7 +129,7 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
 
-/// Who watches the bodies of the machine, nullptr where it has none; nothing: complained of.
+/// Returns the watch over the machine's bodies, nullptr if it has none; nullopt after a complaint.
 std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options, const Session& session, const CutJob& cut) {
   std::vector<std::string> notes;
   auto watch =

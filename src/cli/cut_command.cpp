@@ -14,7 +14,7 @@ constexpr double least_cell = 1e-3, most_cell = 1000;   // mm
 constexpr double least_memory = 16, most_memory = 1e6;  // MB
 constexpr double most_allowed = 1000;                   // mm
 constexpr double most_threads = 256;
-constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are no more exact
+constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are not more exact
 
 void part_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--stock-zero", o.stock_zero,

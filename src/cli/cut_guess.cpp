@@ -1,4 +1,4 @@
-// Guesses of kadr cut. For cli/cut; tests/run_cut.py.
+// Guesses blank and tools for kadr cut. Used by cli/cut; tested by tests/run_cut.py.
 
 #include "cli/cut_guess.h"
 
@@ -26,10 +26,10 @@ OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
   return opened;
 }
 
-/// As the tools file has them, if one is named.
+/// Returns the tools, with the data of the tools file if one is named.
 std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& run) {
   if (options.tools.empty() || options.tools == guess_word) return proposed_tools(run, nullptr);
-  auto library = load_tools(options.tools);  // what is wrong with it is told when it is read to cut with
+  auto library = load_tools(options.tools);  // its errors are reported when it is read for cutting
   const KnownTools file{options.tools, library ? std::move(*library) : ToolLibrary()};
   return proposed_tools(run, &file);
 }

@@ -1,4 +1,4 @@
-// Blank, fixtures, tools, part. For cli/cut.
+// Finds blank, fixtures, tools and part. Used by cli/cut.
 
 #include "cli/cut_job.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double bytes_per_mb = 1 << 20;
 
-/// --until: seconds, or a line in `line`.
+/// Reads --until: returns seconds, or stores a line in `line`.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
   if (text.empty()) return 1e300;
   if (!text.ends_with('s')) {
@@ -34,7 +34,7 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
   return seconds;
 }
 
-/// A body of the command line; complains.
+/// Reads a body of the command line; complains on errors.
 std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
   const auto named = body_of(text, most);
   if (!named) {
@@ -45,7 +45,7 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   return named->body;
 }
 
-/// The part that is wanted, if one is; complains.
+/// Reads the target part, if one is named; complains on errors.
 bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   if (options.part.empty()) {
     const char* const lonely = options.allow >= 0                  ? "--allow"
@@ -69,7 +69,8 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
-/// The window that --window names, and both cells: --resolution is that of the window, or of the whole where there is none. Complains.
+/// Finds the window of --window and both cell sizes: --resolution is that of the window, or of the whole if there is no window. Complains
+/// on errors.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
   std::optional<Box3> window;
   if (!options.window.empty()) {
@@ -91,7 +92,7 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
   return true;
 }
 
-/// Cells and bodies, within the memory that may be taken; complains.
+/// Chooses cells and bodies within the memory limit; complains on errors.
 bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
@@ -113,7 +114,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   return false;
 }
 
-/// Before the material: they help to choose the cell. Those that are guessed are there; complains.
+/// Reads the tools before the material, since they help to choose the cell. Guessed tools are already there. Complains on errors.
 bool find_tools(const CutOptions& options, CutJob& job) {
   if (options.tools == guess_word) return true;
   auto tools = load_tools(options.tools);

@@ -1,5 +1,5 @@
 #pragma once
-// What kadr cut works with: blank, fixtures, tools, part, from its options. For cli/cut.
+// Finds what kadr cut needs from its options: blank, fixtures, tools, part. Used by cli/cut.
 
 #include <optional>
 
@@ -10,12 +10,12 @@
 
 namespace kadr::cli {
 
-/// All of it but what the program and its set-up say; complains.
-///   options  gets the line of --until as that of --to
-///   part     the one that is wanted, if one is
+/// Finds all that is not given by the program and its set-up; complains on errors.
+///   options  --to gets the line of --until
+///   part     gets the target part, if one is named
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
-/// The row of the work system that --stock-zero names; complains.
+/// Finds the row of the work system that --stock-zero names; complains on errors.
 bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 
 }  // namespace kadr::cli

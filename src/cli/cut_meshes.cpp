@@ -1,4 +1,4 @@
-// Surface → STL, 3MF, PLY. For cli/cut.
+// Writes a surface as STL, 3MF or PLY. Used by cli/cut.
 
 #include "cli/cut_meshes.h"
 
@@ -20,7 +20,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr double mesh_mb = 1 << 20;      // bytes
-constexpr double bytes_of_surface = 20;  // a triangle
+constexpr double bytes_of_surface = 20;  // per triangle
 
 bool has_ending(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
@@ -36,7 +36,7 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
   return fault.empty();
 }
 
-/// Complains.
+/// Complains on errors.
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
   const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
   const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);

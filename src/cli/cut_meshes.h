@@ -1,5 +1,5 @@
 #pragma once
-// The meshes that kadr cut writes: --out, --simplify, --deviation. For cli/cut.
+// Writes the meshes of kadr cut: --out, --simplify, --deviation. Used by cli/cut.
 
 #include "cli/options.h"
 #include "cli/outputs.h"
@@ -10,11 +10,11 @@
 
 namespace kadr::cli {
 
-/// Whether they can be written in the form that their names ask for; complains.
+/// Returns whether the meshes can be written in the formats that their names ask for; complains if not.
 bool can_write_meshes(const CutOptions& options);
 
-/// Into the open files; complains.
-///   surface  of what `cutting` has left, in its window if there is one
+/// Writes the meshes into the open files; complains on errors.
+///   surface  what `cutting` has left, in its window if there is one
 ///   result   gets `simplified`
 bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
                   const Cutting& cutting, CutResult& result);

@@ -1,4 +1,4 @@
-// kadr debug: a program step by step, by commands on standard input, one a line. Tested by tests/debug.py.
+// kadr debug: executes a program step by step, by commands on standard input, one per line. Tested by tests/debug.py.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -35,7 +35,7 @@ Said split(const std::string& line) {
   return {line.substr(begin, end - begin), after};
 }
 
-/// A whole number; nothing: it is none. Nothing written: `otherwise`.
+/// Returns a whole number; `otherwise` if the text is empty; nullopt if it is anything else.
 std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t otherwise) {
   if (text.empty()) return otherwise;
   if (text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
@@ -87,7 +87,7 @@ class Debugger : public PartOfProgram {
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
       if (asks) type_out("(kadr) ");
-      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // nobody reads, or nobody asks
+      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // nobody reads, or there are no more commands
       obey(split(line));
     }
     if (state_ == Session::State::held) (void)session_->stop_here();
@@ -99,11 +99,11 @@ class Debugger : public PartOfProgram {
   void obey(const Said& said) {
     using How = Stepping::How;
     const auto& [word, rest] = said;
-    if (word.empty() || word[0] == '#') return;  // a script may hold comments
+    if (word.empty() || word[0] == '#') return;  // a script may contain comments
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
     if (word == "finish" || word == "f") return move(How::out, "");
-    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // gdb begins by run
+    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // gdb starts with run
     if (word == "until" || word == "u") return until(rest);
     if (word == "back") return back(rest);
     if (word == "break" || word == "b") return add_break(rest);
@@ -131,7 +131,7 @@ class Debugger : public PartOfProgram {
     return false;
   }
 
-  /// So that back() leads here.
+  /// Saves the state, so that back() can return to it.
   void keep() {
     constexpr std::size_t most = 200;
     if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
@@ -155,7 +155,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// LINE or LINE:PASS; nothing: it has been said that it is none.
+  /// Returns LINE or LINE:PASS; nullopt if it is wrong, after a message.
   std::optional<StopPoint> target_of(const std::string& rest) const {
     const std::size_t colon = rest.find(':');
     const auto line = count_of(rest.substr(0, colon), 0);
@@ -184,10 +184,10 @@ class Debugger : public PartOfProgram {
     if (!session_->control().search_rules())
       return type_out("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
     keep();
-    if (first_)  // it searches from the beginning
+    if (first_)  // the search starts from the beginning
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
     tell_search(*session_, stepping(), *target, job_->lang);
-    state_ = stepping().next() ? Session::State::held : session_->go_on();  // over: what it is
+    state_ = stepping().next() ? Session::State::held : session_->go_on();  // at the end, the state shows what ended it
     show();
   }
 
@@ -293,7 +293,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// Where it stands, and what is watched.
+  /// Prints the position, and what is watched.
   void show() {
     if (interrupted()) return;
     if (stepping().hit() != 0) type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
@@ -304,7 +304,7 @@ class Debugger : public PartOfProgram {
 
   void wrong(const std::string& text) const { type_out("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
 
-  /// An alarm of what was typed.
+  /// Prints an alarm in what was typed.
   void tell(const Alarm& alarm, const std::string& typed) const {
     AlarmReport report{alarm, told("command", "команда"), typed, {}, {}, {}};
     report.origin.line = 1;
@@ -317,7 +317,7 @@ class Debugger : public PartOfProgram {
   Restart begins_;  // the state before the first block
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
-  std::optional<Stepping::Memory> first_;  // before the first block
+  std::optional<Stepping::Memory> first_;  // the state before the first block
   std::deque<Stepping::Memory> kept_;
   std::map<std::size_t, std::string> watches_;
   bool quit_ = false, finished_ = false;

@@ -1,4 +1,4 @@
-// What the debugger tells of going on in mid program. For cli/debug; tested by tests/debug.py.
+// Prints what the debugger reports about continuing in mid-program. Used by cli/debug; tested by tests/debug.py.
 
 #include "cli/debug_restart.h"
 
@@ -26,7 +26,7 @@ void list(const std::string& title, const std::vector<BlockSearch::Code>& codes)
 }  // namespace
 
 void tell_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
-  constexpr double above = 2, feed = 100;  // mm, mm/min: of the last way down
+  constexpr double above = 2, feed = 100;  // mm, mm/min: of the last move down
   const auto restart = restart_here(session, stepping);
   if (!restart) return;
   std::vector<InForce> wanted;

@@ -1,4 +1,4 @@
-// kadr diff: do two programs do the same, in words and as a picture? Tested by tests/run_diff.py, tests/diff_plot.py.
+// kadr diff: compares what two programs do, in words and as a picture. Tested by tests/run_diff.py and tests/diff_plot.py.
 
 #include <fmt/core.h>
 
@@ -24,10 +24,10 @@ namespace kadr::cli {
 namespace {
 
 constexpr double least_tolerance = 1e-5, most_tolerance = 10;  // mm
-constexpr std::size_t shown = 20;                              // differences, unless all are asked for
+constexpr std::size_t shown = 20;                              // differences, unless all are requested
 constexpr std::size_t most_shown = 100'000, most_of_line = 100;
 
-/// One of the two: its program, what it is run by, its lines.
+/// One of the two: its program, what runs it, its lines.
 struct Side {
   std::string name;
   std::optional<Job> job;
@@ -43,7 +43,7 @@ Options options_of(const DiffOptions& o, bool b) {
   return options;
 }
 
-/// Complains.
+/// Complains on errors.
 std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   side.name = options.programs.front();
   side.job = make_job(options, side.name);
@@ -58,9 +58,9 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   return session;
 }
 
-using Names = std::array<std::string, 2>;  // of the two
+using Names = std::array<std::string, 2>;  // of the two programs
 
-/// "part.nc:5-7"
+/// Returns "part.nc:5-7".
 std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
   std::string text = fmt::format("{}:{}", from.file.empty() ? name : from.file, from.origin.line);
   if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
@@ -80,7 +80,7 @@ std::string places(const Names& names, const CourseDifference& d) {
 
 struct Showing {
   std::size_t most;  // differences
-  bool numbered;     // as in the picture
+  bool numbered;     // numbered as in the picture
   Lang lang;
 };
 
@@ -124,14 +124,14 @@ CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePl
   return rules;
 }
 
-/// That both have called.
+/// Returns the files that both have called.
 std::vector<std::string> files_of(const Comparison& made) {
   std::vector<std::string> files = made.read_a;
   files.insert(files.end(), made.read_b.begin(), made.read_b.end());
   return files;
 }
 
-/// The files of the command, none of them opened yet.
+/// Returns the files of the command, none of them opened yet.
 Outputs outputs_of_diff(const DiffOptions& o, const Side& a, const Side& b) {
   Outputs outputs(language(o.both));
   for (const Side* const side : {&a, &b}) outputs.reads(side->name), outputs.reads(side->job->setup_file);
@@ -145,10 +145,10 @@ struct Drawing {
   DifferencePlot& plot;
   const ResultFile& file;
   Lang lang;
-  bool all;  // numbers of all differences
+  bool all;  // show the numbers of all differences
 };
 
-/// Complains.
+/// Complains on errors.
 bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
   const Lang lang = to.lang;
   const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };

@@ -1,4 +1,4 @@
-// A part of a program: --from, --to. For cli/run, cli/debug; tested by tests/debug.py.
+// Executes a part of a program: --from, --to. Used by cli/run and cli/debug; tested by tests/debug.py.
 
 #include "cli/drive.h"
 
@@ -15,7 +15,7 @@
 namespace kadr::cli {
 namespace {
 
-/// A whole number from 1 on, and nothing after it.
+/// Returns the text as a whole number from 1 up; nullopt if it is anything else.
 std::optional<std::uint32_t> count_in(std::string_view text) {
   std::uint32_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);

@@ -1,5 +1,5 @@
 #pragma once
-// How a session is carried out: whole, a part of its program, by hand.
+// How a session is executed: completely, a part of its program, or by hand.
 
 #include <memory>
 #include <optional>
@@ -13,23 +13,23 @@ namespace kadr::cli {
 class Drive {
  public:
   virtual ~Drive() = default;
-  /// Before anybody looks. An exit status: there is nothing to carry out, it has been said why.
+  /// Called before anything is observed. Returns an exit status if there is nothing to execute; the reason has been printed.
   virtual std::optional<Exit> begin(Session& session, const Job& job);
   virtual void carry_out(Session& session) { (void)session.run(); }
   virtual bool wants_summary() const { return true; }
-  /// The session ends: nothing holds on to it any longer.
+  /// The session ends: the drive must not use it any longer.
   virtual void leave() {}
 };
 
-/// Opens what the options name, carries it out, writes what they ask for.
+/// Opens what the options name, executes it, and writes the files that they ask for.
 ///   returns  exit status
 int run_by(const Options& options, Drive& drive);
 
-/// A part of the program: what --from and --to name.
+/// Executes the part of the program that --from and --to name.
 class PartOfProgram : public Drive {
  public:
   PartOfProgram(StopPoint from, std::uint32_t to) : from_(std::move(from)), to_(to) {}
-  /// Through what stands before, silently; the state that it begins with is said.
+  /// Executes what comes before it without output, and prints the state in which it begins.
   std::optional<Exit> begin(Session& session, const Job& job) override;
   void carry_out(Session& session) override;
   void leave() override { stepping_.reset(); }
@@ -46,18 +46,18 @@ class PartOfProgram : public Drive {
   std::unique_ptr<Stepping> stepping_;
 };
 
-/// LINE[:PASS] and LINE of --from and --to.
+/// The values LINE[:PASS] of --from and LINE of --to.
 struct Part {
   StopPoint from;
   std::uint32_t to = 0;
   bool is_whole() const { return from.line == 0 && to == 0; }
 };
-/// Nothing: complained of.
+/// Returns nullopt if an option is wrong; it has complained then.
 std::optional<Part> part_of(const Options& options);
-/// By --from and --to; nullptr: complained of.
+/// Returns the drive by --from and --to; nullptr if an option is wrong, after a complaint.
 std::unique_ptr<Drive> drive_of(const Options& options);
 
-/// Line and text, as they are found in an editor: `part.nc:12: N40 G1 X10`.
+/// Returns line and text in the form that editors understand: `part.nc:12: N40 G1 X10`.
 std::string place_text(const AlarmReport::Line& line);
 
 }  // namespace kadr::cli

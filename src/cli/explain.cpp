@@ -1,4 +1,4 @@
-// kadr explain, kadr controls: the rows of the control files.
+// kadr explain, kadr controls: print the rows of the control files.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ Lang language_named(const std::string& lang) {
   return language(options);
 }
 
-/// docs/setup.md: one page for all controls.
+/// Returns docs/setup.md: one page for all controls.
 std::string setup_page_of_all(Lang lang) {
   std::vector<ControlDef> all;
   for (const std::string& id : built_in_controls())
@@ -30,7 +30,7 @@ std::string setup_page_of_all(Lang lang) {
   return setup_page(controls, lang);
 }
 
-/// The built-in controls that have what this one has not.
+/// Returns the built-in controls that have the code that this one lacks.
 std::vector<std::string> controls_with(const std::string& code, const std::string& not_this, Lang lang) {
   std::vector<std::string> ids;
   for (const std::string& id : built_in_controls()) {
@@ -42,7 +42,7 @@ std::vector<std::string> controls_with(const std::string& code, const std::strin
   return ids;
 }
 
-/// "no code … 'G5.1'; nct has it; did you mean G4, G9?"
+/// Returns "no code … 'G5.1'; nct has it; did you mean G4, G9?".
 std::string unknown_code(const ControlDef& def, const std::string& code, Lang lang) {
   const bool ru = lang == Lang::ru;
   std::string text = ru ? fmt::format("{}: нет кода, адреса, цикла, параметра, переменной или ошибки '{}'", def.id, code)
@@ -54,9 +54,9 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   return text;
 }
 
-/// What every built-in control says of a code, an alarm or words; what several say alike once.
+/// Prints what every built-in control states about a code, an alarm or words; equal texts only once.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // and by which
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // the texts, and the controls that state each
   const std::vector<std::string> all = built_in_controls();
   for (const std::string& id : all) {
     const auto def = load_control(id);

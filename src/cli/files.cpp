@@ -1,4 +1,4 @@
-// Whole files in, for commands whose input is small. For the rest of cli.
+// Reads whole files, for commands whose input is small. Used by the rest of cli.
 
 #include "cli/files.h"
 

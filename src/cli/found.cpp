@@ -1,4 +1,4 @@
-// What a run finds, printed. For the rest of cli; tested by tests/run_faulty.py, tests/found.py.
+// Prints what a run finds. Used by the rest of cli; tested by tests/run_faulty.py and tests/found.py.
 
 #include "cli/found.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t most_lines = 8;  // that are named
+constexpr std::size_t most_lines = 8;  // that are listed
 
 }  // namespace
 

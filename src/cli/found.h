@@ -1,6 +1,6 @@
 #pragma once
-// Found: what a program's run finds, as a person reads it: of each id the first warning whole, those like it counted and told in one line
-// at the end.
+// Found: prints what a run finds, for people: the first warning of each id in full; further ones are counted and reported in one line at
+// the end.
 
 #include <cstdint>
 #include <cstdio>
@@ -16,11 +16,11 @@ namespace kadr::cli {
 class Found {
  public:
   ///   to     where they are printed: stderr, or a file without colours
-  ///   every  each of them is printed whole
+  ///   every  print each of them in full
   Found(const AlarmTexts& texts, Lang lang, std::FILE* to, bool every) : texts_(texts), lang_(lang), to_(to), every_(every) {}
 
   void tell(const AlarmReport& report);
-  /// The lines of those that were only counted; once, when all is told.
+  /// Prints the lines of the findings that were only counted; call it once, at the end.
   void finish();
 
  private:

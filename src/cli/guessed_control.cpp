@@ -1,4 +1,4 @@
-// For cli/job, cli/check; tests/guess.py.
+// Used by cli/job and cli/check; tested by tests/guess.py.
 
 #include "cli/guessed_control.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 SaidEncoding encoding_of(const Options& options) {
   SaidEncoding said;
-  (void)read_encoding(options.encoding, said);  // a name that nobody knows is refused later
+  (void)read_encoding(options.encoding, said);  // an unknown name is refused later
   return said;
 }
 
@@ -39,7 +39,7 @@ void say_guess(const Options& options, const std::string& file, const Guess& gue
                             guess.reason_en, then));
 }
 
-/// --remember.
+/// Saves the control for --remember.
 bool remembers(const Options& options, const std::string& file) {
   const bool can = !options.control.empty() && file != "-";
   const std::string error = can ? remember_control(options.control, file)
@@ -48,7 +48,7 @@ bool remembers(const Options& options, const std::string& file) {
   return error.empty();
 }
 
-/// What --remember could not write down; each folder once. Before anything is guessed.
+/// Returns the files whose control --remember could not save; tries each folder once, before anything is guessed.
 std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
   std::set<std::string> forgotten, remembering;
   for (const std::string& file : files)
@@ -94,7 +94,7 @@ void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours
                             shown_by, reason_en));
 }
 
-/// A lathe's program, of a control that Kadr reads as a mill's. Told.
+/// True for a lathe program of a control that Kadr reads as a mill's; prints the reason.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));

@@ -1,5 +1,5 @@
 #pragma once
-// The control of a program for which none is named: guessed from its text and from those that lie beside it.
+// Guesses the control of a program for which none is named, from its text and from the files next to it.
 
 #include <optional>
 #include <set>
@@ -11,14 +11,14 @@
 
 namespace kadr::cli {
 
-/// The control that the options name for the file, or its folder's .kadr.toml remembers; empty: none.
+/// Returns the control that the options name for the file, or that its folder's .kadr.toml remembers; empty if there is none.
 std::string named_control(const Options& options, const std::string& file);
 
-/// The named control, or the one that its text, its name and its neighbours speak for: said on stderr, with what it was seen by.
-///   returns  nothing: it cannot be read; empty: it is no program of a control that Kadr knows
+/// Returns the named control, or the one guessed from text, name and neighbours of the file; a guess and its reasons are printed on stderr.
+///   returns  nullopt if the file cannot be read; empty if it is no program of a control that Kadr supports
 std::optional<std::string> control_of(const Options& options, const std::string& file);
 
-/// The same of many programs, each beside the others.
+/// The same for many programs, each with the others as its neighbours.
 class GuessedControls {
  public:
   GuessedControls(const Options& options, const std::vector<std::string>& files);
@@ -29,7 +29,7 @@ class GuessedControls {
   bool refuses(const std::string& file, const std::string& control) const;
 
   const Options& options_;
-  std::set<std::string> forgotten_;  // files whose control --remember could not write down
+  std::set<std::string> forgotten_;  // files whose control --remember could not save
   FolderGuess guesses_;
 };
 

@@ -1,4 +1,4 @@
-// Examples and exit status under the help of each command.
+// Examples and exit status at the end of each command's help.
 
 #include "cli/help_text.h"
 #include "config/told.h"

@@ -1,4 +1,5 @@
-// CLI11 counts bytes where it sets columns, and says "TEXT:{a,b} REQUIRED" for what may stand after an option: here that is ours.
+// Lays out the help. CLI11 counts bytes for its columns and prints "TEXT:{a,b} REQUIRED" for the value of an option; this formatter does it
+// differently.
 
 #include <fmt/core.h>
 
@@ -17,7 +18,7 @@ constexpr std::size_t line_width = 110;  // characters
 
 std::size_t characters(const std::string& text) { return characters_before(text, text.size()); }
 
-/// Name and description in two columns, the second one wrapped at blanks.
+/// Returns name and description in two columns, the second one wrapped at blanks.
 std::string two_columns(const std::string& name, const std::string& description) {
   std::string page = "  " + name;
   std::size_t at = characters(page);
@@ -71,7 +72,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  private:
-  /// "-q, --quiet".
+  /// Returns "-q, --quiet".
   static std::string names_of(const CLI::Option& option) {
     std::string names;
     for (const std::string& name : option.get_snames()) names += (names.empty() ? "-" : ", -") + name;

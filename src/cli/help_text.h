@@ -1,5 +1,5 @@
 #pragma once
-// The help of the commands: how it is set, and the examples at its end.
+// The help of the commands: its layout, and the examples at its end.
 
 #include <memory>
 #include <string>
@@ -11,13 +11,13 @@ class FormatterBase;
 
 namespace kadr::cli {
 
-/// Sets names of options and what they do in two columns, counted in characters, in the language of told().
+/// Lays out option names and descriptions in two columns, counted in characters, in the language of told().
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// "kadr tape decode".
+/// Returns the whole name of a command: "kadr tape decode".
 std::string whole_name(const CLI::App& command);
 
-/// Examples and exit status of a command, as told().
+/// Examples and exit status of each command, in the language of told().
 std::string run_examples();
 std::string check_examples();
 std::string debug_examples();

@@ -1,4 +1,4 @@
-// A program with everything that is needed to run it, found by what the command line names. For the rest of cli.
+// Collects, from what the command line names, a program and everything that is needed to run it. Used by the rest of cli.
 
 #include "cli/job.h"
 
@@ -19,7 +19,7 @@
 namespace kadr::cli {
 namespace {
 
-/// The set-up file, over it what the options state; complains of what is wrong.
+/// Reads the set-up file and applies the options over it; complains if something is wrong.
 bool take_setup(Job& job, const Options& options) {
   std::vector<SetupSource> sources;
   if (!options.setup.empty()) {
@@ -50,8 +50,8 @@ bool take_setup(Job& job, const Options& options) {
   return true;
 }
 
-/// Of a command that takes many programs: each control is read once, as it is at the first. Complains.
-///   returns  nullptr: it cannot be read
+/// Returns the control. For a command with many programs each control is read once and stays as it was then. Complains on errors.
+///   returns  nullptr if it cannot be read
 std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   static std::map<std::string, std::shared_ptr<const ControlDef>> known;
   if (const auto found = known.find(name); found != known.end()) return found->second;
@@ -63,7 +63,7 @@ std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   return known[name] = std::make_shared<const ControlDef>(std::move(*def));
 }
 
-/// The same of its texts.
+/// The same for its alarm texts.
 std::shared_ptr<const AlarmTexts> texts_of(const std::shared_ptr<const ControlDef>& def) {
   static std::map<std::shared_ptr<const ControlDef>, std::shared_ptr<const AlarmTexts>> known;
   std::shared_ptr<const AlarmTexts>& of = known[def];

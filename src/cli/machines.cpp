@@ -1,4 +1,4 @@
-// kadr machines: the machine profiles that are built in, or what one of them can do.
+// kadr machines: lists the built-in machine profiles, or describes one of them.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 std::string name_of(const MachineProfile& machine) { return told(machine.name_en, machine.name_ru); }
 
-/// Padded to so many characters.
+/// Pads the text to `width` characters.
 std::string padded(std::string text, std::size_t width) {
   const std::size_t characters = characters_before(text, text.size());
   if (characters < width) text += std::string(width - characters, ' ');
@@ -23,7 +23,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string number_of(double value) { return fmt::format("{:.12g}", value); }
 
-/// "X Y 30000, Z 24000": axes one after the other that go equally fast stand together.
+/// Returns "X Y 30000, Z 24000": neighbouring axes with the same rapid rate are grouped.
 std::string rapids_of(const MachineProfile& machine) {
   std::string list, axes;
   for (auto axis = machine.axes.begin(); axis != machine.axes.end(); ++axis) {
@@ -60,7 +60,7 @@ std::string travel_of(const AxisProfile& axis) {
   return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
 }
 
-/// "A (about [1, 0, 0], through [-400, -250, -420], reversed)"
+/// Returns "A (about [1, 0, 0], through [-400, -250, -420], reversed)".
 std::string joint_text(const std::string& name, const AxisJoint& joint) {
   if (!joint.turns) return name;
   const auto vector = [](Vec3 v) { return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z); };
@@ -68,7 +68,7 @@ std::string joint_text(const std::string& name, const AxisJoint& joint) {
                      vector(joint.through), joint.reversed ? told(", reversed", ", обратно") : "");
 }
 
-/// What carries what, and why the parameters of an NCT cannot say it, if so.
+/// Prints which axis carries which and, if so, why the parameters of an NCT cannot express it.
 void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
     std::string text = told("bed", "станина");

@@ -1,4 +1,4 @@
-// The program: command line → one command → exit status.
+// The program: reads the command line, runs one command, returns its exit status.
 
 #include <fmt/core.h>
 
@@ -62,7 +62,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   return ok;
 }
 
-/// "kadr help run" and "kadr version", as other programs have them, in the words of the command line.
+/// Accepts "kadr help run" and "kadr version", as other programs do, and replaces them by options.
 void take_usual_words(int argc, char** argv) {
   static char help[] = "--help", version[] = "--version";
   if (argc < 2) return;
@@ -73,7 +73,7 @@ void take_usual_words(int argc, char** argv) {
   argv[argc - 1] = help;
 }
 
-/// A command that failed has said so already.
+/// Checks the output; a command that failed has already reported it.
 int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
 
 }  // namespace
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
     complain(kadr::told("out of memory", "не хватает памяти"));
-  } catch (const std::exception& error) {  // of a library: a bug, but said plainly
+  } catch (const std::exception& error) {  // from a library: a bug, but reported in plain words
     complain(error.what());
   }
   return wrong_usage;

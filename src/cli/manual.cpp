@@ -1,4 +1,4 @@
-// The manual page, in roff, from the tree of commands.
+// Writes the manual page, in roff, from the tree of commands.
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Text for roff: backslashes, dashes, and what would be a request at the beginning of a line.
+/// Escapes text for roff: backslashes, dashes, and what would be a request at the beginning of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -61,7 +61,7 @@ void section(const char* en, const char* ru, const std::string& text, std::strin
   page += fmt::format(".SH \"{}\"\n{}", told(en, ru), text);
 }
 
-/// A list of things and what they are.
+/// Returns a list of items with their meanings.
 std::string list(std::initializer_list<std::pair<std::string, std::string>> items) {
   std::string text;
   for (const auto& [what, meaning] : items) text += fmt::format(".TP\n{}\n{}\n", what, roff(meaning));

@@ -1,4 +1,4 @@
-// kadr mill: a drawing in, a program and its picture out; what is between them: session/milling.
+// kadr mill: reads a drawing, writes a program and its picture. The work in between is done by session/milling.
 
 #include <fmt/core.h>
 
@@ -42,7 +42,7 @@ class MillCommand {
     progress_.reset();
     if (!outputs_.open()) return wrong_usage;
     const std::string& program = made->program.text;
-    write_data(outputs_.stream("--output"), program);  // keep() tells whether all was written
+    write_data(outputs_.stream("--output"), program);  // keep() reports whether all was written
     if (!options_.plot.empty() && !draw(*made)) return wrong_usage;
     if (!outputs_.keep()) return wrong_usage;
     if (const std::string warning = warning_of_holes(*made, lang_); !warning.empty()) complain(warning);
@@ -63,7 +63,7 @@ class MillCommand {
     return {stop_token(), show};
   }
 
-  /// An alarm of the whole job, not of a line of the drawing.
+  /// Prints an alarm of the whole job, not of a line of the drawing.
   void say(const Alarm& alarm) {
     progress_.reset();
     if (alarm.id == AlarmId::interrupted) return complain(ru() ? "прервано: ничего не записано" : "interrupted: nothing is written");

@@ -15,7 +15,7 @@ CLI::Option* millimetres(CLI::Option* option) { return number(option, "MM", "М�
 CLI::Option* degrees(CLI::Option* option) { return number(option, "DEG", "ГРАД"); }
 CLI::Option* feed(CLI::Option* option) { return number(option, "MM/MIN", "ММ/МИН"); }
 
-/// What is milled, and how deep.
+/// Options: what is milled, and how deep.
 void zone_options(CLI::App& app, MillOptions& o) {
   app.add_option(told("CONTOUR", "КОНТУР"), o.contour,
                  told("drawing: DXF, SVG or text (- for standard input)", "чертёж: DXF, SVG или текст (- стандартный ввод)"))
@@ -28,7 +28,7 @@ void zone_options(CLI::App& app, MillOptions& o) {
   millimetres(app.add_option("--top", o.top, told("Z of the material", "уровень верха материала по Z")))->capture_default_str();
 }
 
-/// How the zone is covered.
+/// Options: how the zone is covered.
 void scheme_options(CLI::App& app, MillOptions& o) {
   known_by(app.add_option(
                "--scheme", o.scheme,

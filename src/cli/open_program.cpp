@@ -1,4 +1,4 @@
-// For cli/pipeline: the program's text, and which of several on one tape. tests/run_tapes.py, tests/utf16.py.
+// Used by cli/job: opens the program's text, and finds one of several programs on a tape. Tested by tests/run_tapes.py and tests/utf16.py.
 
 #include <fmt/core.h>
 
@@ -26,12 +26,12 @@ Text text_of(const Job& job) {
   return {std::move(text.source), text.encoding};
 }
 
-/// What the file's first bytes are, where nobody says it.
+/// Detects the encoding from the first bytes of the file if it is not stated.
 std::optional<Encoding> encoding_of(const Text& text) {
   return text.encoding ? text.encoding : detect_encoding(LineReader(text.source).sample());
 }
 
-/// Empty where the file holds one program: without a second sign % it need not be read for more.
+/// Returns an empty list if the file has one program: without a second % sign it need not be read any further.
 TapeContents programs_of(const Job& job, const Text& text) {
   if (!job.def->grammar.percent_number) return {};
   const auto encoding = encoding_of(text);
@@ -39,7 +39,7 @@ TapeContents programs_of(const Job& job, const Text& text) {
   return contents_of(text.source, job.def->grammar, encoding);
 }
 
-/// The numbers of its programs, for a person.
+/// Returns the numbers of the programs, for people.
 std::string numbers_of(const TapeContents& contents) {
   if (contents.programs.size() < 2)
     return contents.programs.empty() || contents.programs[0].number == 0 ? "%" : std::to_string(contents.programs[0].number);

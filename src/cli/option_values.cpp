@@ -1,4 +1,4 @@
-// What stands after an option: its name in the help, and whether it is one. For the rest of cli.
+// The values of options: their names in the help, and checks. Used by the rest of cli.
 
 #include "cli/option_values.h"
 
@@ -29,7 +29,7 @@ std::string none_of(const std::string& word, const std::vector<std::string>& wor
          did_you_mean(word, words);
 }
 
-/// Made the word as it is listed.
+/// Accepts one of the words in any case, and replaces it by the word as listed.
 CLI::Validator among(std::vector<std::string> words) {
   const auto find = [words = std::move(words)](std::string& word) {
     for (const std::string& known : words)
@@ -42,8 +42,8 @@ CLI::Validator among(std::vector<std::string> words) {
   return CLI::Validator(find, "");
 }
 
-/// An id in small letters; a file of one's own stays as it is. Whoever reads it says whether there is one. `further_names` is asked only
-/// where the word is no id: it unpacks every built-in file.
+/// Accepts an id and writes it in small letters; the name of a user's file stays unchanged, and whoever reads it reports if it is missing.
+/// `further_names` is called only if the word is not an id, because it unpacks every built-in file.
 CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::vector<std::string> (*further_names)()) {
   const auto find = [=](std::string& word) {
     for (const auto names : {ids, further_names}) {
@@ -59,7 +59,7 @@ CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::
   return takes(option, "ID", "ОБОЗНАЧЕНИЕ")->transform(CLI::Validator(find, ""));
 }
 
-/// "from 1 to 9", "not less than 0", or nothing.
+/// Returns "from 1 to 9" or "not less than 0"; empty if there are no limits.
 std::string limits_told(double least, double most) {
   const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };
   if (std::isinf(least) && std::isinf(most)) return {};

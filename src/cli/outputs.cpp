@@ -1,4 +1,4 @@
-// For cli/run, cli/mill, cli/tape_command, cli/check; tests/run_outputs.py.
+// Used by cli/run, cli/mill, cli/tape_command and cli/check; tested by tests/run_outputs.py.
 
 #include "cli/outputs.h"
 
@@ -17,13 +17,13 @@
 namespace kadr::cli {
 namespace {
 
-/// A device swallows or shows what comes; two may write to it, and it may be read.
+/// True for a device, which discards or shows what is written: two outputs may share it, and it may be read too.
 bool is_device(const std::string& name) {
   struct stat there {};
   return ::stat(name.c_str(), &there) == 0 && S_ISCHR(there.st_mode);
 }
 
-/// The name of the file itself, where "-" means one of the standard streams; empty where that is no file.
+/// Returns the file itself, also if "-" means one of the standard streams; empty if the stream is not a file.
 FileSet set_of(const std::string& name, int stream) {
   FileSet set;
   if (name != "-") set.add(name);
@@ -46,7 +46,7 @@ void Outputs::reads(const std::string& path) {
 void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
   if (name.empty()) return;
   outputs_.push_back({option, name, opened, std::nullopt});
-  if (opened == Opened::by_its_owner)  // a state: what SQLite keeps beside it is read at the next opening
+  if (opened == Opened::by_its_owner)  // a state file: SQLite reads the files next to it at the next opening
     for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 
@@ -54,7 +54,7 @@ std::string Outputs::clash(const Output& output, const char* en, const char* ru,
   return fmt::format("{} {}: {} {}", output.option, output.name, lang_ == Lang::ru ? ru : en, other);
 }
 
-/// Why the output cannot be; nothing: it can.
+/// Returns why the output cannot be written; empty if it can.
 std::string Outputs::fault_of(std::size_t index) const {
   const Output& output = outputs_[index];
   const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {
@@ -72,7 +72,7 @@ std::string Outputs::fault_of(std::size_t index) const {
     if (output.name == "-" || (input != "-" && is_device(input))) continue;
     if (same(output.name, input, STDIN_FILENO)) return clash(output, "would be written over the input", "затёр бы исходный файл", input);
   }
-  // What the summary goes to as well: one would destroy the other.
+  // The summary goes to this file as well: one would destroy the other.
   if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
     return clash(output, "is what standard output goes to; write", "туда идёт стандартный вывод; укажите", output.option + " -");
   return {};

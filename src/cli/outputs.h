@@ -1,5 +1,5 @@
 #pragma once
-// Outputs: the files of one command. None that it writes is one that it reads, and no two are one file.
+// Outputs: the files that one command writes. It may not write a file that it reads, and no file twice.
 
 #include <map>
 #include <optional>
@@ -12,31 +12,32 @@
 
 namespace kadr::cli {
 
-/// What was printed has come out: a full disk or a closed pipe is an error of every command. Complains.
+/// Checks that everything printed was written, and complains if not: a full disk or a closed pipe is an error of every command.
 bool came_out();
 
 class Outputs {
  public:
   explicit Outputs(Lang lang) : lang_(lang) {}
 
-  /// An input: "-" is standard input, an empty name nothing.
+  /// Registers an input: "-" is standard input, an empty name means no file.
   void reads(const std::string& path);
-  /// An output under the option's name; an empty name is none. `kept`: by whoever opens it himself (the state file).
+  /// Registers an output of the option; an empty name means no file. `opened`: by_its_owner if its owner opens it himself (the state file).
   enum class Opened : std::uint8_t { here, by_its_owner };
   void writes(const std::string& option, const std::string& name, Opened opened = Opened::here);
 
-  /// None is an input or another output; complains of the first that is.
+  /// Checks that no output is an input or another output; complains of the first that is.
   bool check() const;
-  /// After check(): opens them all, or none; complains of the first that cannot be.
+  /// Opens all outputs, or none; complains of the first that cannot be opened.
+  ///   pre  check() returned true
   bool open();
-  /// nullptr: not asked for.
+  /// Returns nullptr if the option was not given.
   const ResultFile* file(const std::string& option) const;
   std::FILE* stream(const std::string& option) const;
 
-  /// All that must stay as it is while the command runs: inputs and outputs.
+  /// All files that must not change while the command runs: inputs and outputs.
   FileSet all() const;
 
-  /// They are complete and take their places, standard output last; none does if `read` names one of them. Complains.
+  /// Completes the files and puts them in their places, standard output last. Keeps none of them if `read` names one. Complains on errors.
   bool keep(const std::vector<std::string>& read = {});
 
  private:

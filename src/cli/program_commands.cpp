@@ -14,7 +14,7 @@
 namespace kadr::cli {
 namespace {
 
-/// What is stated beside the set-up file.
+/// Options: what is stated besides the set-up file.
 void setup_options(CLI::App& app, Options& o) {
   takes_file(
       app.add_option("--setup", o.setup, told("state before the start: a JSON file", "исходное состояние станка и УЧПУ: файл JSON")));
@@ -108,7 +108,7 @@ void memory_option(CLI::App& app, Options& o) {
 
 namespace {
 
-/// `SECONDS:PERCENT`, as in 2.5:50.
+/// Reads `SECONDS:PERCENT`, as in 2.5:50.
 OverrideChange override_change(const std::string& text) {
   const char* const end = text.data() + text.size();
   OverrideChange change;
@@ -161,7 +161,7 @@ void picture_options(CLI::App& run, Options& o) {
                                   "график скорости, ускорения и рывка во времени: файл .svg или .png")));
 }
 
-/// What a run gives, and the part of the program that it is.
+/// Options: the results of a run, and the part of the program that is run.
 void result_options(CLI::App& run, Options& o) {
   writes_file(run.add_option("--trace", o.trace,
                              told("every action as a line of JSON, to a file or - for stdout",

@@ -1,4 +1,4 @@
-// For cli/check; tests/run_check.py.
+// Used by cli/check; tested by tests/run_check.py.
 
 #include "cli/program_files.h"
 
@@ -29,7 +29,7 @@ bool is_program(const fs::path& path) {
   return tells == NameTells::nothing ? looks_like_program(path.string()) : tells == NameTells::program;
 }
 
-/// One folder after the other; their number is not bounded by the stack, nor their depth.
+/// Searches one folder after the other; neither their number nor their depth is limited by the stack.
 class Search {
  public:
   Search(const std::vector<std::string>& exclude, ProgramFiles& found) : exclude_(exclude), found_(found) {}
@@ -61,7 +61,7 @@ class Search {
     }
     if (error) found_.unreadable.push_back({folder.string(), told_errno(error.value())});
     std::sort(files.begin(), files.end());
-    std::sort(folders.rbegin(), folders.rend());  // the last one is looked at next
+    std::sort(folders.rbegin(), folders.rend());  // the last one is searched next
     for (const fs::path& file : files)
       if (is_program(file)) found_.files.push_back(file.string());
     open.insert(open.end(), folders.begin(), folders.end());

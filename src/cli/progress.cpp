@@ -1,4 +1,4 @@
-// A line on the terminal during long work. For the rest of cli.
+// Progress: shows a line on the terminal during long work. Used by the rest of cli.
 
 #include "cli/progress.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
 constexpr int most_width = 40, least_width = 5;  // characters of the bar
-constexpr int beside = 12;                       // of its brackets, the percents and what keeps off the last column
+constexpr int beside = 12;                       // for brackets, percents, and a gap before the last column
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Progress::show(const Control& control) {
 void Progress::show(double part, const std::string& what) {
   last_ = Clock::now();
   part = std::clamp(part, 0.0, 1.0);
-  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));  // a line that is full may break
+  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));  // a full line might wrap
   if (room < least_width) return;
   const int width = std::min(room, most_width), full = static_cast<int>(part * width);
   show_bar(fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(full), '#'),

@@ -1,5 +1,5 @@
 #pragma once
-// A line on the terminal during long work; nothing elsewhere.
+// Progress: shows a line on the terminal during long work; shows nothing if the output is not a terminal.
 
 #include <chrono>
 #include <string>
@@ -11,14 +11,14 @@ namespace kadr::cli {
 class Progress : public Onlooker {
  public:
   explicit Progress(bool quiet);
-  /// Leaves nothing on the terminal.
+  /// Removes the line.
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Something is to be shown; nothing off a terminal.
+  /// Returns true if it is time to update the line; never without a terminal.
   bool is_due() const override;
   void show(const Control& control) override;
-  /// A part 0..1 of what is to be done, and what that is.
+  /// Shows the part done, 0..1, and what is being done.
   void show(double part, const std::string& what);
 
  private:

@@ -1,4 +1,4 @@
-// kadr report: a program carried out, and the page's viewer with what came of it, in one file. Tested by tests/report.py.
+// kadr report: executes a program, and writes the page's viewer with the results into one file. Tested by tests/report.py.
 
 #include "view/report.h"
 
@@ -35,7 +35,7 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
   return outputs;
 }
 
-/// Standard input is read once: the program is looked at several times. Complains.
+/// Reads standard input once, since the program is read several times. Complains on errors.
 std::optional<std::string> text_of_input(const Job& job) {
   OpenedText text = open_text(job.file, job.encoding);
   if (text.source) return SourceText(std::move(text)).whole();
@@ -43,7 +43,7 @@ std::optional<std::string> text_of_input(const Job& job) {
   return std::nullopt;
 }
 
-/// The program as the view opens one; complains.
+/// Opens the program as the view does; complains on errors.
 std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
   OpenedProgram opened;
   opened.path = job.file;
@@ -65,7 +65,7 @@ class ReportRun {
   ReportRun(const Job& job, const Options& options)
       : job_(job), progress_(options.quiet), found_(job.texts(), job.lang, stderr, options.every) {}
 
-  /// Complains.
+  /// Complains on errors.
   bool open(const OpenedProgram& opened) {
     auto run = ProgramRun::make(opened, stop_token());
     if (!run) {
@@ -85,7 +85,7 @@ class ReportRun {
   void carry_out() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
       AlarmReport told_report = report;
-      if (channel != 0) told_report.origin.line = 0;  // of another program
+      if (channel != 0) told_report.origin.line = 0;  // it belongs to another program
       take(told_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
@@ -102,7 +102,7 @@ class ReportRun {
   }
   const ProgramRun& run() const { return *run_; }
 
-  /// On the blank. Complains.
+  /// Cuts the blank. Complains on errors.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
     PartWish wish{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
     auto part = PartRun::make(run_->opened(), wish, stop_token());
@@ -140,12 +140,12 @@ class ReportRun {
   std::vector<ReportAlarm> alarms_;
   std::vector<ViewPiece> contour_;
   ReportPart part_;
-  std::optional<CutResult> cut_;  // nothing: there is no blank
+  std::optional<CutResult> cut_;  // nullopt: there is no blank
 };
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }
 
-/// Writes the page, and the summary on standard output unless that is the page. Returns the exit status.
+/// Writes the page, and prints the summary unless the page goes to standard output. Returns the exit status.
 int write(const ReportOptions& options, const ReportRun& report, const std::string& html, Outputs& outputs) {
   std::FILE* const file = outputs.stream("--out");
   if (std::fwrite(html.data(), 1, html.size(), file) != html.size()) {

@@ -1,4 +1,4 @@
-// kadr run: carry a program out, or the programs of several channels; trace, summary, plot.
+// kadr run: executes a program, or the programs of several channels; writes trace, summary, plot.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -30,31 +30,31 @@
 namespace kadr::cli {
 namespace {
 
-/// Why the option's picture cannot be drawn: said.
+/// Complains if the option's picture cannot be drawn.
 bool can_draw(const char* option, const std::string& name) {
   const std::string fault = name.empty() ? "" : page_fault(name);
   if (!fault.empty()) complain(fmt::format("{} {}", option, fault));
   return fault.empty();
 }
 
-/// Whether somebody looks at the axes in time.
+/// True if something needs the axes' motion in time.
 bool needs_planner(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
-/// Nobody but the samples looks at the plan: what it says of the time in the summary is then a thing beside it.
+/// True if only the samples use the plan: then its time is shown in the summary as additional information only.
 bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
 }
 
-/// A control with threads moves axes in step with the spindle.
+/// True if the control moves axes in step with the spindle.
 bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
 
-/// A bar among lines of a trace would be neither.
+/// A progress bar between the lines of a trace would spoil both.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
 
 class RunCommand {
@@ -123,7 +123,7 @@ class RunCommand {
   }
 
  private:
-  /// The outlets of one channel, without its steps.
+  /// Returns the outlets of one channel, without its steps.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
@@ -152,7 +152,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // nobody reads the summary
+      outlets.clock = nullptr;  // nothing reads the summary
     }
     session_.change_outlets();
     drive_.carry_out(session_);
@@ -178,7 +178,7 @@ class RunCommand {
     if (views_[writes]->trace) views_[writes]->trace->flush();
   }
 
-  /// In the picture. The line of an alarm in another channel is none of its program.
+  /// Marks the stop in the picture. The line of an alarm in another channel does not belong to this program.
   static void mark_stop(View& view, const Stopped& stopped) {
     if (!view.plot || !stopped.report) return;
     const Origin& origin = stopped.report->origin;
@@ -256,7 +256,7 @@ class RunCommand {
     return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? view.planned->time() : nullptr, job_.profile.planner);
   }
 
-  /// Of several channels: the program's own, as the samples.
+  /// For several channels: those of the program itself, as with the samples.
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
@@ -265,7 +265,7 @@ class RunCommand {
     }
   }
 
-  /// What a program reads is alone on standard output: then the summary goes to standard error.
+  /// If data for programs goes to standard output, it is alone there, and the summary goes to standard error.
   std::FILE* text_goes_to() const {
     const auto is_data = [](const std::string& name) { return name == "-"; };
     return options_.json || is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
@@ -304,10 +304,10 @@ class RunCommand {
   Progress progress_;
   Found found_;
   std::vector<std::unique_ptr<View>> views_;
-  bool plan_failed_ = false;  // there is no plan, or no more of its samples (exit status 1)
+  bool plan_failed_ = false;  // there is no plan, or its samples ended early (exit status 1)
 };
 
-/// `fault`: the first one that keeps a change from being saved.
+///   fault  the first error that keeps a change from being saved
 void save_changes(StateFile& file, Control& control, std::string& fault) {
   control.on_changes = [&](const StateChanges& changes) {
     const auto saved = file.save(changes);
@@ -315,7 +315,7 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
   };
 }
 
-/// The files of the command, none of them opened yet.
+/// Returns the files of the command, none of them opened yet.
 Outputs outputs_of(const Options& options, const Job& job) {
   Outputs outputs(language(options));
   outputs.reads(job.file);
@@ -355,7 +355,7 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
-  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });  // before the session does
+  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });  // before the session is destroyed
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);
   if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;

@@ -1,4 +1,4 @@
-// For cli/run.
+// Used by cli/run.
 
 #include "cli/run_view.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What looks at one channel of a run: its statistics, and the trace, picture and planner that were asked for.
+// View: observes one channel of a run: its statistics, and trace, picture and planner if requested.
 
 #include <functional>
 #include <memory>
@@ -16,13 +16,13 @@ namespace kadr::cli {
 struct View {
   View(const Channel& channel, const Rates& rates);
 
-  /// As the machine takes it. The time of what the look-ahead holds counts as programmed.
+  /// Shows a step when the machine executes it. The time of motions still in the look-ahead counts as programmed.
   void show(const Step& step);
 
-  /// In the machine's time.
+  /// Shows a step with the machine's time for it.
   void show_timed(const Step& step, double longer);
 
-  /// Takes the motions as programmed, before compensation; empty: nobody looks.
+  /// Returns the observer of motions as programmed, before compensation; empty if nothing needs them.
   std::function<void(const Action&)> programmed();
 
   Statistics statistics;

@@ -1,5 +1,5 @@
-// kadr setup: a set-up to be filled in, with just what a program uses. The interpreter tells what that is: the program is carried out
-// as by `kadr check`, past its faults; the comments only propose figures.
+// kadr setup: writes a set-up to be filled in, with just what a program uses. The interpreter determines what that is: the program is
+// executed past its faults, as by `kadr check`. Its comments are only used to propose figures.
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -27,9 +27,9 @@ namespace kadr::cli {
 namespace {
 
 constexpr std::size_t gives_up_at = 1000;
-constexpr std::size_t most_ranges = 20;  // of lines that were not carried out, told one by one
+constexpr std::size_t most_ranges = 20;  // ranges of lines not executed that are listed
 
-/// What the run of the program came to.
+/// Results of executing the program.
 struct CarriedOut {
   std::size_t faults = 0;
   MotionUnits moved;
@@ -129,14 +129,14 @@ class TemplateMaker {
     say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
   }
 
-  /// Line of the block that calls the tool; 0: it is in another file.
+  /// Returns the line of the block that calls the tool; 0: it is in another file.
   std::uint32_t called_at(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
     return use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line;
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Behind what is told of a tool that no size is proposed for: the comment that speaks of it.
+  /// Returns, for a tool without a proposed size, the comment that mentions it.
   std::string not_sure(std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     if (!comment) return {};
@@ -156,7 +156,7 @@ class TemplateMaker {
           fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)));
   }
 
-  /// A line that holds a block, and not only the number of the program.
+  /// True if the line has a block, and not only the number of the program.
   static bool holds_block(const std::string& text) {
     const std::string rest = without_comments(text);
     if (rest.empty() || rest[0] == '%') return false;
@@ -164,7 +164,7 @@ class TemplateMaker {
     return !is_name;
   }
 
-  /// What no jump and no condition led to.
+  /// Reports the lines that no jump and no condition led to.
   void tell_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
@@ -200,7 +200,7 @@ class TemplateMaker {
   SetupTemplate made_;
 };
 
-/// The tools that the program uses, as a tools file to be filled in.
+/// Returns a tools file to be filled in with the tools that the program uses.
 std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
   const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
@@ -217,7 +217,7 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
   return tools_template_text(made);
 }
 
-/// Carries the program out past its faults, a limited number of blocks.
+/// Executes the program past its faults, a limited number of blocks.
 CarriedOut carry_out_past_faults(Session& session) {
   CarriedOut done;
   Outlets& outlets = session.outlets();
@@ -231,12 +231,12 @@ CarriedOut carry_out_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  session.control().set_waiting(Control::Waiting::pass);  // the programs of the other channels are not here
   (void)session.run();
   return done;
 }
 
-/// Never over a file that is there. Complains.
+/// Refuses to overwrite an existing file. Complains on errors.
 bool may_write(const Outputs& outputs, const std::string& name) {
   struct stat there {};
   if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();

@@ -1,4 +1,4 @@
-// --tool, --zero, --corrector: what stands in no set-up file, or goes before it. For cli/pipeline.
+// --tool, --zero, --corrector: set-up data that no file states, or that overrides the file. Used by cli/job.
 
 #include "cli/setup_options.h"
 
@@ -27,7 +27,7 @@ std::optional<double> number_of(std::string_view text) {
 
 bool is_whole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
 
-/// A name and a number: "r8", "X-400", "X=-400".
+/// A name with a number: "r8", "X-400", "X=-400".
 struct Named {
   std::string name;
   double value = 0;
@@ -51,7 +51,7 @@ std::optional<std::vector<Named>> list_of(std::string_view text) {
   return list;
 }
 
-/// The option cut at its first ':' or '='.
+/// Splits the option at its first ':' or '='.
 std::pair<std::string, std::string_view> cut(std::string_view text, char at) {
   const std::size_t place = std::min(text.find(at), text.size());
   return {std::string(text.substr(0, place)), text.substr(std::min(place + 1, text.size()))};
@@ -74,14 +74,15 @@ std::optional<Json> tool(const std::string& text) {
   return Json{{"offsets", {{number, row}}}};
 }
 
-/// As a set-up names it: "G54.1P2" is "G54.1 P2". On a control that numbers its zeros, by the code's own number.
+/// Returns the set-up's key and name for a work offset: "G54.1P2" becomes "G54.1 P2". On a control that numbers its work offsets the name
+/// is the code's own number.
 std::pair<const char*, std::string> zero_name(std::string name, const ControlDef& def) {
   if (has(def, SetupNeeds::zeros)) {
     for (const WorkSystem& system : work_systems(def))
       if (system.name == name) name = std::to_string(system.row);
     return {"zeros", name};
   }
-  if (is_whole(name)) return {"zeros", name};  // refused in words, where there are none
+  if (is_whole(name)) return {"zeros", name};  // refused later, in words, on controls without them
   if (const std::size_t p = name.find('P'); p != std::string::npos && p > 0 && name[p - 1] != ' ') name.insert(p, 1, ' ');
   return {"work_offsets", name};
 }

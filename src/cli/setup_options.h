@@ -1,5 +1,5 @@
 #pragma once
-// --tool, --zero, --corrector: what stands in no set-up file, or goes before it.
+// --tool, --zero, --corrector: set-up data that no file states, or that overrides the file.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,8 +11,8 @@
 
 namespace kadr::cli {
 
-/// As set-ups to be laid over the file's, one an option.
-///   returns  an error sentence: an option that is not understood
+/// Returns a set-up for each option, to be applied over the set-up file.
+///   returns  an error sentence if an option is not understood
 tl::expected<std::vector<SetupSource>, std::string> setup_of_options(const Options& options, const ControlDef& def, Lang lang);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// --state FILE: the control's memory from run to run. For cli/run.
+// --state FILE: keeps the control's memory from run to run. Used by cli/run.
 
 #include "cli/state.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Rows that the set-up does not have.
+/// Adds the rows that the set-up does not have.
 template <class Map>
 void under(Map& to, const Map& stored) {
   to.insert(stored.begin(), stored.end());

@@ -1,5 +1,5 @@
 #pragma once
-// --state FILE: the control's memory from run to run.
+// --state FILE: keeps the control's memory from run to run.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace kadr::cli {
 
-/// Opens the file and puts what it holds under the job's set-up: what the set-up says goes before. Complains.
+/// Opens the file and adds its contents to the job's set-up; values of the set-up take precedence. Complains on errors.
 std::optional<StateFile> open_state(const std::string& path, Job& job);
 
 }  // namespace kadr::cli

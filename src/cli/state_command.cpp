@@ -1,4 +1,4 @@
-// kadr state check|recover: is what --state keeps sound, and what can be read of it.
+// kadr state check|recover: checks the file that --state keeps, and recovers what can be read of it.
 
 #include <fmt/core.h>
 
@@ -16,7 +16,7 @@ std::string rows_told(std::size_t rows) {
   return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), told_count(rows, "запись", "записи", "записей"));
 }
 
-/// What was found, on standard output.
+/// Prints what was found to standard output.
 int print(const StateOptions& options, const StateReport& report, const std::string& heading) {
   std::string text = fmt::format("{}: {}\n", options.file, heading);
   for (const std::string& fault : report.faults) text += "  " + fault + "\n";

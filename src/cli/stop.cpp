@@ -1,4 +1,4 @@
-// For cli/main; tests/run_interrupts.py.
+// Used by cli/main; tested by tests/run_interrupts.py.
 
 #include "cli/stop.h"
 
@@ -24,15 +24,15 @@
 namespace kadr::cli {
 namespace {
 
-constexpr int first_of_signals = 128;                   // added to its number: the exit status, as shells have it
-constexpr auto grace = std::chrono::milliseconds(150);  // in all 0.2 s are promised (design.md 10)
+constexpr int first_of_signals = 128;                   // added to the signal's number: the exit status, as in shells
+constexpr auto grace = std::chrono::milliseconds(150);  // 0.2 s in all are promised (design.md 10)
 
 std::atomic<bool> asked = false;
 
 constexpr std::array ending = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/// Of the signals that ask for the end those that are not ignored from the beginning (nohup, a command behind & of a script). Every thread
-/// holds them back: one that was sent stays pending to the end.
+/// Returns the signals that end the command, without those that were ignored from the beginning (nohup, a command with & in a script).
+/// Every thread blocks them: a signal that was sent stays pending to the end.
 sigset_t held_back() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -43,9 +43,9 @@ sigset_t held_back() {
   return signals;
 }
 
-volatile std::sig_atomic_t handled = 0;  // the signal that came where there is no thread to wait for it
+volatile std::sig_atomic_t handled = 0;  // the signal that came, if there is no thread that waits for it
 
-/// The signal that was sent; 0: none.
+/// Returns the signal that was sent; 0: none.
 int pending() {
   if (handled != 0) return handled;
   sigset_t signals;
@@ -54,8 +54,8 @@ int pending() {
   return sent == ending.end() ? 0 : *sent;
 }
 
-/// Waits for the signals: here everything may be called, which a handler may not. They are not taken, so that whoever asks
-/// knows of them at once, even before this thread came round: in `make | kadr run -` a Ctrl-C ends the input as well.
+/// Waits for the signals: here every function may be called, unlike in a handler. The signals stay pending, so that whoever asks learns of
+/// them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
 void watch(int signals) {
   pollfd sent = {signals, POLLIN, 0};
   while (::poll(&sent, 1, -1) < 0)
@@ -68,7 +68,7 @@ void watch(int signals) {
   ::_exit(first_of_signals + signal);
 }
 
-/// Where no thread is to be had: the same, as far as a handler may; the timer's signal comes at the end of the grace.
+/// Does the same without a thread, as far as a handler may; the timer's signal comes at the end of the grace period.
 void handle_instead(const sigset_t& signals) {
   std::signal(SIGALRM, [](int) {
     ResultFile::discard_all();
@@ -81,7 +81,7 @@ void handle_instead(const sigset_t& signals) {
     const itimerval after = {{0, 0}, {0, std::chrono::microseconds(grace).count()}};
     (void)::setitimer(ITIMER_REAL, &after, nullptr);
   };
-  how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second one is the end at once
+  how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once
   for (const int signal : ending)
     if (sigismember(&signals, signal) == 1) (void)::sigaction(signal, &how, nullptr);
 }
@@ -117,7 +117,7 @@ SignalsOfChild::SignalsOfChild() : attributes() {
 void survive_refused_writing() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // A standard stream that is closed must not become the first file that is opened.
+  // A closed standard stream must not become the first file that is opened.
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }

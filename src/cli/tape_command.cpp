@@ -41,7 +41,7 @@ int encode(const TapeOptions& options, const std::string& bytes, std::string& ou
                            decoded.error().where.begin + 1, name_of(encoding)));
       return alarms;
     }
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark is no character of the tape
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark is not a character of the tape
   const TapeCode code = tape_code_named(options.code).value_or(TapeCode::iso);
   const std::string_view name = name_for_people(code);
   const auto rows = encode_tape(text, options.leader, code);
@@ -73,7 +73,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang == Lang::ru) : encode(options, *bytes, output, lang == Lang::ru);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  write_data(outputs.stream("OUTPUT"), output);  // keep() tells whether all was written
+  write_data(outputs.stream("OUTPUT"), output);  // keep() reports whether all was written
   return outputs.keep() ? status : wrong_usage;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What people read, on standard output and standard error: all of it goes through here. A message never stands behind half a bar, colours
-// go to terminals alone, and no control character of a name, a program or a word of the command line reaches a terminal.
+// Prints everything that people read on standard output and standard error. A message never follows half a progress bar, colours go only to
+// terminals, and no control character of a name, a program or a command line reaches a terminal.
 
 #include <fmt/core.h>
 
@@ -13,29 +13,29 @@
 
 namespace kadr::cli {
 
-/// Standard error is a terminal that takes colours, and NO_COLOR (no-color.org) does not forbid them.
+/// True if standard error is a terminal with colours, and NO_COLOR (no-color.org) does not forbid them.
 bool has_colours();
 
-/// The bar, on its line; replaces the one before. Nothing, unless standard error is a terminal.
+/// Shows the bar on its line in place of the one before; does nothing unless standard error is a terminal.
 void show_bar(const std::string& bar);
-/// Takes the bar away, if there is one: before anything else is written to a terminal, standard output too. May be called by any thread.
+/// Removes the bar if there is one: before anything else is written to a terminal, standard output included. Any thread may call it.
 void erase_bar();
 
-/// Width of the terminal, characters; 80 where it does not say.
+/// Width of the terminal in characters; 80 if it is not known.
 int terminal_width();
 
-/// What alarms are to be printed with on standard error.
+/// The colours for alarms on standard error.
 inline Colours colours() { return has_colours() ? Colours::terminal : Colours::none; }
 
-/// Text for people, to standard error. Control characters are shown as pictures.
+/// Writes text for people to standard error; control characters are shown as pictures.
 void say(const std::string& text);
-/// Of alarm_text(), which has shown them so already and may have coloured the rest.
+/// Writes text of alarm_text(), which has replaced control characters already and may contain colours.
 void say_coloured(const std::string& text);
 
-/// What programs read, as it is. Whether it came out is asked by who keeps the file.
+/// Writes data for programs, unchanged. The owner of the file checks that it was written.
 void write_data(std::FILE* to, std::string_view data);
 
-/// Text for people, to standard output or another file; control characters as pictures. Whether it came out is asked by came_out().
+/// Writes text for people to standard output or another file; control characters become pictures. came_out() checks that it was written.
 void type_into(std::FILE* to, std::string_view text);
 template <class... Values>
 void type_out(fmt::format_string<Values...> form, Values&&... values) {

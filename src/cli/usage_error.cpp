@@ -1,4 +1,4 @@
-// What is wrong with a command line, in words, with what was perhaps meant. For cli/main.
+// Describes the error in a command line, and what was perhaps meant. Used by cli/main.
 
 #include "cli/usage_error.h"
 
@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-/// The command that was called, as far as the line names one.
+/// Returns the command that was called, as far as the line names one.
 const CLI::App& called(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : called(*parsed.front());
@@ -36,7 +36,7 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-/// A command is wanted, and this is none.
+/// The message for a word that is not a command.
 std::string no_command(const CLI::App& app, const std::string& word) {
   const auto names = commands_of(app);
   const std::string meant = did_you_mean(word, names);
@@ -44,7 +44,7 @@ std::string no_command(const CLI::App& app, const std::string& word) {
          (meant.empty() ? fmt::format("{}{}", told("; there are: ", "; есть: "), fmt::join(names, ", ")) : meant);
 }
 
-/// The first word that nobody takes; an option before others, for its value is left over with it.
+/// The message for the first word that nothing accepts; options come first, since their values are left over with them.
 std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
@@ -61,7 +61,7 @@ std::optional<std::string> left_over(const CLI::App& app, const CLI::App& comman
               "«" + *word + "» — лишнее: " + whole_name(command) + " столько не берёт");
 }
 
-/// What is required and not there.
+/// The message for a required option or command that is missing.
 std::string missing(const CLI::App& command) {
   for (const CLI::Option* const option : command.get_options({}))
     if (option->get_required() && option->count() == 0)
@@ -70,20 +70,20 @@ std::string missing(const CLI::App& command) {
                      fmt::join(commands_of(command), ", "));
 }
 
-/// The option that CLI11's own sentence is about; it stands first in it, or after the first ": ".
+/// Returns the option that CLI11's sentence is about: it is named first in the sentence, or after the first ": ".
 const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* found = nullptr;
   std::size_t first = std::string::npos;
   for (const CLI::Option* const option : command.get_options({})) {
     const std::size_t at = sentence.find(option->get_name());
-    // Of --plot and --plot-speed in one place the longer one.
+    // Where --plot and --plot-speed match at the same position, the longer one is meant.
     if (at < first || (at != std::string::npos && at == first && option->get_name().size() > found->get_name().size()))
       first = at, found = option;
   }
   return found;
 }
 
-/// Too few values, too many, or one where none may stand.
+/// The message for too few values, too many, or one for an option without values.
 std::string wrong_count(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* const option = option_of(command, sentence);
   if (option == nullptr) return sentence;
@@ -103,7 +103,7 @@ std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI:
   if (required || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     if (const auto word = left_over(app, command)) return *word;
   if (required) return missing(command);
-  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();  // ours: cli/option_values
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();  // our own: cli/option_values
   return wrong_count(command, error.what());
 }
 

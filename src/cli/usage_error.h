@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a command line, in words, with what was perhaps meant.
+// Describes the error in a command line, and what was perhaps meant.
 
 #include <string>
 
@@ -10,7 +10,7 @@ class ParseError;
 
 namespace kadr::cli {
 
-/// `app` as the parser left it when it threw `error`. Two lines.
+/// Returns two lines. `app` is in the state in which the parser threw `error`.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace kadr::cli

@@ -1,4 +1,5 @@
-// What a program itself writes (--files): its folder, what it would have written, what it has read and must not write over. For cli/run.
+// What a program itself writes (--files): its folder, what it would have written, and the files that it has read and must not overwrite.
+// Used by cli/run.
 
 #include "cli/written_files.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a program itself writes (--files): its folder, what it would have written, what it has read and must not write over.
+// What a program itself writes (--files): its folder, what it would have written, and the files that it has read and must not overwrite.
 
 #include <string>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace kadr::cli {
 
-/// The folder for what the program writes: made, if only its last part is missing.
+/// Makes the folder for what the program writes, if only the last part of its path is missing.
 bool make_folder(const std::string& folder);
 
-/// Without --files a program writes nothing: what it would have written.
+/// Reports what a program would have written: without --files it writes nothing.
 void tell_unwritten(const Options& options, const std::vector<Channel>& channels);
 
-/// What the run has read besides the program must not be written over either.
+/// Returns the files that the run has read besides the program; they must not be overwritten either.
 std::vector<std::string> files_read(const std::vector<Channel>& channels);
 
 }  // namespace kadr::cli

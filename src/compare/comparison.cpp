@@ -1,4 +1,4 @@
-// Two courses side by side. For view/page_compare; tested by tests/compare/comparison_test.cpp.
+// Compares two courses. Used by view/page_compare; tested by tests/compare/comparison_test.cpp.
 
 #include "compare/comparison.h"
 
@@ -17,26 +17,26 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;         // of a dwell, a feed: relative
-constexpr std::size_t most_ahead = 3000;    // items that are looked through for a place in common
-constexpr std::size_t most_sliver = 1000;   // moves within the tolerance of one place
+constexpr double same_value = 1e-6;         // of a dwell or feed: relative
+constexpr std::size_t most_ahead = 3000;    // items that are searched for a common position
+constexpr std::size_t most_sliver = 1000;   // moves within the tolerance of one position
 constexpr std::size_t most_measured = 500;  // vertices of a difference
-constexpr int most_searches = 200;          // that go far: then they are two programs
+constexpr int most_searches = 200;          // of far searches: beyond, they count as two unrelated programs
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
 bool is_same(const CourseAct& a, const CourseAct& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
 
-/// What it makes in a minute at the speed in force; 0: that is not known.
+/// Returns the feed per minute at the speed in force; 0 if it is not known.
 double per_minute(const CourseState& s) {
   if (s.unit == FeedUnit::mm_per_min) return s.feed;
   return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
 }
 
-/// By no more than an F word of that increment can help; never by much of the feed, however coarse the word.
+/// True if the feeds differ no more than the increment of the F word explains, and never by much of the feed, however coarse the word.
 bool is_rounded(double a, double b, double step) { return std::abs(a - b) <= std::min(step / 2 + same_value, 0.01 * std::abs(a)); }
 
-/// The first of what is in force that differs, but for the unit of the feed; nothing: nothing does.
+/// Returns the first difference in what is in force, the unit of the feed aside; nullopt if there is none.
 std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, const CompareRules& rules) {
   if (a.move != b.move) return Kind::move;
   const bool at_speed = rules.feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
@@ -110,7 +110,7 @@ class Comparer {
     (of_b ? out_.read_b : out_.read_a) = control.files_read();
   }
 
-  /// Both do the same; what is in force meanwhile counts too.
+  /// Both do the same act; the states in force meanwhile are compared too.
   void act() {
     if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
       follower_.begin(ComparedPiece::Part::changed, tell_state(*differs));
@@ -142,7 +142,7 @@ class Comparer {
     if (!result.together) meet_again();
   }
 
-  /// Moves that stay where the other stands, up to what is looked for.
+  /// Passes moves that stay near the other's position, up to an item that is wanted.
   template <class Wanted>
   bool pass_sliver(Lane& lane, const Lane& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < most_sliver; ++i) {
@@ -156,7 +156,7 @@ class Comparer {
     return false;
   }
 
-  /// returns  the number of the difference
+  /// returns  the index of the difference
   std::size_t tell_state(Kind kind) {
     const std::string a_says = words_of_state(a_.item(0).state, kind), b_says = words_of_state(b_.item(0).state, kind);
     const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_says, b_says};
@@ -164,8 +164,8 @@ class Comparer {
     add(d);
     return number;
   }
-  /// How both end, and what spindle and coolant do then: b's end may switch off what a's leaves on, for most controls do so by themselves;
-  /// a's may not.
+  /// Compares how both end, and what spindle and coolant do then. b's end may switch off what a's end leaves on, since most controls do so
+  /// by themselves; the reverse is a difference.
   void ends() {
     const CourseItem &a = a_.item(0), &b = b_.item(0);
     if (a.fault != b.fault) return ends_differ();
@@ -189,7 +189,7 @@ class Comparer {
     return spot;
   }
 
-  /// Both go different ways, or do different things: the nearest place ahead from which they do the same.
+  /// Both follow different paths or do different things: continues at the nearest position ahead from which they do the same.
   void meet_again() {
     std::size_t da = 0, db = 0;
     if (rules_.first_only) da = items_ahead(a_), db = items_ahead(b_);
@@ -204,7 +204,7 @@ class Comparer {
     add(d);
   }
 
-  /// Some, up to the end: whether it comes by an alarm.
+  /// Number of items ahead, limited, up to the end: shows whether it ends by an alarm.
   static std::size_t items_ahead(Lane& lane) {
     constexpr std::size_t most_looked_at = 50;
     std::size_t count = 0;
@@ -243,7 +243,7 @@ class Comparer {
     return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
   }
 
-  /// An act more or less, or another way.
+  /// Describes an act that only one has, or a different path.
   void describe(CourseDifference& d, std::size_t da, std::size_t db) {
     const auto acts = [](Lane& lane, std::size_t count) {
       std::string text;
@@ -269,7 +269,7 @@ class Comparer {
     double distance = 0;  // mm
     Axes vertex{}, nearest{};
   };
-  /// Of so many vertices of one the one that is farthest from the way of the other.
+  /// Of the first vertices of one, returns the one farthest from the other's path.
   Apart farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
     Apart most{0, of.at(), from.at()};
     const std::size_t step = count / most_measured + 1, other_step = pieces / most_measured + 1;
@@ -294,7 +294,7 @@ class Comparer {
   std::size_t number_of_next(const CourseDifference& d) const {
     return out_.differences.size() + out_.more - (goes_on_from_last(d) ? 1 : 0);
   }
-  /// One that goes on where the last one ended is the same.
+  /// Adds a difference; one that continues where the last one ended is joined with it.
   void add(CourseDifference d) {
     if (goes_on_from_last(d)) {
       CourseDifference& last = out_.differences.back();
@@ -312,8 +312,8 @@ class Comparer {
   Comparison out_;
 };
 
-/// M functions of both as the numbers of b, or as the coolant that they switch on either; a number of a that is another function of b is
-/// none of those.
+/// Maps M functions of both to the numbers of b, or to the coolant that they switch on either control. A number of a that means another
+/// function on b gets a number of its own.
 void match_codes(Course& a, Course& b) {
   using Meaning = Course::CodeMeaning;
   const ControlDef &of_a = a.session().def(), &of_b = b.session().def();
@@ -350,7 +350,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;
-  modes.exact = of_b.exact;  // where a's control cannot stop so, b's should not
+  modes.exact = of_b.exact;  // if a's control cannot stop exactly, b's should not
   course_a.look_at(modes), course_b.look_at(modes);
   match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();

@@ -1,4 +1,4 @@
-// A comparison in words. For view/page_compare; tested by tests/compare/comparison_text_test.cpp.
+// Describes a comparison in words. Used by view/page_compare; tested by tests/compare/comparison_text_test.cpp.
 
 #include "compare/comparison_text.h"
 

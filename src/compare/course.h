@@ -1,6 +1,6 @@
 #pragma once
-// Course: what a program makes the machine do, in the order of time, such that two programs can be compared: straight pieces of the axes'
-// way with what is in force along them, and acts between them.
+// Course: what a program makes the machine do, in the order of time, in a form in which two programs can be compared: straight pieces of
+// the axes' path with what is in force along them, and acts between them.
 
 #include <map>
 #include <memory>
@@ -15,42 +15,42 @@
 
 namespace kadr {
 
-/// Runs a program alone in its channel, as far as it is asked for.
+/// Runs a program alone in its channel, only as far as items are requested.
 class Course {
  public:
-  ///   frame  names of the axes that positions are told in; what the control has not stays at 0
-  ///   chord  mm that a piece may be off a way that is no line
+  ///   frame  names of the axes of the positions; an axis that the control does not have stays at 0
+  ///   chord  mm by which a piece may differ from a curved path
   Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop);
 
-  /// What is shown to the operator is passed over.
+  /// Leaves out messages to the operator.
   void pass_messages() { messages_ = false; }
-  /// Its positions are told so much farther on, mm by axis of the frame: where the operator has set the zero. Before the first item.
+  /// Adds this shift to its positions, mm by axis of the frame: where the operator has set the origin. Call it before the first item.
   void shift(const Axes& by);
-  /// When things are is not told: nobody counts it. Before the first item.
+  /// Does without times, which nobody needs. Call it before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
-  /// Exact stops that do not count by look_at().
+  /// The exact stops that look_at() excludes.
   std::size_t passed_exact_stops() const { return passed_exact_stops_; }
   std::size_t passed_messages() const { return passed_messages_; }
-  /// A change of the tool is a stop, and which one it is does not count: it is changed by hand.
+  /// Treats a tool change as a stop, whichever tool it is: the tool is changed by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
-  /// These count of how corners are gone round.
+  /// Sets which modes of corners and exact stops are compared.
   void look_at(const PathModes& modes) { modes_ = modes; }
-  /// An M function of the machine by its number: what it is on the other control, by the tables of both (config/machine_codes).
+  /// What an M function of the machine means on the other control, by the tables of both (config/machine_codes).
   struct CodeMeaning {
-    std::optional<Coolant> coolant{};  // it switches that; else …
-    std::uint32_t code = 0;            // … it is the function of this number
+    std::optional<Coolant> coolant{};  // it switches the coolant; else
+    std::uint32_t code = 0;            // it is the function with this number
   };
   void read_codes(std::map<std::uint32_t, CodeMeaning> codes) { codes_ = std::move(codes); }
   /// What was in force before the last block so far.
   const CourseState& before_last_block() const { return before_block_; }
-  /// Where its axes stand before the first item.
+  /// Position of the axes before the first item.
   const Axes& start() const { return start_; }
-  /// Adds what comes next, one or more; after its end nothing.
+  /// Adds the next items, one or more; adds nothing after the end.
   void more(ItemRing& to);
   Session& session() { return *session_; }
-  /// Zero of the work system of the first cut so far, machine coordinates.
+  /// Origin of the work system of the first cut so far, in machine coordinates.
   const std::optional<Vec3>& zero() const { return zero_; }
-  /// The alarm that it has stopped by.
+  /// The alarm that stopped the program.
   const std::optional<AlarmReport>& stopped() const { return stopped_; }
 
  private:
@@ -64,14 +64,14 @@ class Course {
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
-  std::vector<int> axis_of_;  // of the frame → of the control; -1: it has none
+  std::vector<int> axis_of_;  // axis of the frame → axis of the control; -1: it has none
   double chord_;
   StopToken stop_;
   Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
   Vec3 frame_zero_;
   std::optional<Vec3> zero_;
-  ItemRing* ahead_ = nullptr;  // where they are wanted
+  ItemRing* ahead_ = nullptr;  // receives the items while they are requested
   CourseState state_, before_block_;
   PathModes modes_;
   std::map<std::uint32_t, CodeMeaning> codes_;

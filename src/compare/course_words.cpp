@@ -1,4 +1,4 @@
-// States and acts of a course in words. For compare/comparison; tested by tests/russian_units.py, tests/run_diff.py.
+// Describes states and acts of a course in words. Used by compare/comparison; tested by tests/russian_units.py and tests/run_diff.py.
 
 #include "compare/course_words.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// DifferencePlot: a comparison as a picture. Takes its pieces as it goes, in constant memory, and close up those of the first two
+// DifferencePlot: draws a comparison. Collects its pieces while it runs, in constant memory, and more closely those of the first two
 // differences and of the greatest one.
 
 #include <array>
@@ -16,16 +16,16 @@
 
 namespace kadr {
 
-/// Of two files, without their folders where that tells them apart.
+/// Returns the names of two files, without their folders if they still differ.
 std::array<std::string, 2> short_names(const std::string& a, const std::string& b);
 
 struct DifferenceTitle {
-  std::string a, b;     // what the programs are called
-  std::string control;  // of both
+  std::string a, b;     // names of the programs
+  std::string control;  // of both programs
   Lang lang = Lang::en;
-  std::vector<std::string> lines{};  // the differences in words, as many as stand below the picture
-  std::size_t numbers = 0;           // differences whose numbers stand in it; those close up have theirs anyway
-  /// Where a difference begins: "part.nc:6 | new.nc:6-7".
+  std::vector<std::string> lines{};  // the differences in words, as many as fit below the picture
+  std::size_t numbers = 0;           // how many differences have their numbers in the picture; those with a close-up always have
+  /// Returns where a difference begins: "part.nc:6 | new.nc:6-7".
   std::function<std::string(const CourseDifference&)> place;
 };
 
@@ -36,18 +36,18 @@ class DifferencePlot {
 
   void take(const ComparedPiece& piece);
 
-  /// After the last piece, once. Draws; the ending of the name (.svg, .png) says which.
+  /// Draws the picture, once, after the last piece; the ending of the file's name (.svg, .png) selects the format.
   ///   returns  an error sentence
   tl::expected<void, std::string> write(const ResultFile& file, const DifferenceTitle& title, const Comparison& made);
 
  private:
-  /// A difference with what both do before and after it.
+  /// A difference, with what both programs do before and after it.
   struct Closeup {
     std::size_t number = 0;                    // from 0
-    std::unique_ptr<DifferenceSketch> sketch;  // nullptr: there is none
-    std::size_t left = 0;                      // pieces in common that are still taken
+    std::unique_ptr<DifferenceSketch> sketch;  // nullptr: no such difference
+    std::size_t left = 0;                      // common pieces still to be collected
   };
-  /// Of a difference: the longest piece that is changed.
+  /// The longest changed piece of a difference.
   struct Longest {
     double length = 0;
     Vec3 middle;
@@ -67,13 +67,13 @@ class DifferencePlot {
 
   Chain chain_;
   DifferenceSketch whole_;
-  std::deque<SketchPiece> recent_;   // what both have done last
+  std::deque<SketchPiece> recent_;   // the last common pieces
   std::array<Closeup, 3> closeups_;  // of the first two differences and of the greatest
   double greatest_ = 0;
-  std::optional<std::size_t> begun_;  // the last difference that a piece has come of
-  std::vector<Longest> longest_;      // of the first differences
+  std::optional<std::size_t> begun_;  // the last difference that a piece belonged to
+  std::vector<Longest> longest_;      // for the first differences
   Vec3 zero_;
-  std::array<std::optional<Vec3>, 2> first_, last_;  // places of a and of b
+  std::array<std::optional<Vec3>, 2> first_, last_;  // positions of a and of b
   std::array<ProgramLine, 2> first_line_, last_line_;
 };
 

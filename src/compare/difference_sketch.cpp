@@ -1,4 +1,5 @@
-// The ways of two programs as paths of a picture. For compare/difference_plot; tested by tests/compare/difference_sketch_test.cpp.
+// DifferenceSketch: the paths of two programs as paths of a picture. Used by compare/difference_plot; tested by
+// tests/compare/difference_sketch_test.cpp.
 
 #include "compare/difference_sketch.h"
 
@@ -55,7 +56,7 @@ DifferenceSketch::DifferenceSketch(std::size_t most, double chord)
       a_pen_(a_, chord),
       b_pen_(b_, chord) {}
 
-/// What differs is to be seen, be it rapid motion.
+/// What differs must be visible, even if it is rapid motion.
 void DifferenceSketch::take(const SketchPiece& piece) {
   using Layer = SketchPiece::Layer;
   if (piece.layer != Layer::same) {

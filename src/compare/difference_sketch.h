@@ -1,5 +1,5 @@
 #pragma once
-// DifferenceSketch: the ways of two programs as paths of a picture: what both do, what only one does. For compare/difference_plot.
+// DifferenceSketch: the paths of two programs as paths of a picture: what both do, and what only one does. Used by compare/difference_plot.
 
 #include "out/picture/plot_path.h"
 
@@ -11,11 +11,11 @@ struct SketchPiece {
   Vec3 from, to;
   Stroke stroke = Stroke::feed;
   ProgramLine line;
-  bool act = false;  // only a place
+  bool act = false;  // a position only, no path
   friend bool operator==(const SketchPiece&, const SketchPiece&) = default;
 };
 
-/// Pieces → a path. Those of a curve that are finer than the picture are joined again.
+/// Builds a path from pieces. Pieces of a curve that are finer than the picture are joined again.
 class SketchPen {
  public:
   SketchPen(PlotPath& path, double chord) : path_(path), chord_(chord) {}
@@ -24,17 +24,17 @@ class SketchPen {
 
  private:
   PlotPath& path_;
-  double chord_;  // mm that may be lost
-  Vec3 corner_;   // where the path stands
+  double chord_;  // mm by which the path may become less exact
+  Vec3 corner_;   // the end of the path
   SketchPiece held_{};
   bool holds_ = false, begun_ = false;
   double lost_ = 0;
 };
 
-/// Bounded in memory.
+/// The paths of a comparison, limited in memory.
 class DifferenceSketch {
  public:
-  /// `most`: points of each of its paths.
+  ///   most  points in each of its paths
   DifferenceSketch(std::size_t most, double chord);
   DifferenceSketch(const DifferenceSketch&) = delete;
   DifferenceSketch& operator=(const DifferenceSketch&) = delete;
@@ -43,14 +43,14 @@ class DifferenceSketch {
   void finish();
   void move_all(Vec3 by);
 
-  /// Its box holds all the others too.
+  /// The common path; its box includes the other paths too.
   const PlotPath& same() const { return same_; }
   const PlotPath& changed() const { return changed_; }
   const PlotPath& a() const { return a_; }
   const PlotPath& b() const { return b_; }
-  /// Where they differ.
+  /// The box of what differs.
   const Box& box() const { return box_; }
-  /// mm between the ways and what is drawn.
+  /// Returns the greatest distance, in mm, between the true paths and what is drawn.
   double error() const;
 
  private:

@@ -1,4 +1,4 @@
-// What a view close up shows of a difference. For compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
+// Selects what a close-up shows of a difference. Used by compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
 
 #include "compare/difference_window.h"
 
@@ -8,17 +8,17 @@
 namespace kadr {
 namespace {
 
-constexpr double most_times = 12;      // of how far they are apart: a window that is larger does not show it well,
-constexpr double good_times = 6;       // one of that size does
-constexpr double little_part = 0.6;    // of the part: a window that is larger shows no more than the whole
+constexpr double most_times = 12;      // times the distance apart: a larger window does not show it well,
+constexpr double good_times = 6;       // a window of this size does
+constexpr double little_part = 0.6;    // of the part: a larger window shows no more than the view of the whole
 constexpr double margin_part = 0.15;   // of the window
-constexpr double place_part = 0.06;    // of the part, around a place
+constexpr double place_part = 0.06;    // of the part, around a position
 constexpr double least_window = 0.02;  // mm
-constexpr double page_size = 500;      // of a view, about
+constexpr double page_size = 500;      // of a view, approximately
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
-/// The plane that shows best how far they are apart, and then the most of where they go.
+/// Returns the plane that shows best how far the two are apart and, second, most of their path.
 View best_view(Vec3 apart, Vec3 size) {
   const double all = size.x + size.y + size.z, far = length(apart);
   View best = View::xy;

@@ -1,5 +1,5 @@
 #pragma once
-// What a view close up shows of a difference, and from which side. For compare/difference_plot.
+// Selects what a close-up shows of a difference, and from which side. Used by compare/difference_plot.
 
 #include "out/picture/plot_view.h"
 
@@ -8,14 +8,14 @@ namespace kadr {
 struct DifferenceWindow {
   View view = View::xy;
   Box box;
-  double finest = 0;    // mm: less is not seen
-  bool closer = false;  // it shows more than the whole part does
+  double finest = 0;    // mm: smaller details are not visible
+  bool closer = false;  // it shows more detail than the view of the whole part
 };
 
-///   differing  where the two differ
-///   apart      from a's place to b's where they are the farthest; zero: their places are the same
-///   at         there
-///   part       all that both do
+///   differing  box of what differs
+///   apart      vector from a's to b's position where they are farthest apart; zero: the positions are equal
+///   at         that position
+///   part       box of all that both do
 DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box& part);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// ItemRing: items of a course that are looked ahead in, in their order. It keeps its memory: what has been passed is written over, so that
-// a long program needs no allocation for each of its blocks.
+// ItemRing: the items of a course in the look-ahead, in order. It reuses its memory: items that have been passed are overwritten, so that a
+// long program needs no allocation for each of its blocks.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,12 +15,12 @@ class ItemRing {
  public:
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// It stays where it is until it is taken away.
+  /// An item stays at its address until it is removed.
   CourseItem& operator[](std::size_t i) { return at(first_ + i); }
   CourseItem& front() { return at(first_); }
   CourseItem& back() { return at(first_ + size_ - 1); }
 
-  /// One more at its end, with whatever it held before: all of it is to be written.
+  /// Adds an item at the end. It still has its old contents, so every member must be written.
   CourseItem& add() {
     if (first_ + size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<CourseItem[]>(chunk));
     return at(first_ + size_++);
@@ -31,15 +31,15 @@ class ItemRing {
     first_ = 0;
     std::rotate(chunks_.begin(), chunks_.begin() + 1, chunks_.end());
   }
-  /// Only the first ones stay.
+  /// Keeps only the first items.
   void cut(std::size_t size) { size_ = size; }
 
  private:
   static constexpr std::size_t chunk = 64;  // items
   CourseItem& at(std::size_t i) { return chunks_[i / chunk][i % chunk]; }
 
-  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // first those with items, in their order
-  std::size_t first_ = 0, size_ = 0;                   // first_: within the first chunk
+  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // those with items first, in order
+  std::size_t first_ = 0, size_ = 0;                   // first_: index within the first chunk
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A course that is looked ahead in. For compare/comparison, compare/stretch.
+// Lane: a course with look-ahead. Used by compare/comparison and compare/stretch.
 
 #include "compare/lane.h"
 
@@ -8,8 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double no_length = 1e-12;  // mm²: a piece without any
-constexpr double whole = 1 - 1e-9;   // of a piece
+constexpr double no_length = 1e-12;  // mm²: a piece without length
+constexpr double whole = 1 - 1e-9;   // the whole piece, less rounding
 
 }  // namespace
 
@@ -66,13 +66,13 @@ void Lane::look_ahead(std::size_t i) {
   }
 }
 
-/// Of those that came: moves without a way are left out.
+/// Removes moves without length from the new items.
 void Lane::tidy(std::size_t from) {
   std::size_t kept = from;
   for (std::size_t k = from; k < ahead_.size(); ++k) {
     CourseItem& item = ahead_[k];
     const Axes& before = kept == 0 ? at_ : ahead_[kept - 1].to;
-    if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may have changed; the axes stand
+    if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may have changed while the axes are at rest
     else if (item.to == before) continue;
     if (kept != k) ahead_[kept] = std::move(item);
     ++kept;

@@ -1,5 +1,5 @@
 #pragma once
-// Lane: a course with as much of it ahead as is looked at, and where it stands. Pieces can be cut in two.
+// Lane: one of the two courses of a comparison, with its look-ahead and the current position. Pieces can be cut in two.
 
 #include <functional>
 
@@ -7,21 +7,21 @@
 
 namespace kadr {
 
-/// Positions as points: mm; a degree of a rotary axis counts as a mm.
+/// Treats positions as points: mm; a degree of a rotary axis counts as a mm.
 class CourseSpace {
  public:
   explicit CourseSpace(std::size_t axes) : axes_(axes) {}
   double distance(const Axes& a, const Axes& b) const;
-  /// A point is farther than `most` from all of the way from `from` to `to`.
+  /// Returns true if a point is farther than `most` from every point between `from` and `to`.
   bool is_off(const Axes& point, const Axes& from, const Axes& to, double most) const;
   Axes between(const Axes& a, const Axes& b, double part) const;
-  /// Parts of the way from `from` to `to` that are within `most` of a point; empty: first > last.
+  /// The part of the segment from `from` to `to` that is within `most` of a point; empty: first > last.
   struct Interval {
     double first = 1, last = 0;
     bool empty() const { return first > last; }
   };
   Interval within(const Axes& point, const Axes& from, const Axes& to, double most) const;
-  /// The part there that is nearest to the point.
+  /// Returns the fraction within the interval that is nearest to the point.
   double nearest(const Axes& point, const Axes& from, const Axes& to, Interval in) const;
 
  private:
@@ -30,27 +30,28 @@ class CourseSpace {
 
 class Lane {
  public:
-  /// `more`: adds the next items of a course in their order, one or more, up to its end; `start`: where it begins.
+  ///   more   adds the next items of a course in order, one or more, up to its end
+  ///   start  where the course begins
   Lane(std::function<void(ItemRing&)> more, const Axes& start, const CourseSpace& space)
       : more_(std::move(more)), space_(space), at_(start) {}
 
-  /// Of those that have not been passed; the end again and again behind it.
+  /// Returns an item not yet passed; after the end, the end again.
   const CourseItem& item(std::size_t i) {
     if (i >= ahead_.size()) look_ahead(i);
     return ahead_[i < ahead_.size() ? i : ahead_.size() - 1];
   }
-  /// Where the i-th begins.
+  /// Returns where the i-th item begins.
   const Axes& begin(std::size_t i) { return i == 0 ? at_ : item(i - 1).to; }
   const Axes& at() const { return at_; }
   void pass(std::size_t count = 1);
-  /// Passes a part of the first one, a move.
+  /// Passes a part of the first item, which must be a move.
   void pass_part(double part);
-  /// Moves that have been passed, each once.
+  /// Number of moves passed, each counted once.
   std::size_t moves() const { return moves_; }
-  /// Of the last one that has been passed.
+  /// Origin of the last item passed.
   const Origin& last_origin() const { return last_origin_; }
 
-  /// Where set: called with each item that is passed, or a part of it, and where that begins and ends.
+  /// If set, called with each item or part of an item that is passed, and its start and end positions.
   std::function<void(const CourseItem& item, const Axes& from, const Axes& to)> on_pass;
 
  private:

@@ -1,4 +1,5 @@
-// Exact stops and corners of a control. For compare/comparison, convert/conversion; tested by tests/compare/comparison_test.cpp.
+// PathModes: exact stops and corner modes of a control. Used by compare/comparison and convert/conversion; tested by
+// tests/compare/comparison_test.cpp.
 
 #include "compare/path_modes.h"
 

@@ -1,11 +1,11 @@
-// The pieces of a comparison for whoever follows it. For compare/comparison; tested by tests/compare/comparison_test.cpp.
+// PieceFollower: passes on the pieces of a comparison. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
 
 #include "compare/piece_follower.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_waiting = 1000;  // within the tolerance of one place: beyond, they are told as what they would be if it were all
+constexpr std::size_t most_waiting = 1000;  // within the tolerance of one position: beyond, they are passed on as Part::together
 
 }  // namespace
 

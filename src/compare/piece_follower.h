@@ -1,5 +1,6 @@
 #pragma once
-// PieceFollower: tells whoever follows a comparison the pieces of both ways, and which difference they belong to. For compare/comparison.
+// PieceFollower: passes the pieces of both paths, and the difference that they belong to, to whoever follows a comparison. Used by
+// compare/comparison.
 
 #include <vector>
 
@@ -10,20 +11,20 @@ namespace kadr {
 
 class PieceFollower {
  public:
-  /// `told`: empty: nobody follows.
+  ///   told  receives the pieces; empty if nobody follows
   PieceFollower(std::function<void(const ComparedPiece&)> told, const CourseSpace& space, double tolerance)
       : told_(std::move(told)), space_(space), tolerance_(tolerance) {}
 
-  /// Of the pieces until end().
+  /// Sets part and difference of the pieces until end().
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
-  /// They are the difference only if they lead farther than the tolerance from here: until then they wait.
+  /// The pieces belong to the difference only if they lead farther than the tolerance from here; until then they wait.
   void begin_waiting(std::size_t number, const Axes& here);
-  /// `counts`: those that still wait are the difference.
+  ///   counts  pieces that still wait belong to the difference
   void end(bool counts = true);
 
   void take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b);
 
-  /// Files that pieces stood in, but for the programs themselves; their names are the caller's.
+  /// The files of the pieces, except the programs themselves; the caller fills in their names.
   std::map<std::uint16_t, std::string>& files(bool of_b) { return of_b ? files_b_ : files_a_; }
 
  private:
@@ -32,7 +33,7 @@ class PieceFollower {
   std::function<void(const ComparedPiece&)> told_;
   const CourseSpace& space_;
   double tolerance_;
-  ComparedPiece now_;  // what pieces have in common
+  ComparedPiece now_;  // what the pieces have in common
   Axes here_{};
   bool waits_ = false;
   std::vector<ComparedPiece> waiting_;

@@ -1,4 +1,4 @@
-// The free space of two ways, a column at a time. For compare/comparison; tested by tests/compare/stretch_test.cpp.
+// The free space of two paths, computed one column at a time. Used by compare/comparison; tested by tests/compare/stretch_test.cpp.
 
 #include "compare/stretch.h"
 
@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 using Interval = CourseSpace::Interval;
-constexpr std::size_t most_open = 20'000;  // pieces of one that lie near a single place of the other
+constexpr std::size_t most_open = 20'000;  // pieces of one path that are near a single position of the other
 
 constexpr std::size_t most_lag = 4, most_alike = 16;  // pieces
 constexpr double same_projection = 1e-12;             // mm
@@ -54,7 +54,7 @@ class FreeSpace {
   }
   Interval free_of_b(const Axes& point, std::size_t j) { return space_.within(point, b_.begin(j), b_.item(j).to, tolerance_); }
 
-  /// Along b while a stands.
+  /// Starts along b while a is at rest.
   void begin() {
     for (std::size_t j = 0; goes_on(b_, state_b_, j) && j <= most_open; ++j) {
       const Interval free = free_of_b(a_.at(), j);
@@ -63,21 +63,21 @@ class FreeSpace {
       near_.push_back(tolerance_);
       if (free.last < 1) break;
     }
-    if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both stand together
+    if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both are at the same position
   }
 
-  // Pieces that are the same ones need not be searched. Let both stand at v0, on the diagonal of the free space, and let the next pieces of
-  // both be the same, v0 v1 … vE. Then (v1, v1) can be reached, and whatever can be reached can be reached by way of it, if
+  // Identical pieces need not be searched. Let both be at v0, on the diagonal of the free space, and let the next pieces of both be the
+  // same, v0 v1 … vE. Then (v1, v1) can be reached, and whatever can be reached can be reached through it, if
   //   - vE is farther than the tolerance from all of v0 v1, and
-  //   - v2 … vE-1 are within it of v1.
-  // For a way through the free space on which one (a, say) is ahead has b come to v1 while a has not passed vE, as it could not pass vE
-  // while b was between v0 and v1. So a is between v1 and vE then, and all that lies there within the tolerance of v1 hangs together: a
-  // gets there while b stands in v1. Where b has lagged behind v0 the same is true if vE is farther than the tolerance from all of that,
-  // too. Near a place where both differ there is no such vE within the pieces that are the same: there the free space decides as ever.
+  //   - v2 … vE-1 are within the tolerance of v1.
+  // Take a path through the free space on which one (a, say) is ahead. When b comes to v1, a has not passed vE, as it could not pass vE
+  // while b was between v0 and v1. So a is then between v1 and vE, and all that is there within the tolerance of v1 is connected: a gets
+  // there while b is at v1. If b has lagged behind v0, the same is true if vE is farther than the tolerance from all of that part as well.
+  // Near a position where both differ there is no such vE within the identical pieces: there the free space decides as usual.
 
-  /// Passes such pieces. False: there are none, and nothing has changed.
+  /// Passes identical pieces. Returns false, and changes nothing, if there are none.
   bool pass_alike() {
-    std::size_t lag = 0;  // pieces of b to where a stands
+    std::size_t lag = 0;  // pieces of b up to a's position
     while (b_.begin(lag) != a_.at())
       if (++lag > most_lag || lag > column_.size()) return false;
     if (!is_reached(lag) || !are_alike(lag)) return false;
@@ -91,8 +91,8 @@ class FreeSpace {
     return true;
   }
 
-  /// Both can stand where a does, from there on b is ahead of it only by what hangs together with that place, and no vertex that is left
-  /// behind has a distance to tell of.
+  /// True if both can be at a's position, if b is ahead of it only by what is connected with that position, and if no vertex that is left
+  /// behind has a distance to report.
   bool is_reached(std::size_t lag) const {
     if (lag > 0) {
       if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
@@ -106,7 +106,7 @@ class FreeSpace {
     return true;
   }
 
-  /// v0 v1 … vE of both are the same, with the pieces of b from `lag` on.
+  /// True if v0 v1 … vE are the same for both, with the pieces of b from `lag` on.
   bool are_alike(std::size_t lag) {
     for (std::size_t i = 0; i < most_alike; ++i) {
       const CourseItem &a = a_.item(i), &b = b_.item(lag + i);
@@ -124,8 +124,8 @@ class FreeSpace {
     return false;
   }
 
-  /// A piece of a: from the reachable intervals of b at its beginning to those at its end.
-  ///   returns  false: there are none; `ends_` are the parts of a's piece from which b's end can be reached
+  /// Follows a piece of a: from the reachable intervals of b at its beginning to those at its end.
+  ///   returns  false if there are none; then `ends_` is the part of a's piece from which b's end can be reached
   bool advance() {
     const Axes from = a_.at(), to = a_.item(0).to;
     next_.clear();
@@ -171,7 +171,7 @@ class FreeSpace {
     return space_.distance(point, space_.between(begin, end, space_.nearest(point, begin, end, in)));
   }
 
-  /// Pieces of b that are passed for good.
+  /// Passes pieces of b that can no longer be reached.
   void drop() {
     std::size_t count = 0;
     while (count < column_.size() && column_[count].empty()) ++count;
@@ -185,7 +185,7 @@ class FreeSpace {
     b_.pass(count);
   }
 
-  /// a has come to its end: b goes to its own end, if that can be reached, else to the nearest place that it can be at.
+  /// a is at its end: moves b to its own end if that can be reached, else to the nearest reachable position.
   void bring_b() {
     const std::size_t last = column_.size() - 1;
     if (!column_[last].empty() && column_[last].last >= 1 && goes_on(b_, state_b_, last) && !goes_on(b_, state_b_, last + 1))
@@ -205,7 +205,7 @@ class FreeSpace {
     bring_b();
     return result_;
   }
-  /// b ends within the piece of a.
+  /// b ends within the present piece of a: cuts that piece.
   StretchResult cut_a() {
     std::size_t last = 0;
     while (goes_on(b_, state_b_, last)) ++last;
@@ -228,7 +228,7 @@ class FreeSpace {
   const double tolerance_;
   const CourseState state_a_, state_b_;
   const Axes begins_a_, begins_b_;
-  std::vector<Interval> column_, next_;  // of b's pieces ahead, at the vertex that a stands at: what can be reached
+  std::vector<Interval> column_, next_;  // by piece of b ahead, at a's present vertex: the part that can be reached
   std::vector<double> near_;             // by piece of b: how near its end can be passed
   Interval ends_;
   StretchResult result_;

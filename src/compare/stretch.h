@@ -1,21 +1,21 @@
 #pragma once
-// Stretch: two ways gone along side by side, as far as both stay near each other in their order: the continuous Fréchet distance (Alt,
-// Godau 1995, "Computing the Fréchet distance between two polygonal curves"), carried out from left to right with only so much of the free
-// space in memory as can be reached.
+// Follows two paths side by side as far as both stay near each other in order: the continuous Fréchet distance (Alt, Godau 1995, "Computing
+// the Fréchet distance between two polygonal curves"), computed from left to right with only the reachable part of the free space in
+// memory.
 
 #include "compare/lane.h"
 
 namespace kadr {
 
 struct StretchResult {
-  bool together = true;  // to where one of them ends or changes what is in force; false: they part where the lanes stand now
-  double reach = 0;      // mm, how far either came from where it began on the way
-  double greatest = 0;   // mm, of those distances that cannot be less, over the vertices of both
+  bool together = true;  // true: to where one of them ends or its state changes; false: they part where the lanes are now
+  double reach = 0;      // mm, the greatest distance of either from where it began
+  double greatest = 0;   // mm, the greatest of the distances that no matching can avoid, over the vertices of both
 };
 
-/// From where both lanes stand, at most `tolerance` apart, along moves with what is in force on each. Where one comes to its end the other
-/// is cut in two at the nearest place.
-///   pre  both have a move first
+/// Follows both lanes from where they are, at most `tolerance` apart, along moves with the same state on each. Where one ends, the other is
+/// cut in two at the nearest position.
+///   pre  the first item of both is a move
 StretchResult go_along(Lane& a, Lane& b, const CourseSpace& space, double tolerance);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Blocks of one control. For convert/flat_program; tested by tests/convert.
+// BlockMaker: writes blocks of one control. Used by convert/flat_program; tested by tests/convert.
 
 #include "convert/block_maker.h"
 
@@ -43,7 +43,7 @@ Status BlockMaker::word(char letter, double value, int more) {
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  constexpr int more_of_feed = 3;  // where a word may have any number of digits: 0.000001 mm/min
+  constexpr int more_of_feed = 3;  // extra digits, where a word may have any number of them: 0.000001 mm/min
   const Words form(def_, letter, letter == 'F' ? more + more_of_feed : more);
   if (letter == 'F' && value > 0 && form.rounded(value) == 0)
     return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));

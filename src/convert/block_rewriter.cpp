@@ -1,4 +1,4 @@
-// Word by word. For convert/rewriting; tested by tests/convert.
+// BlockRewriter: rewrites blocks word by word. Used by convert/rewriting; tested by tests/convert.
 
 #include "convert/block_rewriter.h"
 
@@ -19,37 +19,37 @@ std::uint8_t group_of_motions(const ControlDef& def) {
 
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
-/// Numbers are written with a point, or the point is implied: the letter counts lengths.
+/// True if the letter counts lengths: its numbers have a point, or the point is implied.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
 constexpr std::int32_t tenths_of_code = 10;
 
-/// Of a code.
+/// Returns the number of a code.
 std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(word.code / tenths_of_code); }
 
-constexpr int more_decimals = 3;  // than thousandths, as the program has them: inches, finer CAM programs
+constexpr int more_decimals = 3;  // added to three decimals, since the program may have more: inches, finer CAM programs
 
-/// H, where it is no number of repetitions (spec/s2c42 4).
+/// Returns H, or D if H is a number of repetitions (spec/s2c42 4).
 char letter_of_lengths(const ControlDef& def) {
   return def.grammar.word('H').known && def.address('H').function != Function::repeat_word ? 'H' : 'D';
 }
 
-/// The letter by which a canned cycle is repeated.
+/// Returns the letter of the number of repetitions of a canned cycle.
 char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K' : 'L'; }
 
 }  // namespace
 
-/// What stands in a block.
+/// What a block contains.
 struct BlockRewriter::Kinds {
   const CodeRow* motion = nullptr;  // code of the group of motions
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
   const CodeRow* macro = nullptr;       // G65
-  const CodeRow* exact_stop = nullptr;  // at the end of this block
-  std::uint64_t left_out = 0;           // words of a mode of corners that the other control's has not
+  const CodeRow* exact_stop = nullptr;  // acts at the end of this block only
+  std::uint64_t left_out = 0;           // words of a corner mode that the other control's mode does not have
   bool returns = false;                 // M99
   bool has_axes = false, has_feed = false;
-  bool takes_axes = false;  // a code that its axis words belong to, other than a motion
+  bool takes_axes = false;  // a code other than a motion uses the axis words
   bool drills = false;      // a canned cycle is in force or named
   bool is_arc = false;
 };
@@ -74,7 +74,7 @@ BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to)
 
 Status BlockRewriter::cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Most blocks of a long program: nothing but axis words. word() would say the same.
+/// Fast path for most blocks of a long program, which have axis words only. word() would write the same.
 Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
@@ -155,7 +155,7 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   const bool is_own_cycle =
       std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
   if (!call || word.expression || is_own_cycle) return cannot("L" + std::to_string(value));
-  KADR_TRY(out.end());  // the block's other words act before
+  KADR_TRY(out.end());  // the block's other words act before the call
   out.text(*call + fmt::format(" P{}", label));
   if (times != 1) out.text(fmt::format("L{}", times));
   return {};
@@ -167,14 +167,15 @@ Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   return out.code_text(with_digits(to_, *match));
 }
 
-/// Its number is that of another function there.
+/// True if the word's number means another function on the other control.
 bool BlockRewriter::is_other_code(const Word& word, const CodeRow& row) const {
   const std::uint32_t number = number_of(word);
   return row.function == Function::machine_function && !codes_.there(number) && codes_.here(number);
 }
 
-/// By its number: what the tables of both controls say, or the same where it is one of the machine's without a row of its own.
-///   returns  false: it is matched by what it does
+/// Matches an M code by its number: by what the tables of both controls state, or unchanged if it is a machine function without a row of
+/// its own.
+///   returns  false if the code must be matched by what it does
 bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const {
   const std::uint32_t number = number_of(word);
   const auto mapped = codes_.there(number);
@@ -204,7 +205,7 @@ Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) con
   return out.word(letter, value_of(word), is_length(row) ? more_decimals : 0);
 }
 
-/// The letter of the other control for a word of this one; nothing: what it means there is another thing.
+/// Returns the other control's letter for this word; nullopt if the letter has another meaning there.
 std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kinds) const {
   constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word,
                               Function::formal_parameter};
@@ -249,7 +250,7 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   return number(word, letter, out);
 }
 
-/// RS274/NGC takes the number of the tool where H or D is left out (spec/linuxcnc 7.6); the others want it.
+/// RS274/NGC uses the number of the tool if H or D is left out (spec/linuxcnc 7.6); the other controls need the word.
 Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
   if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
   if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
@@ -258,7 +259,7 @@ Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, Blo
   return is_side && !block.has('D') ? out.word('D', tool_) : Status();
 }
 
-/// A motion without its code, behind blocks of other words.
+/// Repeats the motion code for a motion without one after blocks that were written otherwise.
 Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
   if (!says_again_ || !kinds.has_axes || kinds.takes_axes) return {};
   if (kinds.motion == nullptr && motion_ != nullptr) {
@@ -295,7 +296,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   return words_of(block, kinds, out);
 }
 
-/// Where one of the two has a mode and the other a code of the block.
+/// Converts an exact stop if one control has a mode for it and the other a code of the single block.
 Status BlockRewriter::exact_stop(const Kinds& kinds, BlockMaker& out) {
   const bool cuts = motion_ != nullptr && kinds.has_axes && !kinds.takes_axes && !kinds.drills && motion_->function != Function::rapid;
   if (!cuts) return {};
@@ -311,7 +312,7 @@ Status BlockRewriter::end(BlockMaker& out) {
   return out.end();
 }
 
-/// What stands behind a condition is a block of its own there.
+/// What follows a condition becomes a block of its own there.
 Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
   return o_lines_.write(
       block,
@@ -348,7 +349,7 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
-  std::size_t next = 0;  // assignment
+  std::size_t next = 0;  // index of the next assignment
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)
@@ -366,7 +367,7 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     if (one.code >= 0) {
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
-      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // told: conversion_text
+      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // reported by conversion_text
       if (row->function == Function::millimetre && is_metric_) continue;
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       if (one.address == 'M' && is_other_code(one, *row)) return cannot(row->code);

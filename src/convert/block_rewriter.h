@@ -1,6 +1,6 @@
 #pragma once
-// BlockRewriter: a block of one control word by word as a block of another one: its codes by what they do, its words in the other's form,
-// variables and expressions as they stand. Only how it is said is looked at, not what it does: that the proof tells (convert/conversion).
+// BlockRewriter: rewrites a block of one control word by word as a block of another one: codes by what they do, words in the other's form,
+// variables and expressions unchanged. It looks at the text only, not at what the block does; the proof checks that (convert/conversion).
 
 #include <array>
 #include <optional>
@@ -17,38 +17,38 @@ namespace kadr {
 
 class BlockRewriter {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   BlockRewriter(const ControlDef& from, const ControlDef& to);
 
-  /// The words of a block, into `out`; on an alarm something may stand there.
-  ///   alarms  function_has_no_code, word_has_no_room: the other control cannot say it
+  /// Writes the words of a block into `out`; after an alarm the block may be incomplete.
+  ///   alarms  function_has_no_code, word_has_no_room  the other control cannot express it
   Status write(const Block& block, BlockMaker& out);
-  /// Behind the block: what it has put in force for itself alone is over.
+  /// Called after the block: ends what it has put in force for itself only.
   Status end(BlockMaker& out);
-  /// Numbers of variables that the program uses.
+  /// Sets the numbers of the variables that the program uses.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
-  /// The first block of a subprogram.
+  /// Writes the first block of a subprogram.
   Status write_label(std::uint32_t label, BlockMaker& out);
-  /// Ends of a program end nothing there: a section of subprograms (spec/s2c42 6).
+  /// Sets whether the blocks belong to a section of subprograms, where a program end does not end anything (spec/s2c42 6).
   void set_in_section(bool is) { in_section_ = is; }
-  /// A block that is not written in this way: what it puts in force in the text counts all the same.
+  /// Records a block that is written otherwise: what it puts in force in the text still counts.
   void pass(const Block& block);
-  /// Blocks of other words stand there now: the next motion says its code again, and in inches its feed.
+  /// Other blocks were inserted: the next motion repeats its code and, in inches, its feed.
   void say_again() { says_again_ = true, says_feed_again_ = is_inch_; }
-  /// The lengths of the text are inches from here on.
+  /// True if the lengths of the text are inches from here on.
   bool is_inch() const { return is_inch_; }
 
  private:
   struct Kinds;
   struct PlainWord {
     Words form;    // of the other control
-    double scale;  // of this one
+    double scale;  // of the control converted from
   };
   bool is_plain(const Block& block) const {
     return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block);
   }
-  /// The alarm of a word that the other control does not have.
+  /// Returns the alarm for a word that the other control does not have.
   static Status cannot(std::string_view what);
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
@@ -80,21 +80,21 @@ class BlockRewriter {
   const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
-  std::uint8_t motion_group_ = 0;    // of the codes of `from`
+  std::uint8_t motion_group_ = 0;    // of the codes of `from_`
   const CodeRow* motion_ = nullptr;  // in force in the text
   bool motion_is_cycle_ = false;
   struct Stops {
-    bool by_block = false, by_mode = false;  // the other control has nothing but this
-    bool is_mode = false;                    // exact stops are in force in the text
-    bool goes_on = false;                    // behind this block they are not
+    bool by_block = false, by_mode = false;  // the other control has only this one of the two
+    bool is_mode = false;                    // exact stop mode is in force in the text
+    bool goes_on = false;                    // after this block the mode ends
   } stops_;
-  bool is_metric_ = false;  // the other control counts in mm alone
+  bool is_metric_ = false;  // the other control counts in mm only
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
-  double feed_ = -1;                                // last F of the text
-  double tool_ = 0;                                 // last T
-  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: what it means depends on nothing else in its block
-  std::uint64_t plain_letters_ = 0;                 // those
+  double feed_ = -1;                                // last F in the text
+  double tool_ = 0;                                 // last T in the text
+  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: words whose meaning depends on nothing else in their block
+  std::uint64_t plain_letters_ = 0;                 // the letters of plain_
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Assignments and macro statements, word by word: BlockRewriter's members for them. Tested by tests/convert.
+// The members of BlockRewriter for assignments and macro statements. Tested by tests/convert.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// RS274/NGC wants a value with operators in brackets; macros need none.
+/// RS274/NGC needs brackets around a value with operators; macros do not.
 std::string BlockRewriter::assignment(std::string_view text) const {
   const std::size_t equals = text.find('=');
   if (!from_.grammar.sums_without_brackets() || to_.grammar.sums_without_brackets() || equals == std::string_view::npos)
@@ -19,7 +19,7 @@ std::string BlockRewriter::assignment(std::string_view text) const {
   return has_operators ? fmt::format("{}[{}]", text.substr(0, equals + 1), value) : std::string(text);
 }
 
-/// An expression and what is given its value: variables with names become numbers where the other control has none.
+/// Writes an expression or an assignment: named variables become numbers if the other control has no names.
 Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   const auto made = flow_.expression(text);
   if (!made) return fail(made.error());
@@ -27,7 +27,7 @@ Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   return {};
 }
 
-/// Macro statements as they stand: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
+/// Writes a macro statement unchanged: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
 Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
   if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words &&
       (to_.grammar.has_statements() || to_.grammar.label_address != 0 || flow_.has_sections()))

@@ -1,6 +1,6 @@
 #pragma once
-// CodeMatch: which code of one control does what a code of another one does. Codes are matched by what they do, never by their numbers;
-// of canned cycles, whose functions are the controls' own, by their steps or names.
+// CodeMatch: finds the code of one control that does what a code of another control does. Codes are matched by what they do, never by their
+// numbers; canned cycles, whose functions differ between controls, by their steps or names.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace kadr {
 
-constexpr int inner_corners = 62, without_slowing = 63;  // of G62, G63
+constexpr int inner_corners = 62, without_slowing = 63;  // the arguments of G62 and G63
 constexpr int continuous_cutting = 64;                   // CodeRow::arg of Function::feed_control: G64 of the NCT
 
 class CodeMatch {
  public:
   CodeMatch(const ControlDef& from, const ControlDef& to);
 
-  /// nullptr: the other control has none that works.
+  /// Returns nullptr if the other control has no such code that works.
   ///   pre  row is one of from.codes
   const CodeRow* of(const CodeRow& row) const {
     const int index = rows_[static_cast<std::size_t>(&row - from_.codes.data())];
@@ -25,12 +25,12 @@ class CodeMatch {
  private:
   const ControlDef& from_;
   const ControlDef& to_;
-  std::vector<int> rows_;  // by row of `from`; -1: none
+  std::vector<int> rows_;  // by row of `from_`; -1: no match
 };
 
-/// G73 to G89: a canned cycle, of whatever kind the control has it.
+/// True for a canned cycle, G73 to G89, whatever function the control has for it.
 bool is_canned_cycle(const CodeRow& row);
-/// It ends cycles.
+/// True if the code ends canned cycles.
 bool ends_cycles(const CodeRow& row);
 
 }  // namespace kadr

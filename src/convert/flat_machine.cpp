@@ -1,4 +1,4 @@
-// Motions to places of the machine: G53, G28, G30. Of convert/flat_program; tested by tests/convert_open.py.
+// Writes motions to positions of the machine: G53, G28, G30. Part of convert/flat_program; tested by tests/convert_open.py.
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-/// No code takes the work zeros away: G53 of a block does.
+/// True if no code cancels the work offsets: G53 of a single block does.
 bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
 
 namespace {
@@ -24,8 +24,8 @@ const CodeRow* reference_code(const ControlDef& def, int point) {
 
 }  // namespace
 
-/// The other control takes the work zero away by a code of its own (G53 of the 2С42 and of GOST): its words are then those of the machine,
-/// but for the tool's length.
+/// True if the other control cancels the work offset by a code of its own (G53 of the 2С42 and of GOST): its words are then machine
+/// coordinates, except for the tool length.
 bool FlatProgram::is_without_zero(const Motion& motion) const {
   return way_ != FlatWay::plain && motion.end_given == EndGiven::by_machine && row_that_does(blocks_.def(), machine_codes) == nullptr &&
          !has_no_zeroless_system();
@@ -54,7 +54,7 @@ bool FlatProgram::is_in_machine(const Motion& motion) const {
   return way_ != FlatWay::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
 }
 
-/// Its machine coordinates stand beside G1 too.
+/// True if machine coordinates are also possible with G1.
 bool FlatProgram::cuts_in_machine() const {
   return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
 }
@@ -79,7 +79,7 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
   return point != 0 && reference_code(blocks_.def(), point) != nullptr;
 }
 
-/// In increments of 0: straight to the reference point, wherever the machine has it.
+/// Writes a move by increments of 0: straight to the reference point, wherever the machine has it.
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_given);
   const CodeRow* const row = reference_code(blocks_.def(), point);

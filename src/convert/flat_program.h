@@ -1,6 +1,6 @@
 #pragma once
-// FlatProgram: what a control does, action by action, as blocks of another one: without calls, loops, cycles and variables. It says what it
-// can and nothing else; whether that is the same, the proof says (convert/conversion).
+// FlatProgram: writes what a control does, action by action, as flat blocks of another one: without calls, loops, canned cycles and
+// variables. It writes what that control can express and nothing else; the proof checks that both do the same (convert/conversion).
 
 #include <array>
 #include <map>
@@ -15,24 +15,24 @@
 
 namespace kadr {
 
-/// How the path is said.
+/// How the path is expressed.
 enum class FlatWay : std::uint8_t {
-  contours,  // as programmed: radius compensation, tool lengths and work zeros as codes of their own
-  lengths,   // radius compensation is calculated in; tool lengths and work zeros are codes
-  plain,     // all of it is calculated in: machine coordinates
-  places,    // as contours, between blocks that are said otherwise and have put shifts in force: coordinates as programmed
-  centres,   // as places, radius compensation calculated in
+  contours,  // as programmed: radius compensation, tool lengths and work offsets as codes of their own
+  lengths,   // radius compensation is applied to the coordinates; tool lengths and work offsets are codes
+  plain,     // all offsets are applied: machine coordinates
+  places,    // as contours, between rewritten blocks that have put shifts in force: coordinates as programmed
+  centres,   // as places, with radius compensation applied to the coordinates
 };
 
-/// What of the tables is in force.
+/// The offsets of the tables that are in force.
 struct OffsetsInForce {
   std::int8_t length_sign = 0;      // +1, -1; 0: none
-  std::uint32_t length_number = 0;  // H, or what stands for it
+  std::uint32_t length_number = 0;  // H, or the word that the control has for it
   std::uint32_t radius_number = 0;  // D
   friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
 };
 
-/// Modes that blocks which are said otherwise have put in force.
+/// Modes that the rewritten blocks before have put in force.
 struct FlatBefore {
   bool incremental = false, inch = false;
   bool exact = false;  // exact stop mode
@@ -43,10 +43,10 @@ struct FlatBefore {
 struct FlatSource {
   std::vector<std::string> axes;  // names
   std::map<int, Axes> zeros;      // of its set-up, by number of the work system
-  bool has_systems = true;        // its control has work systems at all
-  bool same_messages = true;      // the other control shows messages in the same way: they cannot be said by codes; else they are comments
-  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that are others there, by the tables of both controls
-  std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes there that switch it, where the tables say so
+  bool has_systems = true;        // its control has work systems
+  bool same_messages = true;  // the other control shows messages in the same way, for which no code exists; false: messages become comments
+  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions with another number there, by the tables of both controls
+  std::array<std::optional<std::uint32_t>, 3> coolants{};  // the M codes that switch the coolant there, if the tables state them
   std::vector<std::string> systems{};                      // of the other control, by number: "G54", "G54.1 P1"
 };
 
@@ -55,30 +55,31 @@ class FlatProgram {
   FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way)
       : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way), modes_(path_modes_of(blocks.def())) {}
 
-  /// Where the axes stand at the beginning, and the zero in force.
+  ///   stand  where the axes are at the beginning; `placement` has the work offset in force
   Status begin(const ToolPosition& stand, const Placement& placement);
-  ///   alarms  function_has_no_code  the control has nothing that does it
+  /// Writes an action.
+  ///   alarms  function_has_no_code  the control has no code for it
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
-  /// What was said in a block is over: the next one begins.
+  /// Ends what was written for one block of the source; the next one begins.
   Status end_block();
   Status finish();
 
-  /// An action that is said otherwise: how things stand behind it.
+  /// Records an action that is written by other blocks: only follows the state after it.
   void pass(const Action& action);
-  /// Blocks begin behind some that were said otherwise.
+  /// Begins flat blocks after rewritten ones.
   ///   before, now  what those have put in force
   Status open(const FlatBefore& before, const OffsetsInForce& now);
-  /// From here on the work system is said by these blocks, no more by others.
+  /// From here on these blocks, and no others, select the work system.
   void system_changes() { system_is_said_ = false; }
-  /// … and end before such, which take for granted what the program has put in force by then.
+  /// Ends flat blocks before rewritten ones, which rely on what the program has put in force by then.
   Status close(const FlatBefore& after);
-  /// Motions behind a probe motion may be said: whoever asks looks whether their figures depend on it.
+  /// Allows motions after a probe motion: the caller checks whether their figures depend on the probing.
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
-  /// The one work system that all motions to work coordinates count from; nullopt: there are several, or none is said.
+  /// Returns the one work system that all motions to work coordinates refer to; nullopt if there are several or none.
   std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
-  /// Motions that have been said.
+  /// Number of motions written so far.
   std::size_t motions() const { return motions_; }
 
  private:
@@ -135,7 +136,7 @@ class FlatProgram {
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
   bool is_by_codes() const { return way_ == FlatWay::contours || way_ == FlatWay::places; }
   bool is_between() const { return way_ == FlatWay::places || way_ == FlatWay::centres; }
-  /// Machine coordinates of the zero that the target counts from.
+  /// Machine coordinates of the origin that the target's words refer to.
   Axes base() const;
 
   BlockMaker& blocks_;
@@ -148,8 +149,8 @@ class FlatProgram {
   Placement placement_;
   AxisMask known_ = 0;
   Function code_ = Function::count;
-  std::optional<FeedUnit> unit_;                 // that is said
-  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // of the program
+  std::optional<FeedUnit> unit_;                 // the unit in force in the text
+  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // the program's unit
   double feed_ = -1;
   int plane_ = 17;
   std::uint16_t system_ = 0;
@@ -159,21 +160,21 @@ class FlatProgram {
   std::size_t motions_ = 0;
   std::optional<std::uint16_t> counts_from_;
   bool counts_from_several_ = false;
-  Axes said_origin_{};  // of the work system, with the shifts that the other blocks have put in force
+  Axes said_origin_{};  // origin of the work system, with the shifts that the rewritten blocks have put in force
   bool after_probe_allowed_ = false;
-  bool has_probed_ = false;  // what follows may depend on what was touched: figures of this run would not
+  bool has_probed_ = false;  // what follows may depend on what was touched, so figures of this run would be wrong
   bool system_is_said_ = true;
-  bool relative_ = false;  // increments are programmed
+  bool relative_ = false;  // incremental programming is in force
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   Coolant coolant_ = Coolant::off;
-  double said_length_ = 0;  // mm, by word
+  double said_length_ = 0;  // mm, on a control with the length as a word
   bool surface_ = false, has_acts_ = false;
   bool is_exact_ = false;  // exact stop mode
-  double tolerance_ = 0;   // mm that corners may be rounded by
+  double tolerance_ = 0;   // mm by which corners may be rounded
   CornerSpeed corners_ = CornerSpeed::limited;
-  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1; in the blocks that are said otherwise
-  bool wants_direction_ = false;                       // S stands in the block, and M3 or M4 must beside it
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1; its value in the rewritten blocks
+  bool wants_direction_ = false;                       // the block has an S, so it needs M3 or M4 too
 };
 
 }  // namespace kadr

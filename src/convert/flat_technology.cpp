@@ -1,4 +1,4 @@
-// Spindle, tool, dwells and M functions of a flat program. For convert/flat_program; tested by tests/convert.
+// Writes spindle, tool, dwells and M functions of a flat program. Used by convert/flat_program; tested by tests/convert.
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ Status FlatProgram::coolant(Coolant what) {
   return blocks_.code({{by[std::size_t(what)], any_argument}});
 }
 
-/// A control that has no table of tools, but a code that says a length (spec/grbl 4.15).
+/// True for a control without a tool table that has a code with the length as a word (spec/grbl 4.15).
 bool FlatProgram::is_length_by_word() const {
   const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
   return has({{Function::length_by_word, any_argument}}) &&
@@ -87,7 +87,7 @@ Status FlatProgram::length_by_word(const OffsetsInForce& now) {
   return blocks_.end();
 }
 
-/// With the spindle stopped.
+/// Stops for a tool change by hand, with the spindle stopped.
 Status FlatProgram::tool_by_hand(std::uint32_t number) {
   KADR_TRY(end_block());
   const SpindleDir turned = turns_;
@@ -117,7 +117,7 @@ Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool cha
         {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
   if (!change) return {};
   KADR_TRY(end_block());
-  KADR_TRY(spindle_on());  // some controls stop it with the change
+  KADR_TRY(spindle_on());  // some controls stop the spindle at the change
   return end_block();
 }
 
@@ -130,7 +130,7 @@ Status FlatProgram::dwell(double seconds) {
   return end_block();
 }
 
-/// Controls whose file has none of these count mm/min.
+/// A control whose file has none of these codes counts mm/min.
 Status FlatProgram::feed_unit(FeedUnit unit) {
   if (unit_ == unit) return {};
   constexpr Function by[] = {Function::feed_per_minute, Function::feed_per_revolution, Function::feed_inverse_time};
@@ -142,7 +142,8 @@ Status FlatProgram::feed_unit(FeedUnit unit) {
   return blocks_.code({{by[std::size_t(unit)], any_argument}});
 }
 
-/// A feed per revolution that cannot be written, or that the format makes nothing of, is written per minute, at the speed in force.
+/// Writes the feed. A feed per revolution that the control cannot write, or that its format would round to 0, is written per minute at the
+/// speed in force.
 Status FlatProgram::feed(const Motion& motion) {
   FeedUnit unit = source_unit_ = motion.unit;
   double feed = motion.feed;
@@ -157,7 +158,7 @@ Status FlatProgram::feed(const Motion& motion) {
   return blocks_.word('F', feed);
 }
 
-/// It can be told to stop exactly from here on, and no more.
+/// True if the control has codes that switch exact stop mode on and off.
 bool FlatProgram::has_stop_modes() const {
   const ControlDef& def = blocks_.def();
   return row_that_does(def, {{Function::exact_stop_mode, any_argument}}) != nullptr && row_that_does(def, go_on_codes) != nullptr;
@@ -170,7 +171,7 @@ Status FlatProgram::stop_mode(bool exact) {
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(go_on_codes);
 }
 
-/// In the block of the motion: the axes stop at its end, or they need not. A control that cannot do it goes on: that is told
+/// Writes, in the block of the motion, whether the axes stop at its end. A control that has no code for it does not stop; this is reported
 /// (convert/conversion).
 Status FlatProgram::end_of_motion(bool exact) {
   if (exact == is_exact_) return {};
@@ -179,21 +180,21 @@ Status FlatProgram::end_of_motion(bool exact) {
   return has_modes ? stop_mode(exact) : Status();
 }
 
-/// G64 P, where the control has it.
+/// Writes G64 P if the control has it.
 Status FlatProgram::rounding(const Motion& motion) {
   if (motion.exact || motion.tolerance == tolerance_) return {};
   tolerance_ = motion.tolerance;
   if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
-  constexpr int more = 3;  // digits, where P may have any number of them: 0.000001 mm
+  constexpr int more = 3;  // extra digits, where P may have any number of them: 0.000001 mm
   return tolerance_ > 0 ? blocks_.word('P', tolerance_, more) : Status();
 }
 
-/// G62, G63 and back: in the block of the motion.
+/// Writes G62, G63 or the return from them in the block of the motion.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // it takes their place
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // the exact stop mode replaces them
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 
@@ -204,7 +205,7 @@ Status FlatProgram::corner_mode(CornerSpeed corners) {
   return blocks_.code({{Function::feed_control, by[std::size_t(corners)]}});
 }
 
-/// G5.1, before the block of the motion. Straight motions alone can be smoothed (nct 4.7); Q1 puts short ones together.
+/// Writes G5.1 before the block of the motion. Only straight motions can be smoothed (nct 4.7); Q1 joins short ones.
 Status FlatProgram::smoothing(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.exact || !modes_.smoothing) return {};
   const std::uint8_t wanted = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
@@ -219,7 +220,7 @@ Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {
   return blocks_.end();
 }
 
-/// M codes are those that the tables say, or go through under their number where the other control hands that number to its machine too.
+/// Writes an M code by the tables, or under its own number if the other control also passes that number to its machine.
 Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
   const auto mapped = source_.machine_codes.find(code);

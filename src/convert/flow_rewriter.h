@@ -1,6 +1,6 @@
 #pragma once
-// FlowRewriter: loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc 5, nct
-// 23), and named variables as numbered ones.
+// FlowRewriter: rewrites loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc
+// 5, nct 23), and named variables as numbered ones.
 
 #include <cstdint>
 #include <map>
@@ -16,33 +16,34 @@
 
 namespace kadr {
 
-/// Letters of the arguments of a macro call for #1, #2 … (spec/fanuc 9.3); '\0': there is none.
+/// Letters of a macro call's arguments for #1, #2 … (spec/fanuc 9.3); '\0': no letter.
 inline constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
 
 class FlowRewriter {
  public:
-  /// Of O lines: `to` has macros, or subprograms under labels at least.
+  ///   to  needs macros, or at least subprograms with labels, if O lines are rewritten
   FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to), sections_(to) {}
 
-  /// Numbers of variables that the program uses itself.
+  /// Sets the numbers of the variables that the program itself uses.
   void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
-  /// An O line.
+  /// Rewrites an O line.
   ///   alarms  function_has_no_code
   Status write(const Block& block, BlockMaker& out);
-  /// An expression, an assignment, a word with one: system variables by the other control's numbers, names as numbers where it has none.
-  ///   alarms  function_has_no_code  there is no number left
+  /// Rewrites an expression, an assignment or a word with one: system variables get the other control's numbers, names become numbers if it
+  /// has no names.
+  ///   alarms  function_has_no_code  no number is left
   Result<std::string> expression(std::string_view text);
-  /// The line begins a subprogram, and the next ones belong to it; or it ends it.
+  /// True if the line begins a subprogram, to which the next lines belong; or if it ends one.
   static bool begins_subprogram(const Block& block);
   static bool ends_subprogram(const Block& block);
 
-  /// The other control's subprograms stand in a section before the program.
+  /// True if the other control keeps its subprograms in a section before the program.
   bool has_sections() const { return sections_.are_there(); }
-  /// There: what follows is the subprogram of that label.
+  /// On such a control: the subprogram with that label follows.
   ///   alarms  function_has_no_code  no number is left
   Status begin_section(const std::string& label, BlockMaker& out);
-  /// M98 P2 L5 as L0205.
-  ///   alarms  function_has_no_code  other words stand beside it
+  /// Writes M98 P2 L5 as L0205.
+  ///   alarms  function_has_no_code  the block has other words
   Status call_in_section(const Block& block, BlockMaker& out);
 
  private:
@@ -50,8 +51,8 @@ class FlowRewriter {
   struct Open {
     OWord word;
     int loop = 0;                      // m of DOm
-    std::uint32_t variable = 0;        // that counts
-    std::uint32_t next = 0, over = 0;  // labels: of the next branch or pass, of what follows; 0: not needed yet
+    std::uint32_t variable = 0;        // the loop's counter
+    std::uint32_t next = 0, over = 0;  // labels: of the next branch or pass; of what follows the loop; 0: not needed yet
   };
   Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
   Status branch(OWord word, std::string_view condition, BlockMaker& out);
@@ -73,7 +74,7 @@ class FlowRewriter {
   std::map<std::string, std::uint32_t> labels_;     // of subprograms with names
   std::map<std::string, std::uint32_t> variables_;  // by scope and name
   std::set<std::uint32_t> used_;
-  std::string scope_;  // the subprogram
+  std::string scope_;  // the present subprogram
   std::uint32_t next_label_ = 9000;
 };
 

@@ -1,4 +1,4 @@
-// Macro statements as O lines. For convert/block_rewriter; tested by tests/convert.
+// OLineRewriter: rewrites macro statements as O lines. Used by convert/block_rewriter; tested by tests/convert.
 
 #include "convert/o_line_rewriter.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 Status no_line(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// The first bracket of a text, and where it ends.
+/// Returns the first bracket of a text, and its end in `end`.
 std::string_view first_bracket(std::string_view text, std::size_t& end) {
   const std::size_t begin = text.find('[');
   if (begin == std::string_view::npos) {
@@ -31,7 +31,7 @@ std::string_view first_bracket(std::string_view text, std::size_t& end) {
   return {};
 }
 
-/// The value of a variable that is empty is no number there.
+/// True if the text compares with an empty variable (#0), whose value is not a number there.
 bool asks_for_vacant(std::string_view text) {
   for (std::size_t at = text.find("#0"); at != std::string_view::npos; at = text.find("#0", at + 1))
     if (at + 2 >= text.size() || std::isdigit(static_cast<unsigned char>(text[at + 2])) == 0) return true;

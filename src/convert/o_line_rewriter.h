@@ -1,6 +1,6 @@
 #pragma once
-// OLineRewriter: macro statements (spec/fanuc 5, nct 23) as O lines of RS274/NGC (spec/linuxcnc 6): loops, conditions, jumps that nest, and
-// calls with arguments.
+// OLineRewriter: rewrites macro statements (spec/fanuc 5, nct 23) as O lines of RS274/NGC (spec/linuxcnc 6): loops, conditions, nested
+// jumps, and calls with arguments.
 
 #include <cstdint>
 #include <functional>
@@ -18,25 +18,25 @@ namespace kadr {
 
 /// What is known of the program's jumps and macros before it is rewritten.
 struct MacroShape {
-  std::set<std::uint32_t> jumped_back;            // N that a GOTO behind it goes to
-  std::set<std::uint32_t> leaves;                 // lines with a GOTO to what stands behind the loop around it
+  std::set<std::uint32_t> jumped_back;            // N of blocks that a later GOTO jumps back to
+  std::set<std::uint32_t> leaves;                 // lines with a GOTO that leaves the loop around it
   std::map<std::uint32_t, std::uint32_t> macros;  // label of a subprogram called with arguments → its last line
 };
 
 class OLineRewriter {
  public:
-  /// `flow` rewrites expressions; it must outlive this.
+  /// `flow` rewrites expressions; it must outlive this object.
   explicit OLineRewriter(FlowRewriter& flow) : flow_(flow) {}
   void set_shape(MacroShape shape) { shape_ = std::move(shape); }
 
-  /// N of a block: jumps to it end or begin there.
+  /// Handles N of a block: jumps to it end or begin there.
   Status number(std::uint32_t number, BlockMaker& out);
-  /// A statement; `words` writes the words of the block that stand behind a condition.
+  /// Rewrites a statement; `words` writes the words of the block that follow a condition.
   ///   alarms  function_has_no_code
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
-  /// G65.
+  /// Rewrites a macro call, G65.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
-  /// O… and M99 of a subprogram that is called with arguments; false: it is none.
+  /// True if this O… begins a subprogram that is called with arguments; end() writes its M99.
   bool begins(std::uint32_t label) const { return shape_.macros.count(label) != 0; }
   Status begin(std::uint32_t label, BlockMaker& out);
   bool is_in_macro() const { return macro_ != 0; }
@@ -44,7 +44,7 @@ class OLineRewriter {
 
  private:
   struct Skip {
-    std::uint32_t to, label;  // N; of the O line
+    std::uint32_t to, label;  // N; label of the O line
   };
   Status line(std::string text, BlockMaker& out) const;
   std::uint32_t next_label() { return ++last_label_; }
@@ -52,9 +52,9 @@ class OLineRewriter {
   FlowRewriter& flow_;
   MacroShape shape_;
   std::vector<std::uint32_t> loops_;              // labels of O lines
-  std::vector<Skip> skips_;                       // jumps ahead that are open
-  std::map<std::uint32_t, std::uint32_t> backs_;  // N → label of its do
-  std::uint32_t macro_ = 0;                       // the subprogram
+  std::vector<Skip> skips_;                       // forward jumps that are open
+  std::map<std::uint32_t, std::uint32_t> backs_;  // N → label of its `do`
+  std::uint32_t macro_ = 0;                       // the present subprogram; 0: none
   std::uint32_t last_label_ = 70000;
 };
 

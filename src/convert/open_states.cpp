@@ -1,4 +1,4 @@
-// States that a set-up leaves open. For convert/conversion, convert/word_by_word; tested by tests/convert_open.py.
+// Fills in what a set-up leaves open. Used by convert/conversion and convert/word_by_word; tested by tests/convert_open.py.
 
 #include "convert/open_states.h"
 
@@ -16,7 +16,7 @@ constexpr std::size_t most_systems = 64;
 constexpr int most_offsets = 99, most_zeros = 16;
 constexpr std::uint32_t first_seed = 20999;
 
-/// Values in steps that every control's words hold.
+/// Random values, in steps that the words of every control can express.
 class Values {
  public:
   explicit Values(std::uint32_t seed) : random_(seed) {}
@@ -58,7 +58,7 @@ class Filler {
       return;
     }
     if (!allows_key(def_, "work_offsets")) return;
-    // G110 and G154 P1 of the Haas are two names of one system.
+    // G110 and G154 P1 of the Haas are two names of the same system.
     std::map<std::uint32_t, std::string> name_of;
     for (const WorkSystem& system : work_systems(def_))
       if (system.works && system.row != 0 && (name_of.size() < most_systems || setup.work_offsets.contains(system.name)))
@@ -74,7 +74,7 @@ class Filler {
   void offsets() {
     if (!allows_key(def_, "offsets")) return;
     std::vector<int> numbers;
-    // A tool table that M6 looks in (spec/linuxcnc 5): a row more is a tool more.
+    // M6 looks in a tool table (spec/linuxcnc 5): each added row is an added tool.
     if (def_.has_parameter_file()) numbers.assign(names_.tools.begin(), names_.tools.end());
     else
       for (int number = 1; number <= most_offsets; ++number) numbers.push_back(number);

@@ -1,4 +1,4 @@
-// Loops, subprograms and calls of a text. For convert/word_by_word; tested by tests/convert.
+// ProgramShape: finds loops, subprograms and calls of a text. Used by convert/word_by_word; tested by tests/convert.
 
 #include "convert/program_shape.h"
 
@@ -28,7 +28,7 @@ bool returns(Function function) {
          function == Function::return_numbered;
 }
 
-/// Motions and modes: they lead nowhere else, and read no other blocks.
+/// True for motions and modes: they do not jump or call, and read no other blocks.
 bool is_straight(Function function) {
   constexpr Phase phases[] = {Phase::unit,    Phase::feed_mode,   Phase::speed_mode, Phase::spindle,  Phase::spindle_stop,
                               Phase::coolant, Phase::coolant_off, Phase::dwell,      Phase::plane,    Phase::compensation,
@@ -42,7 +42,7 @@ constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
-/// Of the functions that move the axes; cycles of holes among them.
+/// True for functions whose motions are lines, canned cycles of holes included.
 bool leads_along_lines(Function function) {
   constexpr Function lines[] = {
       Function::rapid,           Function::linear,           Function::cycle,         Function::canned_cycle,
@@ -72,13 +72,13 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
   }
   close_subprogram();
   const std::vector<TextLines> own = loops_;
-  for (const auto& [line, number] : jumps_) {  // what a jump passes over, or goes through again, is written out together
+  for (const auto& [line, number] : jumps_) {  // lines that a jump skips or repeats are written out together
     const auto at = numbers_.find(number);
     if (at == numbers_.end()) continue;
     TextLines passed{std::min(line, at->second), std::max(line, at->second)};
     if (passed.first == line) passed.last = block_before(passed.last);
     if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
-    for (const TextLines& loop : own)  // with whole loops
+    for (const TextLines& loop : own)  // whole loops only
       if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
         passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
     if (passed.first < passed.last) loops_.push_back(passed);
@@ -117,7 +117,7 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
-/// Most blocks of a long program: nothing but axis words.
+/// Fast path for most blocks of a long program, which have axis words only.
 bool ProgramShape::take_plain(const Block& block) {
   if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
   names_of_words_.letters |= block.letters;
@@ -159,7 +159,7 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
   take_calls(block, def);
 }
 
-/// Subprograms of the 2С42: N02001 begins number 2 (spec/s2c42 6).
+/// Finds subprograms of the 2С42: N02001 begins number 2 (spec/s2c42 6).
 void ProgramShape::take_section(const Block& block) {
   constexpr std::uint32_t blocks_a_subprogram = 1000;
   if (block.marker == Marker::section || block.marker == Marker::program_start) {
@@ -174,7 +174,7 @@ void ProgramShape::take_section(const Block& block) {
   label_ = label, labelled_ = block.position.line;
 }
 
-/// Subprograms of RS274/NGC and their calls (spec/linuxcnc 6); those with names get labels that no number is.
+/// Finds subprograms of RS274/NGC and their calls (spec/linuxcnc 6); those with names get labels that no number uses.
 void ProgramShape::take_o_line(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind != StatementKind::o_word) return;

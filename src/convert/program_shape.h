@@ -1,5 +1,5 @@
 #pragma once
-// ProgramShape: where the loops and subprograms of a program stand and who calls them, as far as its text says it. What is written out
+// ProgramShape: where the loops and subprograms of a program are and who calls them, as far as its text shows it. A range to be written out
 // grows along these: from a line to its loop, from a subprogram to its calls.
 
 #include <algorithm>
@@ -17,17 +17,17 @@
 
 namespace kadr {
 
-/// Lines from `first` to `last`.
+/// The lines from `first` to `last`.
 struct TextLines {
   std::uint32_t first = 0, last = 0;
   bool holds(std::uint32_t line) const { return first <= line && line <= last; }
   friend bool operator==(const TextLines&, const TextLines&) = default;
 };
 
-/// What a program names.
+/// Tools, letters and speeds that a program names.
 struct ProgramNames {
   std::set<std::uint32_t> tools;
-  std::uint64_t letters = 0;  // bit (address - 'A') of its words
+  std::uint64_t letters = 0;  // of its words: bit (address - 'A')
   double most_speed = 0;      // S, rev/min
 };
 
@@ -35,34 +35,34 @@ class ProgramShape {
  public:
   ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop = {});
 
-  /// The smallest loop around these lines that is larger than they; nothing: none.
+  /// Returns the smallest loop that contains these lines and more; nullopt if there is none.
   std::optional<TextLines> loop_around(TextLines lines) const;
-  /// The subprogram that a line stands in.
+  /// Returns the subprogram that a line belongs to.
   std::optional<TextLines> subprogram_of(std::uint32_t line) const;
-  /// Lines that call the subprogram there.
+  /// Returns the lines that call this subprogram.
   std::vector<std::uint32_t> callers_of(TextLines subprogram) const;
-  /// The line of the block before that of this line; 0: none.
+  /// Returns the line of the block before the block of this line; 0: none.
   std::uint32_t block_before(std::uint32_t line) const;
-  /// It begins a subprogram or returns from it.
+  /// True if the line begins a subprogram or returns from it.
   bool is_edge(std::uint32_t line) const { return std::binary_search(edges_.begin(), edges_.end(), line); }
-  /// Lines that turn, mirror or scale what follows, or end it.
+  /// Lines that rotate, mirror or scale what follows, or that end it.
   const std::vector<std::uint32_t>& transforms() const { return transforms_; }
-  /// From a block with G41 or G42 to that with G40.
+  /// Ranges from a block with G41 or G42 to the block with G40.
   const std::vector<TextLines>& contours() const { return contours_; }
-  /// Lines that call what stands in other files.
+  /// Returns the lines that call other files.
   std::vector<std::uint32_t> calls_outside() const;
-  /// Codes of exact stop, smoothing and the like that it names. Indices in ControlDef::codes.
+  /// Codes of exact stop, smoothing and the like that the program names, as indices in ControlDef::codes.
   const std::set<std::size_t>& path_modes() const { return path_modes_; }
-  /// A path within a tolerance of its corners: G64 P.
+  /// True if the program allows a tolerance at its corners: G64 P.
   bool rounds_corners() const { return rounds_corners_; }
-  /// Something in it may lead along an arc; false: all that it names leads along lines.
+  /// True if the program may contain arcs; false if all that it names moves along lines.
   bool has_arcs() const { return has_arcs_ || !contours_.empty() || !calls_outside().empty(); }
-  /// Jumps back, and subprograms that are called with arguments.
+  /// Returns the jumps back, and the subprograms that are called with arguments.
   MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
-  /// Variables that its text names by numbers.
+  /// Variables that the text names by number.
   const std::set<std::uint32_t>& variables() const { return variables_; }
-  /// Whatever stands behind that line is carried out once, and then it is over: nothing leads back to it or to lines before.
+  /// True if everything after that line is executed once: nothing leads back to it or to lines before it.
   bool goes_straight_on_after(std::uint32_t line) const { return !has_flow_ && edges_.empty() && callers_.empty() && line >= last_turn_; }
   std::uint32_t lines() const { return lines_; }
 
@@ -81,7 +81,7 @@ class ProgramShape {
   void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
-  std::vector<TextLines> blocks_;  // lines with blocks, those that follow each other together
+  std::vector<TextLines> blocks_;  // lines with blocks, consecutive ones joined
   std::vector<std::uint32_t> edges_, transforms_;
   std::vector<TextLines> loops_, contours_;
   std::map<std::uint32_t, TextLines> subprograms_;       // by label
@@ -91,21 +91,21 @@ class ProgramShape {
   bool rounds_corners_ = false;
   bool has_arcs_ = false;
   ProgramNames names_of_words_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line, of macro programs that are not very long
+  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line; only in macro programs that are not too long
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N
   std::set<std::uint32_t> leaves_;
   std::set<std::uint32_t> macro_labels_;  // called by G65
-  // while it is read
+  // while the text is read
   std::map<std::string, std::uint32_t> names_;                     // of subprograms → label
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line
-  std::uint32_t contour_ = 0;                                      // line where it begins
+  std::uint32_t contour_ = 0;                                      // line where the contour begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
   bool has_jumps_ = false;  // the control has GOTO
   bool main_over_ = false, in_section_ = false;
   bool has_flow_ = false;        // something calls, repeats or jumps
   std::uint32_t last_turn_ = 0;  // the last line with more than motions and modes
   std::uint32_t lines_ = 0;
-  std::uint64_t plain_letters_ = 0;  // of words that tell nothing here
+  std::uint64_t plain_letters_ = 0;  // of words that do not matter here
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The proof of a conversion. For convert/conversion, convert/word_by_word; tested by tests/convert.py, tests/convert_open.py.
+// Proves a conversion. Used by convert/conversion and convert/word_by_word; tested by tests/convert.py and tests/convert_open.py.
 
 #include "convert/proving.h"
 
@@ -86,7 +86,7 @@ tl::expected<Proving::Other, std::string> Proving::in_all(const std::vector<Side
 
 tl::expected<Proving::Other, std::string> Proving::from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                                std::optional<std::uint16_t> counts_from) const {
-  std::optional<Other> first;  // the one that is told: where tables say the zeros, or where no table holds any
+  std::optional<Other> first;  // the result reported if none is equal: with the work offsets in tables, or where no table has any
   for (const Zero zero : {Zero::by_tables, Zero::at_power_on, Zero::of_system}) {
     if (zero == Zero::of_system && (as != ConvertedAs::plain || !counts_from)) continue;
     std::vector<Side> sides;

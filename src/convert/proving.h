@@ -1,7 +1,7 @@
 #pragma once
-// Proving: a text for another control beside the program that it is made of, each run by its own control. From the set-up that is given,
-// then from states that it leaves open (convert/open_states), and with what a probe touches at another place: a conversion must hold in all
-// of them.
+// Proving: compares a text for another control with the program that it was made from, each run by its own control: from the given set-up,
+// from states that the set-up leaves open (convert/open_states), and with a probe that touches at another point. A conversion must do the
+// same in all of them.
 
 #include <cstdint>
 #include <map>
@@ -18,10 +18,10 @@ namespace kadr {
 
 class Proving {
  public:
-  ///   opened  a session of the program; it is not run
+  ///   opened  a session of the program that is not run
   Proving(const ConversionSpec& spec, const Session& opened, const ProgramShape& shape, CompareRules rules);
 
-  /// Of the other control, from which the text begins.
+  /// Returns the set-up of the other control from which the text begins.
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup_ : setup_; }
 
   ///   returns  an error sentence: a session could not be opened
@@ -29,22 +29,23 @@ class Proving {
 
   struct Other {
     Comparison proof;
-    bool differs = false;       // there, and the program itself goes on there
-    bool is_elsewhere = false;  // it is what a probe touches that differs, no table
-    bool by_operator = false;   // equal where the operator sets the zero of the part on either machine, with codes on one of them or none
-    std::size_t told = 0;       // states in which the program came to its end as it does from the given one
+    bool differs = false;       // the two differ there, and the program itself continues there
+    bool is_elsewhere = false;  // the difference comes from what a probe touches, not from a table
+    bool by_operator = false;   // equal if the operator sets the part's origin on both machines, with a code on one of them or none
+    std::size_t told = 0;       // states in which the program reaches its end as it does from the given one
   };
-  /// From each other state, until it differs in one. A state in which the program itself stops tells nothing.
-  ///   counts_from  of a text with all offsets calculated in: the work system that its words count from
+  /// Compares from each other state until one differs. A state in which the program itself stops proves nothing.
+  ///   counts_from  for a text with all offsets applied: the work system that its words refer to
   tl::expected<Other, std::string> from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                std::optional<std::uint16_t> counts_from) const;
 
-  /// Set-ups of the program that stand for the others when lines are written out: what must not depend on figures of the given one.
+  /// Set-ups of the program that represent the other states when lines are written out: written-out figures must not depend on the given
+  /// set-up.
   const std::vector<Setup>& witnesses() const { return witnesses_; }
   bool probes() const { return elsewhere_.has_value(); }
 
  private:
-  /// Where both count from: a control without work zeros, or with none in force, counts from where the operator has set the zero.
+  /// Where the origin comes from: a control without work offsets, or with none in force, uses the origin that the operator has set.
   enum class Zero : std::uint8_t { by_tables, at_power_on, of_system };
   using Axes = std::map<std::string, double>;
   struct Side {

@@ -1,4 +1,4 @@
-// Line by line. For convert/word_by_word; tested by tests/convert.
+// Rewrites a program line by line. Used by convert/word_by_word; tested by tests/convert.
 
 #include "convert/rewriting.h"
 
@@ -12,10 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_told = 60;      // bytes of a block in a comment
-constexpr std::uint32_t early_end = 1000;  // lines: what cannot be said stands together mostly, at the beginning
+constexpr std::size_t most_told = 60;      // bytes of a block that are quoted in a comment
+constexpr std::uint32_t early_end = 1000;  // lines: most of what cannot be expressed is close together, at the beginning
 
-/// Whole characters.
+/// Cuts the text at a whole character.
 std::string_view beginning_of(std::string_view text) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (text.size() <= most_told) return text;
@@ -24,7 +24,7 @@ std::string_view beginning_of(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// Comments of a line without blocks, in whatever signs.
+/// Returns the comment of a line without blocks, whatever characters mark it.
 std::string comment_of(std::string_view line, const Grammar& grammar) {
   std::size_t begin = line.find_first_of(grammar.semicolon_comments || grammar.semicolon_ends ? "(;" : "(");
   if (begin == std::string_view::npos) return {};
@@ -59,7 +59,7 @@ class Rewriter {
       if (spec_.ends_early && !made_.unsaid.empty() && line > made_.unsaid.back().line + early_end) return std::move(made_);
       if (is_over_ && is_all_behind_end()) {
         last_block_ = line;
-        continue;  // nothing behind the end is read
+        continue;  // nothing after the end is read
       }
       if (!got) {
         unsaid(got.error());
@@ -89,15 +89,15 @@ class Rewriter {
   }
 
  private:
-  /// The number that the control's memory knows the program by.
+  /// Writes the number under which the control's memory keeps the program.
   void number_program() {
     blocks_.text(blocks_.program_label(1));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
   }
-  /// False: it is full.
+  /// Adds text; returns false if the output is full.
   bool say(std::string_view text) {
     if (is_full_) return false;
-    if (in_section_ || in_subprogram_) {  // subprograms stand behind the end elsewhere
+    if (in_section_ || in_subprogram_) {  // other controls have subprograms after the end
       tail_ += text, tail_lines_.push_back(source_line_);
     } else {
       made_.lines.add(source_line_);
@@ -105,7 +105,7 @@ class Rewriter {
     }
     return !is_full_;
   }
-  /// Subprograms of O lines stand behind the end elsewhere; where sections are, all of them before the beginning.
+  /// Subprograms of O lines go after the end on other controls; on a control with sections all of them go before the beginning.
   void block_or_subprogram(std::uint32_t line) {
     const bool is_label = spec_.to->grammar.section_address != 0 && block_.marker == Marker::label;
     if (is_label) leave_subprogram();
@@ -116,7 +116,7 @@ class Rewriter {
   void leave_subprogram() {
     if (std::exchange(in_subprogram_, false)) last_in_section_ = blocks_.end_section();
   }
-  /// Before the program: `L` alone, the subprograms, M2 (spec/s2c42 3).
+  /// Writes what comes before the program: `L` alone, the subprograms, M2 (spec/s2c42 3).
   void write_head() {
     if (tail_.empty()) return;
     const LineOrigins of_program = std::exchange(made_.lines, {});
@@ -133,7 +133,7 @@ class Rewriter {
     for (const std::uint32_t line : tail_lines_) made_.lines.add(line);
   }
 
-  /// Of subprograms of the 2С42 (spec/s2c42 6): N02001 begins O2.
+  /// Rewrites a subprogram of the 2С42 (spec/s2c42 6): N02001 begins O2.
   void section_block(std::uint32_t line) {
     constexpr std::uint32_t blocks_a_subprogram = 1000;
     last_block_ = line;
@@ -146,7 +146,7 @@ class Rewriter {
     block(line);
   }
 
-  /// Power-on states differ: what most controls begin with is said.
+  /// Power-on states differ between controls, so the states that most begin with are written explicitly.
   void begin_modes() {
     blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
     blocks_.code_if_there({{Function::absolute, any_argument}});
@@ -160,9 +160,9 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// Those without blocks: comments and empty ones.
+  /// Copies lines without blocks, that is, comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // none: they are looked for from here on when there are some
+    if (line == next_raw_) {  // no such lines so far: raw_ starts here once there are some
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;
@@ -190,7 +190,7 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// No subprograms can stand there.
+  /// True if no subprogram can follow the end of the program.
   bool is_all_behind_end() const {
     const Grammar& grammar = spec_.from->grammar;
     return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
@@ -252,7 +252,7 @@ class Rewriter {
     words_.say_again();
   }
 
-  /// A block with another number.
+  /// Writes a block with another number.
   void say_in_section(std::string_view line) {
     if (line.starts_with('N')) line.remove_prefix(std::min(line.find(' '), line.size() - 1) + 1);
     blocks_.text(line.substr(0, line.find('\n')));
@@ -275,8 +275,8 @@ class Rewriter {
   const FlatPlace* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
   Position passed_{0, 0, 0};           // of a line that raw_ has not read; line 0: none
-  std::uint32_t label_ = 0;            // of the subprogram in a section
-  std::uint32_t last_in_section_ = 0;  // number of the last block of the other control's section
+  std::uint32_t label_ = 0;            // of the present subprogram in a section
+  std::uint32_t last_in_section_ = 0;  // number of the last block in the other control's section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false, is_labelled_ = false;

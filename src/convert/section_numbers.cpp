@@ -1,4 +1,4 @@
-// Subprograms in a section. For convert/flow_rewriter; tested by tests/convert.py.
+// SectionNumbers: numbers subprograms in a section. Used by convert/flow_rewriter; tested by tests/convert.py.
 
 #include "convert/section_numbers.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t most = 99;  // two digits
 
-/// 0: a name, or a number that is none here.
+/// Returns the label as a number; 0 if it is a name or a number that is not allowed here.
 std::uint32_t number_in(const std::string& label) {
   const bool digits = !label.empty() && std::all_of(label.begin(), label.end(), [](char c) { return c >= '0' && c <= '9'; });
   constexpr std::size_t most_digits = 8;
@@ -30,7 +30,7 @@ bool SectionNumbers::is_free(std::uint32_t number) const {
 std::optional<std::uint32_t> SectionNumbers::of(const std::string& label) {
   if (const auto known = numbers_.find(label); known != numbers_.end()) return known->second;
   std::uint32_t number = number_in(label);
-  // From the end on: small numbers are those that programs use.
+  // Counts down from the highest number, since programs use the small ones.
   if (!is_free(number))
     for (number = most; number != 0 && !is_free(number);) --number;
   if (number == 0) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// SectionNumbers: numbers of subprograms on a control that keeps them in a section before the program (spec/s2c42 3): two digits, none that
-// calls a cycle of its own. A subprogram keeps its number where that is one.
+// SectionNumbers: assigns numbers to subprograms for a control that keeps them in a section before the program (spec/s2c42 3): two digits,
+// and not the number of a built-in canned cycle. A subprogram keeps its number if that is allowed.
 
 #include <cstdint>
 #include <map>
@@ -16,11 +16,11 @@ class SectionNumbers {
  public:
   explicit SectionNumbers(const ControlDef& to) : to_(to) {}
 
-  /// The control keeps them so.
+  /// True if the control has such a section.
   bool are_there() const { return to_.grammar.section_address != 0; }
-  /// Of a label, digits or a name; the same each time. Nothing: none is left.
+  /// Returns the number of a label (digits or a name), the same each time; nullopt if no number is left.
   std::optional<std::uint32_t> of(const std::string& label);
-  /// L0205: number 2 five times; nothing: more times than can be written.
+  /// Returns the call L0205: number 2 five times; nullopt if so many times cannot be written.
   std::optional<std::string> call(const std::string& label, std::uint32_t times);
 
  private:

@@ -1,4 +1,4 @@
-// Comments of a program. For convert/conversion.
+// SourceComments: reads the comments of a program. Used by convert/conversion.
 
 #include "convert/source_comments.h"
 
@@ -8,7 +8,7 @@ namespace kadr {
 
 std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
   std::vector<std::string> found;
-  names_rows_ = next_ > line;  // it comes again: nobody has looked
+  names_rows_ = next_ > line;  // the same line again: there is no new information
   Line read;
   for (; next_ <= line && !is_over_; ++next_) {
     is_over_ = !reader_.next(read);

@@ -1,5 +1,6 @@
 #pragma once
-// Comments of a program in the order of its lines, whatever control it is for: what stands in round brackets, or behind a semicolon.
+// SourceComments: reads the comments of a program in the order of its lines, whatever its control: text in round brackets or after a
+// semicolon.
 
 #include <memory>
 #include <string>
@@ -13,10 +14,10 @@ namespace kadr {
 class SourceComments {
  public:
   explicit SourceComments(std::shared_ptr<ByteSource> text) : reader_(std::move(text)) {}
-  /// Those of the lines that have not been asked for yet, up to this one.
+  /// Returns the comments of the lines up to this one that were not returned before.
   std::vector<std::string> up_to(std::uint32_t line);
   std::vector<std::string> rest() { return up_to(~std::uint32_t{0}); }
-  /// A line of the last up_to() may have changed which row of a table is in force: it holds one of these letters.
+  /// True if a line of the last up_to() may have changed which row of a table is in force, because it has one of the letters for that.
   bool names_rows() const { return names_rows_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The set-up of another control that corresponds to that of a program.
+// Finds the set-up of another control that corresponds to a program's set-up.
 
 #include <map>
 #include <string>
@@ -12,29 +12,29 @@
 
 namespace kadr {
 
-/// The set-up from which a program of `to` begins as one of `from` does from `setup`: tables under the numbers that the other control has
-/// for them, rows of tools that it asks a table for.
-///   plain  no tables: all of them are calculated in
+/// Returns the set-up from which a program of `to` begins as a program of `from` begins from `setup`: tables under the numbers that the
+/// other control has for them, and rows for the tools that it looks up in a table.
+///   plain  without tables: all offsets are applied to the coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
-/// A set-up of the control may have this key.
+/// True if a set-up of the control may have this key.
 bool allows_key(const ControlDef& def, const char* key);
 
-/// It has a code for that; else it stops, and the tool is changed by hand.
+/// True if the control has a code for tool changes; else it stops, and the tool is changed by hand.
 bool changes_tools(const ControlDef& def);
 
-/// What a probe touches lies a little elsewhere: figures that change with it must not be written out. False: nothing is probed.
+/// Moves what a probe touches a little: figures that change with it must not be written out. Returns false if there is nothing to probe.
 bool probe_elsewhere(Setup& setup);
 
-/// The control shows messages in the way of the other one: (MSG,…) of RS274/NGC and Mach3, #3006 of macros.
+/// True if both controls show messages in the same way: (MSG,…) of RS274/NGC and Mach3, #3006 of macros.
 bool shows_same_messages(const ControlDef& from, const ControlDef& to);
 
-/// … as a set-up file: start, tables, switches. Limits and rates of the machine are its own.
+/// Returns a set-up file with the start, tables and switches. Limits and rates belong to each machine and are left out.
 std::string setup_text(const Setup& setup);
 
-/// What of a session's program and set-up its actions do not say.
+/// Returns what the actions do not contain of a session's program and set-up.
 FlatSource flat_source_of(const Session& session, const ControlDef& to);
-/// Lengths and radii in force, all blocks so far carried out.
+/// Returns the lengths and radii in force after all blocks executed so far.
 OffsetsInForce offsets_of(const Control& control);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Variables of two controls by what they are. For convert/flow_rewriter; tested by tests/convert.
+// VariableNumbers: matches variables of two controls by their meaning. Used by convert/flow_rewriter; tested by tests/convert.
 
 #include "convert/variable_numbers.h"
 
@@ -10,13 +10,13 @@
 namespace kadr {
 namespace {
 
-/// Where a number stands in a row.
+/// The position of a number in a row.
 struct VariablePlace {
   const VariableRow* row;
   std::uint32_t repeat, index;
 };
 
-/// The point of the last probe motion of RS274/NGC, which its dialect knows and no row says (spec/linuxcnc 4.1).
+/// The point of the last probe motion of RS274/NGC, which its dialect supports without a row (spec/linuxcnc 4.1).
 const VariableRow& probe_row() {
   static const VariableRow row = [] {
     VariableRow made;
@@ -44,13 +44,13 @@ std::optional<VariablePlace> place_of(const ControlDef& def, std::uint32_t numbe
   return std::nullopt;
 }
 
-/// Kinds of both families that are the same: the point where a probe touched, in work coordinates; work zeros.
+/// Unifies kinds that are the same in both families: the point where a probe touched, in work coordinates; work offsets.
 VariableKind kind_of(VariableKind kind) {
   if (kind == VariableKind::probe_position) return VariableKind::probe_point;
   return kind == VariableKind::zero ? VariableKind::fixture : kind;
 }
 
-/// Which of its kind: zeros of one family are one row of many, of the other a row each.
+/// Returns the index within the kind: one family has all work offsets in one row, the other a row for each.
 std::uint32_t place_in_kind(const VariablePlace& place) {
   constexpr std::uint32_t a_system = 1000;
   const bool row_each = place.row->kind == VariableKind::zero;
@@ -59,7 +59,7 @@ std::uint32_t place_in_kind(const VariablePlace& place) {
   return nth * a_system + place.index;
 }
 
-/// Of numbers that no row names, macros have their local and common variables (nct 23, spec/fanuc 5).
+/// Numbers without a row: macros have their local and common variables (nct 23, spec/fanuc 5).
 bool is_plain(const ControlDef& def, std::uint32_t number) {
   constexpr std::uint32_t last_local = 33, first_common = 100, last_common = 999;
   return !def.grammar.has_vacant_variables() || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);
@@ -82,7 +82,7 @@ std::optional<std::string> VariableNumbers::given(const std::string& name) const
   std::uint32_t number = 0;
   const char* const end = name.data() + name.size();
   const auto read = std::from_chars(name.data() + std::min<std::size_t>(1, name.size()), end, number);
-  if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;  // no number: a formal parameter
+  if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;  // not a number: a formal parameter
   const auto there = of(number);
   return there && is_written(to_, *there) ? std::optional("#" + std::to_string(*there)) : std::nullopt;
 }

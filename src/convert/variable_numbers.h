@@ -1,6 +1,6 @@
 #pragma once
-// VariableNumbers: the number that a variable of one control has on another one. Free ones keep theirs; system variables are found by what
-// they are.
+// VariableNumbers: finds the number that a variable of one control has on another one. Free variables keep their number; system variables
+// are matched by their meaning.
 
 #include <cstdint>
 #include <map>
@@ -13,13 +13,13 @@ namespace kadr {
 
 class VariableNumbers {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   VariableNumbers(const ControlDef& from, const ControlDef& to) : from_(from), to_(to) {}
 
-  /// Nothing: the other control has no such variable.
+  /// Returns nullopt if the other control has no such variable.
   std::optional<std::uint32_t> of(std::uint32_t number) const;
 
-  /// The name there of one that a set-up gives a value: "#100"; nothing: none that can be given one.
+  /// Returns the other control's name, "#100", of a variable that a set-up gives a value; nullopt if no set-up there can give it one.
   std::optional<std::string> given(const std::string& name) const;
 
  private:

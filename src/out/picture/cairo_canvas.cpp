@@ -1,4 +1,4 @@
-// CairoCanvas: a page of pixels. For out/text/page_file.
+// CairoCanvas: draws a page as pixels. Used by out/text/page_file.
 
 #include "out/picture/cairo_canvas.h"
 
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-/// A view of the picture, which must outlive it. Cairo only reads it.
+/// Wraps the picture's pixels, which must outlive the surface. Cairo only reads them.
 cairo_surface_t* surface_of(const Cairo& lib, const Pixels& picture) {
   auto* const data = reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(picture.argb.data()));
   return lib.image_surface_create_for_data(data, CAIRO_FORMAT_ARGB32, picture.width, picture.height, picture.width * 4);

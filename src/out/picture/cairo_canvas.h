@@ -1,5 +1,5 @@
 #pragma once
-// CairoCanvas: a page of pixels.
+// CairoCanvas: draws a page as pixels.
 
 #include "out/picture/cairo_library.h"
 #include "out/picture/canvas.h"
@@ -23,7 +23,7 @@ class CairoCanvas final : public Canvas {
   void line_to(Vec2 p) override { lib_.line_to(cairo_, p.x, p.y); }
   void fill_path() override { lib_.fill(cairo_); }
   void stroke() override { lib_.stroke(cairo_); }
-  /// What could not be drawn.
+  /// Returns the error of the drawing so far.
   cairo_status_t status() const { return lib_.status(cairo_); }
 
  private:
@@ -33,7 +33,7 @@ class CairoCanvas final : public Canvas {
   cairo_t* cairo_;
 };
 
-/// As a PNG file; empty: Cairo is not there.
+/// Returns the picture as a PNG file; empty if Cairo is missing.
 std::string png_of(const Pixels& picture);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Cairo, opened when the first picture in pixels is drawn: to load it and the fifteen libraries behind it was a fifth of the start of
-// every command. For out/picture/cairo_canvas.
+// Loads Cairo when the first pixel picture is drawn: loading it and its fifteen libraries at the start took a fifth of every command's
+// start-up time. Used by out/picture/cairo_canvas.
 
 #include "out/picture/cairo_library.h"
 

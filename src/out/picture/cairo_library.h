@@ -1,6 +1,6 @@
 #pragma once
-// Cairo, opened when the first picture in pixels is drawn: to load it and the fifteen libraries behind it was a fifth of the start of every
-// command.
+// Loads Cairo when the first pixel picture is drawn: loading it and its fifteen libraries at the start took a fifth of every command's
+// start-up time.
 
 #include <cairo.h>
 
@@ -14,15 +14,15 @@ namespace kadr {
   X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream) X(text_extents)
 // clang-format on
 
-/// The functions we call, each by its name without `cairo_`.
+/// The functions that we call, each named without `cairo_`.
 struct Cairo {
 #define KADR_CAIRO_FUNCTION(name) decltype(&::cairo_##name) name = nullptr;
   KADR_CAIRO(KADR_CAIRO_FUNCTION)
 #undef KADR_CAIRO_FUNCTION
 };
 
-/// The library; opened by the first call, it stays so.
-///   returns  nullptr where this machine has none
+/// Returns the library. The first call opens it, and it stays open.
+///   returns  nullptr if this machine has no Cairo
 const Cairo* cairo_library();
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. For the rest of out.
+// Canvas: the few strokes, areas and texts that a picture needs, drawn in the order of the calls. Used by the rest of out.
 
 #include "out/picture/canvas.h"
 
@@ -29,9 +29,9 @@ void Canvas::text(Vec2 at, std::string_view text, const TextStyle& style) {
   if (!text.empty()) put_text(at, printable(text), style);
 }
 
-/// The workshop's sign of a zero: a circle with two black quarters.
+/// Draws the workshop's symbol of an origin: a circle with two black quarters.
 void Canvas::zero_mark(Vec2 centre, double radius, Colour ink) {
-  constexpr int steps = 8;  // of a quarter
+  constexpr int steps = 8;  // per quarter
   const auto sector = [&](double start, double end, Colour colour) {
     pen(colour, 1);
     move_to(centre);

@@ -1,6 +1,6 @@
 #pragma once
-// Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. Two painters take them: out/picture/svg_canvas
-// writes SVG as it comes, out/picture/cairo_canvas draws pixels.
+// Canvas: the few strokes, areas and texts that a picture needs, drawn in the order of the calls. It has two implementations:
+// out/picture/svg_canvas writes SVG as it comes, out/picture/cairo_canvas draws pixels.
 
 #include <cstdint>
 #include <string>
@@ -45,7 +45,7 @@ struct ProgramLine {
   friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
 };
 
-/// A picture made elsewhere, row by row from the top: 0xAARRGGBB, the colours multiplied by A / 255.
+/// A picture made elsewhere, row by row from the top: 0xAARRGGBB, with the colours multiplied by A / 255.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint32_t> argb;
@@ -61,19 +61,19 @@ class Canvas {
   virtual void fill(const Area& area, Colour ink) = 0;
   void frame(const Area& area, Colour ink, double width = 1);
   void line(Vec2 a, Vec2 b, Colour ink, double width = 1);
-  /// UTF-8, or nearly: it is made printable.
+  /// Draws UTF-8 text; characters that cannot be shown are replaced.
   void text(Vec2 at, std::string_view text, const TextStyle& style);
   virtual void ring(Vec2 centre, double radius, Colour ink, double width) = 0;
   void zero_mark(Vec2 centre, double radius, Colour ink);
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
 
-  /// Stretched over the area.
+  /// Draws the picture, scaled to fill the area.
   virtual void pixels(const Area& area, const Pixels& picture) = 0;
 
   virtual void clip(const Area& area) = 0;
   virtual void unclip() = 0;
 
-  /// Of what is drawn from now on.
+  /// Sets the pen for what is drawn from now on.
   virtual void pen(Colour ink, double width) = 0;
   virtual void dashes(double on, double off) = 0;
   void solid() { dashes(0, 0); }
@@ -83,16 +83,18 @@ class Canvas {
   virtual void fill_path() = 0;
   virtual void stroke() = 0;
 
-  // ---- what pixels cannot hold
+  // ---- what a pixel picture cannot store
 
-  /// A part of the page with a name of its own: "view-xy".
+  /// Begins a named part of the page: "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// What is drawn from now on, in a word: "rapid"; "" nothing.
+  /// Names in a word what is drawn from now on: "rapid"; "" ends that.
   virtual void kind(const char* /*name*/) {}
-  /// It tells lines: strokes of different ones are not to be joined.
+  /// Returns true if strokes carry their program line, so that strokes of different lines must not be joined.
   virtual bool tells_lines() const { return false; }
-  /// The line that the strokes from now on belong to; `file_name`: of a called file. `names_it`: the stroke is the one to be found by it.
+  /// Sets the program line of the strokes from now on.
+  ///   file_name  the called file that the line is in
+  ///   names_it   the stroke is the one by which the line can be found
   virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 
  private:

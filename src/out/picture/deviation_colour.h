@@ -1,5 +1,5 @@
 #pragma once
-// Deviation from the part that is wanted, as colour: blue where material is left on, red where it is gouged, grey between. For
+// Shows the deviation from the target part as colour: blue where material remains, red where the part is gouged, grey in between. Used by
 // out/picture/part_page.
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace kadr {
 
-/// mm.
+/// Limits of the scale, mm.
 struct DeviationScale {
-  double within = 0, most = 0;  // up to here grey; from here the full colour
+  double within = 0, most = 0;  // grey up to here; the full colour from here
 };
 
-/// Both ways as far as the greatest deviation of the points.
+/// Returns a scale that reaches the greatest deviation of the points in both directions.
 DeviationScale deviation_scale(const std::vector<float>& of_point, double within);
 
-/// 0xRRGGBB.
+/// Returns 0xRRGGBB.
 std::uint32_t deviation_colour(double deviation, const DeviationScale& scale);
 std::uint32_t mixed_colour(std::uint32_t a, std::uint32_t b, double share);
 
-/// The scale from left to right, with its numbers.
+/// Draws the scale from left to right, with its numbers.
 void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& scale, Lang lang);
 
 }  // namespace kadr

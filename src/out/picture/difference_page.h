@@ -1,5 +1,6 @@
 #pragma once
-// The page of two programs: what both do, what only one of them does, the differences by their numbers; close up those that matter most.
+// The page that compares two programs: what both do, what only one of them does, and the numbered differences, with close-ups of the most
+// important.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -10,7 +11,7 @@
 
 namespace kadr {
 
-/// One of them, as large as it needs.
+/// A close-up of one difference, as large as needed.
 struct DifferenceCloseup {
   PlotScene scene;
   View view = View::xy;
@@ -18,22 +19,22 @@ struct DifferenceCloseup {
   std::string caption;
 };
 
-/// A difference in words.
+/// A difference described in words.
 struct DifferenceLine {
-  std::size_t number = 0;  // 0: none, it speaks of others
+  std::size_t number = 0;  // 0: no number, since the line describes other differences
   std::string text;
 };
 
 struct DifferencePage {
-  const PlotScene& scene;  // of the whole; title.file: both programs
-  std::string a, b;        // what they are called in the legend
+  const PlotScene& scene;  // the whole picture; title.file names both programs
+  std::string a, b;        // the names of the programs in the legend
   std::string summary;
   bool equal = false;
   std::vector<DifferenceCloseup> closeups;  // at most two
   std::vector<DifferenceLine> lines;
 };
 
-/// Draws; the ending of the name (.svg, .png) says which.
+/// Draws the page; the ending of the file's name (.svg, .png) selects the format.
 ///   returns  an error sentence
 tl::expected<void, std::string> draw_difference_page(const ResultFile& file, const DifferencePage& page);
 

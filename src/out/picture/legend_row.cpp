@@ -1,4 +1,4 @@
-// A row of a legend: its entries from left to right. For out/picture/plot_legend, out/picture/difference_page.
+// LegendRow: draws the entries of a legend from left to right. Used by out/picture/plot_legend and out/picture/difference_page.
 
 #include "out/picture/legend_row.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A row of a legend: its entries from left to right.
+// LegendRow: draws the entries of a legend from left to right.
 
 #include <string_view>
 
@@ -15,7 +15,7 @@ class LegendRow {
 
   LegendRow(Canvas& canvas, double x, double y) : canvas_(canvas), x_(x), y_(y) {}
 
-  /// A piece of line.
+  /// Draws a short line in this style, and its name.
   void sample(const WayStyle& style, std::string_view name);
   void sample(Colour of, std::string_view name) { sample({of, 3}, name); }
   void words(std::string_view text, double behind = between);

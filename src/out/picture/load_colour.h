@@ -1,5 +1,6 @@
 #pragma once
-// Removal rate as colour, from blue to red, and marks of lines: the heaviest, those of collisions. For out/picture/part_page.
+// Shows the removal rate as colour, from blue to red, and marks lines: the heaviest and those with collisions. Used by
+// out/picture/part_page.
 
 #include <cstdint>
 #include <string>
@@ -10,17 +11,17 @@
 
 namespace kadr {
 
-/// By sweep of the stock, mm³/s; 0 or missing: none is told.
+/// Removal rate of each sweep of the stock, mm³/s; 0 or missing: not known.
 using SweepRates = std::vector<float>;
 
-/// The greatest rate of those that have made the surface: what was taken away over it is not to be seen.
-///   made_by  of its points, as Surface::made_by
+/// Returns the greatest rate of the sweeps that have made the surface; material that was removed above it is no longer visible.
+///   made_by  the sweep of each point, as Surface::made_by
 double greatest_rate(const std::vector<std::int32_t>& made_by, const SweepRates& rates);
 
-/// 0xRRGGBB of what a sweep has made.
+/// Returns the colour, 0xRRGGBB, of a surface that this sweep has made.
 std::uint32_t load_colour(std::int32_t sweep, const SweepRates& rates, double greatest);
 
-/// The scale from left to right, with its numbers.
+/// Draws the scale from left to right, with its numbers.
 void draw_load_key(Canvas& canvas, const Area& area, double greatest, Lang lang);
 
 /// A number in a circle.
@@ -29,7 +30,7 @@ struct LoadMark {
   std::string text;
   std::uint32_t rgb = 0x20262E;
 };
-/// In order; one that would cover another drawn before is left out.
+/// Draws the marks in order; a mark that would cover one drawn before is left out.
 void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Picture of a milled area: the contours and the path of the tool's centre in plan, SVG or PNG.
+// Draws a milled area in plan, SVG or PNG: the contours and the path of the tool's centre.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -21,11 +21,11 @@ struct MillPicture {
   Lang lang = Lang::en;
 };
 
-/// Draws; the ending of the name (.svg, .png) says which.
+/// Draws the picture; the ending of the file's name (.svg, .png) selects the format.
 ///   returns  an error sentence
 tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture);
 
-/// The same as SVG in memory; empty: there was no room for it.
+/// Returns the picture as SVG; empty if memory ran out.
 std::string milling_svg(const MillPicture& picture);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The page of a cut part. For cli/cut; tested by tests/out/part_view_test.cpp.
+// The page of a cut part. Used by cli/cut; tested by tests/out/part_view_test.cpp.
 
 #include "out/picture/part_page.h"
 
@@ -19,9 +19,9 @@ namespace {
 
 constexpr double part_page_width = 1600, part_page_height = 1060, part_margin = 28, part_gap = 14;
 constexpr double heading = 80, large_width = 900, caption_height = 60;
-constexpr double sharpness = 1.5;  // pixels a unit of the page
+constexpr double sharpness = 1.5;  // pixels per unit of the page
 constexpr double name_height = 24;
-constexpr double room = 0.92;  // of a view that the part fills
+constexpr double room = 0.92;  // the share of a view that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
@@ -50,7 +50,7 @@ ViewDirection isometric() {
   return {right, cross(towards, right), towards};
 }
 
-/// What colours are measured by.
+/// The scales of the colours.
 struct ColourScales {
   DeviationScale deviation;
   double rate = 0;
@@ -60,7 +60,7 @@ ColourScales scales_of(const PartScene& scene) {
   return {deviation_scale(scene.deviation.of_point, scene.deviation.within), greatest_rate(scene.surface.made_by, scene.load.rates)};
 }
 
-/// Of a triangle: how far it is off, or that of the sweep that cut it last.
+/// Returns the colour of a triangle: by its deviation, or by the sweep that cut it last.
 std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& scales, std::size_t triangle) {
   if (scene.colour == PartColour::deviation) {
     double sum = 0;
@@ -76,14 +76,14 @@ std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& sca
   return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
 }
 
-/// Pixels a unit of the part so that all of it is seen.
+/// Returns the scale, in pixels per mm of the part, at which the whole part is visible.
 double scale_for(const Box3& box, const ViewDirection& view, const Area& area) {
   const Vec3 size = box.most - box.least;
   const auto reach = [&](const Vec3& axis) { return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z; };
   return room * sharpness * std::min(area.width / std::max(reach(view.right), 1e-9), area.height / std::max(reach(view.up), 1e-9));
 }
 
-/// Its name stands above the part.
+/// Returns the area below the view's name, which is written above the part.
 Area below_name(const Area& area) { return {area.x, area.y + name_height, area.width, area.height - name_height}; }
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
@@ -95,7 +95,7 @@ void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
 }
 
-/// Collisions by their lines, and by load the heaviest lines by their numbers.
+/// Marks collisions by their lines and, if coloured by load, the heaviest lines by their numbers.
 void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
   const Area inner = below_name(area);
   const Vec3 centre = 0.5 * (scene.box.least + scene.box.most);

@@ -1,4 +1,4 @@
-// A cut part as pixels. For out/picture/part_page; tested by tests/out/part_view_test.cpp.
+// Draws a cut part as pixels. Used by out/picture/part_page; tested by tests/out/part_view_test.cpp.
 
 #include "out/picture/part_view.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // shares of the light
 
-/// A corner in pixels, with its distance towards the eye.
+/// A corner in pixels; `near` grows towards the eye.
 struct Corner {
   double x, y, near;
 };
@@ -32,7 +32,8 @@ class Painter {
             dot(from, direction_.towards)};
   }
 
-  /// Its corners go round counter-clockwise as the eye sees it, if it faces the eye: those that do not are hidden.
+  /// Draws a triangle. Its corners run counter-clockwise, as the eye sees them, if it faces the eye; other triangles are hidden and
+  /// skipped.
   void paint(const std::array<Corner, 3>& c, std::uint32_t rgb) {
     const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
     if (!(area < 0)) return;

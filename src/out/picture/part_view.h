@@ -1,5 +1,5 @@
 #pragma once
-// PartView: a cut part as pixels, seen from one side, without perspective.
+// Draws a cut part as pixels, seen from one side, without perspective.
 
 #include <cstdint>
 #include <functional>
@@ -9,23 +9,23 @@
 
 namespace kadr {
 
-/// Unit vectors, at right angles to each other.
+/// Unit vectors at right angles to each other.
 struct ViewDirection {
   Vec3 right, up;
   Vec3 towards;  // from the part to the eye
 };
 
-/// Of the middle of the part, and how it is drawn.
+/// The part's point in the middle of the picture, and the picture's size.
 struct ViewFrame {
   Vec3 centre;
-  double scale = 1;  // pixels a mm
+  double scale = 1;  // pixels per mm
   int width = 0, height = 0;
 };
 
-/// 0xRRGGBB of a triangle.
+/// Returns the colour of a triangle, 0xRRGGBB.
 using TriangleColour = std::function<std::uint32_t(std::size_t triangle)>;
 
-/// Triangles hide what is behind them; each is lit by how it faces the eye. What is not covered is transparent.
+/// Draws the surface. Near triangles hide far ones; each is lit by how it faces the eye. What is not covered is transparent.
 Pixels part_view(const Surface& surface, const ViewDirection& direction, const ViewFrame& frame, const TriangleColour& colour_of);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The legend of a plot: two rows, what the strokes mean and what the signs mean. For out/picture/plot_page.
+// The legend of a plot: one row explains the strokes, the other the symbols. Used by out/picture/plot_page.
 
 #include "out/picture/plot_legend.h"
 
@@ -50,7 +50,7 @@ constexpr LegendWords russian_legend = {"быстрый ход",
                                         "скорость (мин. время), {}:",
                                         "ограничение (мин. время):"};
 
-/// With the strokes of a path.
+/// A legend row that also shows the strokes of a path.
 class Row : public LegendRow {
  public:
   using LegendRow::LegendRow;

@@ -1,4 +1,5 @@
-// The signs at places of a path: where it starts and ends, where an alarm stopped it. For out/picture/plot_legend, out/picture/plot_view.
+// The symbols on a path: where it starts and ends, and where an alarm stopped it. Used by out/picture/plot_legend and
+// out/picture/plot_view.
 
 #include "out/picture/plot_marks.h"
 
@@ -21,7 +22,7 @@ void cross(Canvas& canvas, Vec2 at, double arm, Colour colour, double width) {
   canvas.line({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, width);
 }
 
-/// Pointing right.
+/// Draws a triangle that points right.
 void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.pen(colour, 1);
   canvas.move_to({at.x + size, at.y});
@@ -30,7 +31,7 @@ void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.fill_path();
 }
 
-/// The names of the axes stand in the upper left and the lower right corner.
+/// Moves a mark away from the axis names in the upper left and the lower right corner.
 Vec2 beside_labels(Vec2 at, const Area& room) {
   constexpr double label = 16, step = 26;
   if (at.x < room.x + label && at.y < room.y + label) at.x += step;

@@ -1,4 +1,4 @@
-// The page of a plot: title, the isometric view large on the left, the planes on the right, legend below. For cli, out.
+// The page of a plot: the title, a large isometric view on the left, the planes on the right, the legend below. Used by cli and out.
 
 #include "out/picture/plot_page.h"
 
@@ -18,9 +18,9 @@ namespace {
 constexpr double page_width = 1600, page_height = 1082, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 56;
 constexpr double planes_width = 560;
-constexpr double near_reach = 0.25;  // what is seen of rapid motion that goes far
+constexpr double near_reach = 0.25;  // share that is shown of rapid motion that goes far
 constexpr double least_size = 1;     // mm
-// Rapid motion is shown whole where all is no larger than so many times the cutting: beyond that the part would be too small to be read.
+// Rapid motion is shown whole if all motion is at most this many times larger than the cutting: beyond that the part would be too small.
 constexpr double most_isometric = 4, most_plane = 1.5;
 
 struct PlotWords {
@@ -64,7 +64,7 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
     return;
   }
   draw_isometric(canvas, large, scene, whole);
-  // The flatter views get what they need, the plan view the most.
+  // The flat views get the height that they need, the plan most.
   const double left = large.right() + gap;
   const double height = bottom - top + 24, plan = height * 0.46, side = (height - plan - 2 * 8) / 2;
   draw_plane(canvas, {left, top, planes_width, plan}, View::xy, scene, near);

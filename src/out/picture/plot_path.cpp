@@ -1,4 +1,5 @@
-// PlotPath: the path as one polyline, bounded in memory: when full, it is thinned by a growing tolerance. For out/picture/plot_shades.
+// PlotPath: the path as one polyline of limited size: when it is full, it is thinned with a growing tolerance. Used by
+// out/picture/plot_shades.
 
 #include "out/picture/plot_path.h"
 
@@ -7,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double first_tolerance_part = 1e-4;  // of the box: below a pixel of any picture
+constexpr double first_tolerance_part = 1e-4;  // share of the box: less than a pixel of any picture
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
@@ -32,7 +33,7 @@ void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
     cutting_box_.take(to);
   }
   ++seen_;
-  // A point left out before a change of stroke would show the wrong corner.
+  // If the last point before a change of stroke were left out, the corner would be in the wrong position.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
   last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;

@@ -1,5 +1,5 @@
 #pragma once
-// PlotPath: the path as one polyline, bounded in memory: when full, it is thinned by a growing tolerance.
+// PlotPath: the path as one polyline of limited size: when it is full, it is thinned with a growing tolerance.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,36 +10,36 @@
 
 namespace kadr {
 
-/// plunge: a feed straight down; contour: as programmed; jump: nothing is drawn, the path goes on elsewhere.
+/// plunge: a feed straight down; contour: as programmed; jump: draws nothing, the path continues elsewhere.
 enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe, jump };
 inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe && stroke != Stroke::jump; }
 
-/// A vertex and how the path comes to it.
+/// A vertex and the stroke that leads to it.
 struct PlotPoint {
   Vec3 at;
   Stroke stroke;
-  float shade = 0;  // where the path is coloured: out/picture/plot_shades
+  float shade = 0;  // for a coloured path: out/picture/plot_shades
   ProgramLine line{};
 };
 
 class PlotPath {
  public:
-  /// Never holds more than `most` points.
+  /// Keeps at most `most` points.
   explicit PlotPath(std::size_t most = 100'000) : most_(most) {}
 
   void start(Vec3 at);
   void go(Vec3 to, Stroke stroke, float shade = 0, ProgramLine line = {});
-  /// The path reaches so far between two points, beyond its chords.
+  /// Includes the box in the extents: a curve may reach beyond its chords.
   void reach(const Box& box, Stroke stroke);
-  /// Every point so far moves by that much.
+  /// Moves every point so far by this vector.
   void move_all(Vec3 by);
 
-  /// The vertices in order; the first one's stroke means nothing.
+  /// The vertices in order; the stroke of the first has no meaning.
   const std::vector<PlotPoint>& points() const { return points_; }
   bool has_pending() const { return pending_; }
   PlotPoint pending() const { return last_; }
 
-  /// mm; points closer than this to the one before were left out. 0: the path is complete.
+  /// mm; a point closer than this to the one before was left out. 0: the path is complete.
   double tolerance() const { return tolerance_; }
   std::uint64_t seen() const { return seen_; }
   const Box& box() const { return box_; }
@@ -51,7 +51,7 @@ class PlotPath {
 
   std::size_t most_;
   std::vector<PlotPoint> points_;
-  PlotPoint last_{};  // where the path stands; not among points_ while pending_
+  PlotPoint last_{};  // the end of the path; not among points_ while pending_
   bool pending_ = false;
   double tolerance_ = 0;
   std::uint64_t seen_ = 0;

@@ -1,4 +1,4 @@
-// The path itself, in one view. For out/picture/plot_page, out/picture/plot_view.
+// Draws the path itself in one view. Used by out/picture/plot_page and out/picture/plot_view.
 
 #include "out/picture/plot_strokes.h"
 
@@ -12,14 +12,14 @@
 namespace kadr {
 namespace {
 
-constexpr double same_pixel = 0.45;   // of the page
-constexpr int strokes_at_once = 400;  // longer paths cost Cairo more than in proportion
+constexpr double same_pixel = 0.45;   // units of the page
+constexpr int strokes_at_once = 400;  // for longer paths Cairo's time grows more than in proportion
 constexpr double plunge_radius = 3.2;
 constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
 
-/// What of a line is within reach; false: nothing.
+/// Cuts a line to the part within reach; returns false if nothing of it is.
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
@@ -39,10 +39,10 @@ bool is_line(Stroke point, Stroke wanted) {
   return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
 }
 
-/// What the strokes of a view tell of their lines.
+/// Attaches the program lines to the strokes of a view.
 class LineTags {
  public:
-  /// `names`: the first stroke of each line is the one to be found by it.
+  ///   names  the first stroke of each line is the one by which the line can be found
   LineTags(Canvas& canvas, const PlotScene& scene, bool names)
       : canvas_(canvas), title_(scene.title), tells_(canvas.tells_lines() && lines_are_told(scene)), names_(names) {}
   bool tells() const { return tells_; }
@@ -59,10 +59,10 @@ class LineTags {
   std::unordered_set<std::uint64_t> named_;  // at most most_line_strokes
 };
 
-/// A polyline that knows what it may leave out.
+/// Draws a polyline and leaves out points that would not be visible.
 class Pencil {
  public:
-  /// `may_name`: its strokes are the path's own.
+  ///   may_name  the strokes belong to the path itself
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
@@ -101,7 +101,7 @@ class Pencil {
   int drawn_ = 0;
 };
 
-/// The pieces of the path that `is_wanted` picks, with the pen as it is.
+/// Draws the pieces of the path that `is_wanted` picks, with the pen as it is.
 template <class Wanted>
 void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
                  const Wanted& is_wanted) {
@@ -140,7 +140,7 @@ void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scal
   canvas.kind("");
 }
 
-/// All cutting, step by step of the scale.
+/// Draws all cutting, one step of the scale after the other.
 void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   constexpr double width = 1.8;
   canvas.kind("shade");
@@ -153,7 +153,7 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   canvas.kind("");
 }
 
-/// What two programs do, one over the other: where both go, A shows on either side of B.
+/// Draws the paths of two programs over each other: where they coincide, A shows on either side of B.
 void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   const PlotDifferences& d = *scene.differences;
   struct Way {
@@ -179,7 +179,7 @@ void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale
   canvas.kind("");
 }
 
-/// Straight down is a point when seen from above: a ring each, as long as they can be told apart.
+/// Draws a ring for each plunge, which is a point when seen from above, as long as the rings can be told apart.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
   canvas.kind(name_of(Stroke::plunge));

@@ -1,5 +1,5 @@
-// The picture of `kadr run --plot-speed`: speed along the path with the feed commanded, and how near the axes are to their acceleration
-// and jerk, over the time of the planner of least time. For session/planned.
+// Draws the picture of `kadr run --plot-speed`: speed along the path with the commanded feed, and how near the axes are to their
+// acceleration and jerk limits, over the time of the planner of least time. Used by session/planned.
 
 #include "out/picture/speed_page.h"
 
@@ -99,9 +99,9 @@ class SpeedPage {
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
 
-  /// Rapid motion is shown as far as the cutting's scale goes.
+  /// Rapid motion is shown only as far as the scale of the cutting goes.
   void find_top_speed() {
-    constexpr double room = 1.1, most_feed = 4;  // of the speed reached: a feed far above it is not shown
+    constexpr double room = 1.1, most_feed = 4;  // times the speed reached: a commanded feed far above it is not shown
     double cutting = 0;
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
@@ -122,7 +122,7 @@ class SpeedPage {
     canvas.text({speed_page_width - speed_page_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   }
 
-  /// Frame, heading, horizontal lines with their numbers; `most`: the value at the upper edge.
+  /// Draws the frame, the heading, and horizontal lines with their numbers; `most`: the value at the upper edge.
   static void draw_field(Canvas& canvas, const Area& area, const std::string& heading, double most, double step) {
     canvas.fill(area, paper);
     for (double value = 0; value <= most; value += step) {
@@ -133,7 +133,7 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls back with stretches of columns of one kind: the first and the one after the last.
+  /// Calls back for each run of columns of the same type, with its first column and the one after its last.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {
@@ -144,7 +144,7 @@ class SpeedPage {
     }
   }
 
-  /// The edge of a run of columns, as steps, from left to right or back.
+  /// Draws the outline of a run of columns as steps, from left to right or back.
   template <class Y>
   void steps(Canvas& canvas, std::size_t first, std::size_t end, bool back, bool begins, const Y& y) const {
     for (std::size_t n = first; n < end; ++n) {
@@ -171,7 +171,7 @@ class SpeedPage {
                canvas.line_to({x_of_column(end), area.bottom()});
                canvas.line_to({x_of_column(first), area.bottom()});
                canvas.fill_path();
-               light.alpha = 0.55;  // between the least and the greatest speed of each column
+               light.alpha = 0.55;  // the area between the least and the greatest speed of each column
                canvas.pen(light, 1);
                steps(canvas, first, end, false, true, [&](const Column& c) { return y_of(c.most); });
                steps(canvas, first, end, true, false, [&](const Column& c) { return y_of(c.least); });
@@ -226,9 +226,9 @@ class SpeedPage {
     canvas.frame(area, edge, 1);
   }
 
-  /// Below the ribbon: time, and the line of the program that is carried out then.
+  /// Draws the scale below the ribbon: time, and the program line that is executed then.
   void draw_time(Canvas& canvas, double y) const {
-    constexpr double spacing = 110, in_minutes = 180;  // of the page; s: from where on the time is told in minutes
+    constexpr double spacing = 110, in_minutes = 180;  // units of the page; s, from which time is shown in minutes
     const bool minutes = record_.seconds() > in_minutes;
     const double least = record_.seconds() * spacing / width;
     const double step = minutes ? round_minutes(least) : round_step(least);
@@ -273,7 +273,7 @@ class SpeedPage {
       if (moves(axis)) entry(ink_of_axis(axis), axes_[axis], 11);
   }
 
-  /// Somewhere the axis is the nearest to a limit.
+  /// True if this axis is the nearest to a limit somewhere.
   bool moves(std::size_t axis) const {
     return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) {
       return (c.acceleration.axis == axis && c.acceleration.part > 0) || (c.jerk.axis == axis && c.jerk.part > 0);
@@ -284,10 +284,10 @@ class SpeedPage {
   const std::vector<Column>& columns_;
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
-  const double per_minute_;  // mm/s → the page's unit of speed
+  const double per_minute_;  // factor from mm/s to the page's unit of speed
   const SpeedWords& words_;
-  double feed_ = 0;       // the greatest commanded, mm/s
-  double top_speed_ = 1;  // of the picture, mm/min or in/min
+  double feed_ = 0;       // the greatest commanded feed, mm/s
+  double top_speed_ = 1;  // upper end of the picture, mm/min or in/min
 };
 
 }  // namespace

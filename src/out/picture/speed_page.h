@@ -1,6 +1,6 @@
 #pragma once
-// The picture of `kadr run --plot-speed`: speed along the path with the feed commanded, and how near the axes are to their acceleration
-// and jerk, over the time of the planner of least time.
+// Draws the picture of `kadr run --plot-speed`: speed along the path with the commanded feed, and how near the axes are to their
+// acceleration and jerk limits, over the time of the planner of least time.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// The ending of the name (.svg, .png) says which. `axes`: their names.
+/// Draws the page; the ending of the file's name (.svg, .png) selects the format. `axes`: their names.
 ///   returns  an error sentence
 tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title);

@@ -1,4 +1,4 @@
-// SvgCanvas: a page as SVG, written as it is drawn: nothing is kept but the pen. For out/text/page_file.
+// SvgCanvas: writes a page as SVG while it is drawn; nothing is kept but the pen. Used by out/text/page_file.
 
 #include "out/picture/svg_canvas.h"
 
@@ -15,10 +15,10 @@
 namespace kadr {
 namespace {
 
-constexpr double farthest = 1e7;  // of the page: what is beyond is not seen
-constexpr int hundredths = 100;   // coordinates are told to 0.01: of a page of 1600, below what a screen shows at a zoom of 50
+constexpr double farthest = 1e7;  // units of the page: what is beyond is not visible
+constexpr int hundredths = 100;   // coordinates are written to 0.01, finer than a screen shows of a page 1600 wide at a zoom of 50
 
-/// A coordinate, without trailing zeros.
+/// Writes a coordinate without trailing zeros.
 char* put_coordinate(char* at, double value) {
   auto n = static_cast<std::int64_t>(std::lround(std::clamp(value, -farthest, farthest) * hundredths));
   if (n < 0) *at++ = '-', n = -n;
@@ -41,7 +41,7 @@ std::string hex(Colour ink) {
   return fmt::format("#{:02x}{:02x}{:02x}", part(ink.red), part(ink.green), part(ink.blue));
 }
 
-/// ` fill="#0072b2" fill-opacity="0.14"`
+/// Returns ` fill="#0072b2" fill-opacity="0.14"`.
 std::string ink_attributes(const char* what, Colour ink) {
   const std::string attribute = fmt::format(" {}=\"{}\"", what, hex(ink));
   return ink.alpha < 1 ? attribute + fmt::format(" {}-opacity=\"{}\"", what, svg_number(ink.alpha)) : attribute;

@@ -1,6 +1,6 @@
 #pragma once
-// SvgCanvas: a page as SVG, written as it is drawn: nothing is kept but the pen. Texts are texts; a stroke tells the line of the program it
-// comes from (data-line, data-file), the one that is to be found by it has an id (l12; s1l12 in the first called file).
+// SvgCanvas: writes a page as SVG while it is drawn; nothing is kept but the pen. Texts stay texts. A stroke states the program line that
+// it comes from (data-line, data-file); the one stroke by which the line can be found has an id (l12; s1l12 in the first called file).
 
 #include <cstdio>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// What a page says of itself.
+/// How a page describes itself.
 struct PageText {
   std::string title;
   std::string description;
@@ -23,7 +23,7 @@ class SvgCanvas final : public Canvas {
   SvgCanvas(std::FILE* file, double width, double height, const PageText& says);
   ~SvgCanvas() override { finish(); }
 
-  /// Ends the page. The system's error, 0: none.
+  /// Ends the page. Returns the system's errno, 0: none.
   int finish();
 
   void fill(const Area& area, Colour ink) override;
@@ -60,7 +60,7 @@ class SvgCanvas final : public Canvas {
 
   TextBuffer text_;
   Pen pen_;
-  Pen group_;  // strokes of one pen stand in one group
+  Pen group_;  // strokes drawn with the same pen share a group
   bool in_group_ = false;
   bool in_path_ = false;
   bool finished_ = false;

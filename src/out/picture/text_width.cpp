@@ -1,4 +1,4 @@
-// How wide a text of a picture is, without asking a library for fonts: the layout is the same on every machine and in both file forms. For
+// Computes the width of a picture's texts without a font library: the layout is the same on every machine and in both file formats. Used by
 // the rest of out.
 
 #include "out/picture/text_width.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 constexpr double em = 1000;
 
-// Advance widths of DejaVu Sans, thousandths of its size.
+// Advance widths of DejaVu Sans, in thousandths of its size.
 constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;  // blank … ~; А … я
 constexpr std::array<std::uint16_t, 95> ascii = {
     318, 401, 460, 838, 636, 950, 780, 275, 390,  390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636, 636, 636,
@@ -24,7 +24,7 @@ constexpr std::array<std::uint16_t, 64> cyrillic = {684, 686, 686, 610, 781, 632
                                                     613, 617, 589, 525, 691, 615, 901,  532, 650,  650,  604, 639, 754, 654, 612,  654,
                                                     635, 550, 583, 592, 855, 592, 681,  591, 915,  942,  707, 790, 589, 549, 842,  602};
 
-/// The next character of the text, which is cut off; what is no UTF-8 comes byte by byte as the replacement.
+/// Removes the next character from the text and returns it; bytes that are not UTF-8 come one by one as the replacement character.
 char32_t take_character(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -39,7 +39,7 @@ char32_t take_character(std::string_view& text) {
     whole = (byte(i) & 0xC0U) == 0x80;
     character = character << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // by size: longer forms are no UTF-8
+  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // by size: longer forms are not valid UTF-8
   if (!whole || character < least[size]) character = replacement;
   text.remove_prefix(whole ? size : 1);
   return character;

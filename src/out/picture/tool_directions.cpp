@@ -1,4 +1,4 @@
-// Directions of the tool along the path. For out/picture/plot; tested by tests/out/tool_directions_test.cpp.
+// ToolDirections: collects directions of the tool along the path. Used by out/picture/plot; tested by tests/out/tool_directions_test.cpp.
 
 #include "out/picture/tool_directions.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// ToolDirections: which way the tool leans along the cutting path, at even distances; bounded in memory: when full, every other is left
-// out.
+// ToolDirections: collects the directions of a tilted tool along the cutting path, at even distances. Its memory is limited: when it is
+// full, every other direction is left out.
 
 #include <vector>
 
@@ -9,21 +9,21 @@
 
 namespace kadr {
 
-/// At a place of the tip, from there into the tool.
+/// The position of the tip, and the direction from there into the tool.
 struct ToolDirection {
   Vec3 at, direction;
 };
 
 class ToolDirections {
  public:
-  /// Never holds more than `most`.
+  /// Keeps at most `most` directions.
   explicit ToolDirections(std::size_t most = 240) : most_(most) {}
 
-  /// A motion that cuts, of a machine whose rotary axes turn tool or part; of any other nothing is kept.
+  /// Consumes a motion that cuts on a machine whose rotary axes turn tool or part; any other motion is ignored.
   ///   shift  of the picture's coordinates from those of the work system
   void take(const Step& step, Vec3 shift);
 
-  /// Empty as long as the tool has stood upright, along Z.
+  /// Returns an empty list as long as the tool has been upright, along Z.
   std::vector<ToolDirection> leaning() const { return leans_ ? all_ : std::vector<ToolDirection>(); }
 
  private:

@@ -1,4 +1,4 @@
-// Codes by what they do. For out/program/part_program, convert/block_maker.
+// Looks up a control's codes by what they do. Used by out/program/part_program and convert/block_maker.
 
 #include "out/program/codes.h"
 

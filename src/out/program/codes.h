@@ -1,5 +1,5 @@
 #pragma once
-// Codes as one control writes them, looked up by what they do.
+// Looks up a control's codes by what they do, and writes them as that control does.
 
 #include <cstdint>
 #include <initializer_list>
@@ -13,22 +13,23 @@
 namespace kadr {
 
 inline constexpr int any_argument = -1;
-/// A function and which of its kind (CodeRow::arg); any_argument: whichever.
+/// A function and its variant (CodeRow::arg); any_argument matches every variant.
 using Wanted = std::pair<Function, int>;
 
-/// As many digits as the format prints (spec/gost 3: 3G2): G01.
+/// Returns the row's code with as many digits as the control's format prints: G01 (spec/gost 3: 3G2).
 std::string with_digits(const ControlDef& def, const CodeRow& row);
 
-/// An M code by its number, with such digits.
+/// Returns an M code with as many digits as the control's format prints.
 std::string machine_code_text(const ControlDef& def, std::uint32_t code);
 
-/// The row that does one of these; of several the first. nullptr: the control has none that works.
+/// Tries the wanted functions in their order and returns the first row of the table that does one and works; nullptr if there is none.
 const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted);
 
-/// Its code as it is written.
+/// Like row_that_does(), but returns the code as the control writes it; nullopt if there is none.
 std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted);
 
-/// Of a coded feed or speed the highest that is not above the one wanted (spec/gost 3); nothing: none is as low.
+/// In a table of coded feeds or speeds, returns the code of the highest value that is not above `wanted` (spec/gost 3); nullopt if all
+/// values are above it.
 std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted);
 
 }  // namespace kadr

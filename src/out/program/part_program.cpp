@@ -1,5 +1,5 @@
-// Part program: moves as the text that one control reads, written from its word formats and rows (ControlDef), and read back. For
-// cli/mill; tested by tests/out/part_program_test.cpp.
+// Part program: writes moves as the text that one control reads, from its word formats and rows (ControlDef), and compares them with the
+// moves that this text gives when it is read back. Used by cli/mill; tested by tests/out/part_program_test.cpp.
 
 #include "out/program/part_program.h"
 
@@ -20,8 +20,8 @@ namespace {
 using area::Move;
 using area::MoveKind;
 
-constexpr double written_chord = 0.005;  // mm between an arc and the lines written for it: half the controls' arc tolerance
-constexpr double shortest_arc = 10;      // increments: a shorter one is a line
+constexpr double written_chord = 0.005;  // mm between an arc and the lines that replace it: half the controls' arc tolerance
+constexpr double shortest_arc = 10;      // increments: a shorter arc is written as a line
 constexpr int block_steps[] = {10, 5, 1};
 
 constexpr int any = any_argument;
@@ -52,7 +52,7 @@ class ProgramWriter {
     if (!block.empty()) block += ' ';
     block += word;
   }
-  /// A feed or speed: itself, or the code of the table that stands for it.
+  /// Appends the word of a feed or speed: the value itself, or its code if the control has a table of codes.
   Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
     if (codes.empty()) return word(block, letter, value);
     const auto code = code_below(codes, value);
@@ -96,7 +96,7 @@ class ProgramWriter {
   }
 
   Status tool_word(std::string& block) {
-    constexpr double corrector_digits = 100;  // T0404: the tool, and the corrector of the same number
+    constexpr double corrector_digits = 100;  // T0404: the tool, followed by the corrector of the same number
     return word(block, 'T', def_.behaviour.tool_and_corrector ? technology_.tool * (corrector_digits + 1) : technology_.tool);
   }
 
@@ -152,7 +152,7 @@ class ProgramWriter {
     return need({{function, any}}, block);
   }
 
-  /// Up first, wherever the tool stands.
+  /// Approach to the first point: Z first and then X, Y, wherever the tool is.
   Status first(Vec3 to) {
     std::string up, across;
     KADR_TRY(code(up, Function::rapid));
@@ -205,7 +205,8 @@ class ProgramWriter {
     return coded(block, 'F', def_.feed_codes, feed);
   }
 
-  /// N in steps of ten where they have room; none where they have not and the control needs none.
+  /// Numbers the blocks N10, N20, … if the digits of N suffice, else in smaller steps. Writes no numbers if none fit and the control needs
+  /// none.
   Status number_blocks() {
     const WordFormat& n = def_.grammar.word('N');
     const bool free = n.whole_digits == 0;
@@ -245,7 +246,7 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  constexpr double bulge_off = 0.1;  // rounded ends and centres turn an arc by that much at most: it is at least ten increments long
+  constexpr double bulge_off = 0.1;  // most that the rounding of ends and centres changes an arc: it is at least ten increments long
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
            std::abs(a.bulge - b.bulge) > bulge_off;

@@ -1,4 +1,4 @@
-// What must be set before a program goes on, as blocks. For session/restart's users; tested by tests/session/restart_test.cpp.
+// Writes, as blocks, what must be set before a program continues. Used with session/restart; tested by tests/session/restart_test.cpp.
 
 #include "out/program/restart_blocks.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using Kind = InForce::Kind;
 
-/// The first code of the table with that function; nullptr: it has none.
+/// Returns the first code of the table with that function; nullptr if there is none.
 const CodeRow* row_of(const ControlDef& def, Function function) {
   const auto found = std::find_if(def.codes.begin(), def.codes.end(), [&](const CodeRow& row) { return row.function == function; });
   return found == def.codes.end() ? nullptr : &*found;
@@ -26,19 +26,19 @@ const CodeRow* row_of(const ControlDef& def, const InForce& one) {
   return found == def.codes.end() ? nullptr : &*found;
 }
 
-/// Lines and rapids: the last block of the way leaves one of them in force.
+/// True for lines and rapids: the last block of the path leaves one of them in force.
 bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
 
-/// Said by blocks of its own after the way, which is written in absolute lengths.
+/// True for G90 and G91 (absolute, incremental). They are written in blocks of their own after the path, which is in absolute coordinates.
 bool is_distance(const CodeRow& row) { return row.function == Function::absolute || row.function == Function::incremental; }
 
-/// Beside its code it needs words that are not known here: a cycle's data, a rotation's centre; or it acts at once.
+/// True if the code needs words that are not known here (a canned cycle's data, a rotation's centre), or if it acts at once.
 bool wants_words(const CodeRow& row) {
   return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
          row.phase == Phase::compensation || row.function == Function::tool_lead;
 }
 
-/// Of an offset's word; 0: it is none.
+/// Returns the letter of the word that selects this offset; '\0' if it is not an offset.
 char letter_of(Kind kind) { return kind == Kind::offset ? 'D' : kind == Kind::length_offset ? 'H' : '\0'; }
 
 class RestartWriter {
@@ -73,11 +73,11 @@ class RestartWriter {
     end();
     return {};
   }
-  /// With the offset that it takes: `G43 H5`.
+  /// Writes the code together with the offset that it uses: `G43 H5`.
   Status code(const InForce& one, const std::vector<InForce>& in_force) {
     const CodeRow* const row = row_of(def_, one);
     if (row == nullptr || is_line(*row) || is_distance(*row)) return {};
-    // What switches something off wants no words: it stands at power-on.
+    // A code that switches something off needs no words: it is in force at power-on.
     const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
                        &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
     if (wants_words(*row) && !usual) {
@@ -93,7 +93,7 @@ class RestartWriter {
       KADR_TRY(word(letter, offset.value));
       said_ |= letter_bit(letter);
     }
-    // Some controls take a length with a motion of that axis only: it goes with the first of the way.
+    // Some controls accept a length only with a motion of that axis: it is written in the first block of the path along the tool.
     if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
     end();
     return {};
@@ -102,7 +102,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// Stood beside its code.
+  /// True if a word with this letter was already written with its code.
   bool has_said(char letter) const { return (said_ & letter_bit(letter)) != 0; }
   Status way(const BlockWay& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
@@ -119,8 +119,8 @@ class RestartWriter {
 
   const ControlDef& def_;
   bool inch_, has_way_;
-  std::string with_way_;    // stands in its first block along the tool
-  std::uint64_t said_ = 0;  // letters
+  std::string with_way_;    // goes into the first block of the path that moves along the tool
+  std::uint64_t said_ = 0;  // letters that were written
   std::string line_;
   RestartBlocks made_;
 };
@@ -132,7 +132,8 @@ bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function 
   });
 }
 
-/// Some modal group says how the spindle turns, or that coolant flows: its code is written instead of the plain one.
+/// True if a code of a modal group already states how the spindle rotates or that the coolant flows: that code is written instead of the
+/// plain one.
 bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
@@ -143,7 +144,7 @@ bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, 
   });
 }
 
-/// Codes of coolant come before those of the spindle: M13 switches both on.
+/// Coolant codes are written before spindle codes, because M13 switches on both.
 bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
   const auto rank = [&](const InForce& one) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
@@ -192,7 +193,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {
     if (one.kind != Kind::variable) continue;
-    // Before the way: zeros may be among them.
+    // Written before the path: work offsets may be among the variables.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }
@@ -207,7 +208,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
   if (!way.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
   for (const BlockWay& to : way) KADR_TRY(writer.way(to));
-  for (const InForce& one : in_force) {  // the way may have changed them
+  for (const InForce& one : in_force) {  // the path may have changed these codes and the feed
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
     if (one.kind == Kind::feed && one.value > 0) {
@@ -216,7 +217,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : wanted) {
-    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else H brings it
+    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else the H word applies it
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
     if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);
   }

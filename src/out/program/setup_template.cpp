@@ -1,4 +1,4 @@
-// A set-up to be filled in, as JSON that people read: a row of a table a line. For cli/setup_command.
+// Writes a set-up template as JSON that people read: one line for each row of a table. Used by cli/setup_command.
 
 #include "out/program/setup_template.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A set-up to be filled in, as JSON that people read: a row of a table a line.
+// Writes a set-up to be filled in, as JSON that people read: one line for each row of a table.
 
 #include <map>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// What `kadr setup` writes. A value that nobody knows yet is null: as if it were not stated.
+/// The content that `kadr setup` writes. A value that is not known yet is null, which means the same as leaving it out.
 struct SetupTemplate {
   struct Row {
     std::string name;                                                  // "1", "G54"

@@ -1,4 +1,4 @@
-// A tools file to be filled in. For cli/setup_command.
+// Writes a tools file to be filled in. Used by cli/setup_command.
 
 #include "out/program/tools_template.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t comments_at = 32;  // column
 
-/// For a comment of TOML, in which no control characters may stand.
+/// Replaces control characters by blanks, since a TOML comment must not contain any.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = ' ';

@@ -1,5 +1,5 @@
 #pragma once
-// A tools file to be filled in, with what comments of a program propose.
+// Writes a tools file to be filled in, with the tool data that the program's comments suggest.
 
 #include <cstdint>
 #include <optional>
@@ -15,21 +15,21 @@ namespace kadr {
 struct ToolsTemplate {
   struct Row {
     std::uint32_t number = 0;
-    Origin called;                    // where the program calls it first
-    std::optional<ToolComment> said;  // nothing: no comment speaks of it
+    Origin called;                    // where the program first calls the tool
+    std::optional<ToolComment> said;  // nullopt: no comment describes the tool
     std::string why;                  // line and text of that comment
-    std::string not_sure;             // of one that speaks of it without a size that is sure
+    std::string not_sure;             // the text of a comment that mentions the tool without a certain size
   };
   std::string program;
   Lang lang = Lang::en;
   std::vector<Row> rows;
 };
 
-/// The kind of a tools file that a comment means; empty: none of them for certain.
+/// Returns the tools-file word for the kind of tool that the comment describes; empty if the kind is not certain.
 const char* kind_word(const ToolComment& said);
 
-/// TOML as design.md 10 has it. What nobody said is a comment with the key: the file is refused by name of tool and key until that is
-/// filled in.
+/// Returns the TOML text (design.md 10). A key whose value nobody stated is written as a comment: until it is filled in, the file is
+/// refused with an error that names the tool and the key.
 std::string tools_template_text(const ToolsTemplate& made);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// What a person types for a code: either alphabet, either case, zeros in front. For cli, out.
+// Reads a code as a person types it: in either alphabet, in either case, with leading zeros. Used by cli and out.
 
 #include "out/text/asked_code.h"
 
@@ -20,7 +20,7 @@ struct Lookalike {
   std::string_view cyrillic;
   char latin;
 };
-// Capital and small; y stands for У too, as on a Soviet keyboard.
+// Capital and small letters. У stands for Y too, as on a Soviet keyboard.
 constexpr std::array<Lookalike, 24> lookalikes = {{{"А", 'A'}, {"В", 'B'}, {"С", 'C'}, {"Е", 'E'}, {"Н", 'H'}, {"К", 'K'},
                                                    {"М", 'M'}, {"О", 'O'}, {"Р", 'P'}, {"Т", 'T'}, {"Х", 'X'}, {"У", 'Y'},
                                                    {"а", 'A'}, {"в", 'B'}, {"с", 'C'}, {"е", 'E'}, {"н", 'H'}, {"к", 'K'},
@@ -39,7 +39,7 @@ std::string latin_capitals(std::string_view what) {
   return text;
 }
 
-/// The number after a single letter: "G5.1" → 5.1; nothing, if it is no such word.
+/// Returns the number after a single letter: "G5.1" → 5.1; nullopt if the text has another form.
 std::optional<double> number_of(const std::string& code) {
   if (code.size() < 2 || !is_capital(code[0]) || code.find_first_not_of("0123456789.", 1) != std::string::npos) return std::nullopt;
   char* end = nullptr;
@@ -48,7 +48,7 @@ std::optional<double> number_of(const std::string& code) {
   return number;
 }
 
-/// Those of the code's letter, by number.
+/// Returns the names with the code's letter, sorted by the distance of their numbers.
 std::vector<std::string> nearest_numbers(const ControlDef& def, const std::string& code, double number) {
   std::vector<std::pair<double, std::string>> found;
   const auto offer = [&](const std::string& name) {
@@ -59,7 +59,7 @@ std::vector<std::string> nearest_numbers(const ControlDef& def, const std::strin
   for (const CycleRow& row : def.cycles) offer(row.name);
   for (const ParameterRow& row : def.parameters) offer("N" + row.name);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  constexpr double farthest = 10;  // beyond, the nearest number says nothing
+  constexpr double farthest = 10;  // a name farther away is of no help
   std::vector<std::string> names;
   for (const auto& [distance, name] : found)
     if (distance <= farthest && names.size() < 3 && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -72,7 +72,7 @@ std::string code_asked(std::string_view what) {
   std::string code = latin_capitals(what);
   if (code.empty() || !is_capital(code[0])) return code;
   const std::size_t digits = code.find_first_not_of('0', 1);
-  if (!number_of(code) || code[0] == 'N') return code;  // N0107: a parameter's digits
+  if (!number_of(code) || code[0] == 'N') return code;  // N0107 is a parameter, whose digits stay
   code.erase(1, (digits == std::string::npos || code[digits] == '.' ? std::min(digits, code.size()) - 1 : digits) - 1);
   if (code.find('.') == std::string::npos) return code;
   code.erase(code.find_last_not_of('0') + 1);

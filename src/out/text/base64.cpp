@@ -1,4 +1,4 @@
-// For out/picture/svg_canvas, view/report, view/page_folder, view/page_tape; tested by tests/out/base64_test.cpp.
+// Used by out/picture/svg_canvas, view/report, view/page_folder and view/page_tape; tested by tests/out/base64_test.cpp.
 
 #include "out/text/base64.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// The six bits of a letter, or −1.
+/// Returns the six bits of a letter, or −1.
 int bits_of(char letter) {
   if (letter >= 'A' && letter <= 'Z') return letter - 'A';
   if (letter >= 'a' && letter <= 'z') return letter - 'a' + 26;

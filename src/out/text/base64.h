@@ -1,5 +1,5 @@
 #pragma once
-// Bytes as text (RFC 4648).
+// Base64 (RFC 4648): bytes as text.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@ namespace kadr {
 
 std::string base64_of(std::string_view bytes);
 
-/// Nothing: it is none, by the letter: no line ends, whole groups of four, no bits left over.
+/// Returns nullopt if the text is not strict base64: no line ends, whole groups of four, no bits left over.
 ///   law  *bytes_of_base64(base64_of(b)) == b
 std::optional<std::string> bytes_of_base64(std::string_view text);
 

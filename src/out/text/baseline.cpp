@@ -1,4 +1,4 @@
-// For cli/check; tests/run_check.py.
+// Used by cli/check; tested by tests/run_check.py.
 
 #include "out/text/baseline.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Without the sentence: that is in the language of the list, and its figures change with the lines around it.
+/// The key of a finding leaves out its sentence: that depends on the language of the list, and its figures change with the lines around it.
 std::string key_of(const std::string& file, std::string_view id, const std::string& line) {
   std::string key = file;
   for (const std::string_view part : {id, std::string_view(line)}) (key += '\n') += part;

@@ -1,5 +1,5 @@
 #pragma once
-// Baseline: what is known already, so that only what is new is told. A list of `kadr check --format json`.
+// Baseline: the findings that are known already, so that only new ones are reported. Read from a list of `kadr check --format json`.
 
 #include <map>
 #include <string>
@@ -15,13 +15,13 @@ class Baseline {
   ///   returns  an error sentence
   static tl::expected<Baseline, std::string> read(std::string_view json);
 
-  /// The finding is known: the same fault of the same text in the same file, wherever its line stands by now. Each known one is
-  /// found once.
+  /// Returns true if the finding is known: the same fault of the same text in the same file, whatever its line number is now. Each known
+  /// finding matches once.
   bool has(const Finding& finding);
   std::size_t found() const { return found_; }
 
  private:
-  std::map<std::string, int> known_;  // how often
+  std::map<std::string, int> known_;  // how often each occurs
   std::size_t found_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A control's rows for people: one row (kadr explain), or all of them as the page docs/controls/ID.md. For cli/explain,
+// Describes a control's rows for people: one row (kadr explain), or all of them as the page docs/controls/ID.md. Used by cli/explain and
 // out/text/control_page; tested by tests/out/code_page_test.cpp.
 
 #include "out/text/code_page.h"
@@ -26,7 +26,7 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   return text;
 }
 
-/// What its file extends is of no concern to whoever has such a machine.
+/// True if the control ships with Kadr. Which file it extends is of no interest to the owner of such a machine.
 bool is_built_in(const ControlDef& def) {
   const std::vector<std::string> all = built_in_controls();
   return std::find(all.begin(), all.end(), def.id) != all.end();
@@ -43,7 +43,7 @@ std::string initial_mark(const ControlDef& def, const CodeRow& row) {
   return def.codes[static_cast<std::size_t>(def.groups[row.group].power_on)].code == row.code ? "*" : "";
 }
 
-/// Digits of an address as the manual writes them: "+043", "02", "free".
+/// Returns the digits of an address as the manual writes them: "+043", "02", "free".
 std::string format_of(const ControlDef& def, const AddressRow& row) {
   const WordFormat& w = def.grammar.word(row.letter);
   if (w.whole_digits == 0) return w.sign ? "+free" : "free";
@@ -57,7 +57,7 @@ std::string format_of(const ControlDef& def, const AddressRow& row) {
 
 namespace {
 
-/// Nothing for a row that comes from the control which this one extends: it has a manual of its own.
+/// Returns an empty text for a row that comes from the control which this one extends: that control has a manual of its own.
 std::string source_text(const ControlDef& def, const std::string& section, Lang lang) {
   return section.empty() ? std::string() : fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, section);
 }
@@ -101,7 +101,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   return text + source_text(def, row.manual, lang);
 }
 
-/// The alarm in both languages where the control has words of its own: an operator reads them on its screen.
+/// Returns the alarm, in both languages if the control has its own wording: an operator reads it on the screen.
 std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmId id, Lang lang) {
   const std::string& number = texts.number(id);
   std::string text = fmt::format("{}{}: {}\n", number.empty() ? "" : number + " ", name_of(id), texts.pattern(id, lang));
@@ -111,7 +111,7 @@ std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmI
   return text;
 }
 
-/// All alarms that have this number on the control.
+/// Returns all alarms that have this number on the control.
 std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& number, Lang lang) {
   std::optional<std::string> text;
   for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i)
@@ -119,7 +119,7 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
   return text;
 }
 
-/// As the control prints them: PS0114, error:33, ALARM:2.
+/// Finds alarms by the number as the control prints it: PS0114, error:33, ALARM:2.
 std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
   const std::size_t digits = what.find_first_of("0123456789");
   if (digits == std::string::npos || digits < 2 || what.find_first_not_of("0123456789", digits) != std::string::npos) return std::nullopt;
@@ -135,7 +135,7 @@ std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTex
   return text;
 }
 
-/// Small letters, Latin and Russian (UTF-8: А to Я are D0 90 to D0 AF).
+/// Returns the text in small letters, Latin and Russian (UTF-8: А to Я are D0 90 to D0 AF).
 std::string small_letters(std::string_view text) {
   std::string small(text);
   for (std::size_t i = 0; i < small.size(); ++i) {
@@ -148,13 +148,13 @@ std::string small_letters(std::string_view text) {
   return small;
 }
 
-/// Words of manuals for one thing: whoever asks by one of them means the others.
+/// Words that manuals use for the same thing: a search for one of them also finds the others.
 constexpr std::string_view same_words[][3] = {
     {"cutter", "radius", "contour"}, {"canned", "drilling", "cycle"}, {"fixture", "work zero", "work system"},
     {"home", "reference", ""},       {"pause", "dwell", ""},          {"фреза", "радиус", "эквидистант"},
     {"выдержка", "пауза", ""},       {"сверление", "цикл", ""}};
 
-/// A word, or one that means the same, within the text; both in small letters.
+/// Returns true if the text contains the word or a synonym; both are in small letters.
 bool has_word(const std::string& text, const std::string& word) {
   if (text.find(word) != std::string::npos) return true;
   for (const auto& group : same_words)
@@ -177,7 +177,7 @@ bool has_words(std::string_view text, std::string_view words) {
 }  // namespace
 
 std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang) {
-  constexpr std::size_t least = 3;  // bytes: letters alone are addresses
+  constexpr std::size_t least = 3;  // bytes; a single letter is an address
   if (words.size() < least || words.find_first_not_of(' ') == std::string::npos) return std::nullopt;
   std::string found;
   const auto offer = [&](const std::string& name, const std::string& en, const std::string& ru) {
@@ -199,7 +199,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have one number: both
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may share a number: both
     const auto alarms = numbered_alarms(def, texts, what, lang);
     const auto parameter = explain_parameter(def, code, lang);
     return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;

@@ -1,4 +1,4 @@
-// The page docs/controls/ID.md: all rows of a control's file as tables, both languages.
+// Writes the page docs/controls/ID.md: all rows of a control's file as tables, in both languages.
 
 #include <fmt/core.h>
 
@@ -19,7 +19,7 @@ std::string escaped(const std::string& text) {
 
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
 
-/// Head and rule of a table: "| a | b |", "|---|---|".
+/// Returns the head and the rule of a table: "| a | b |", "|---|---|".
 std::string table_head(const std::string& columns) {
   const auto bars = static_cast<std::size_t>(std::count(columns.begin(), columns.end(), '|'));
   std::string rule = "|";
@@ -36,7 +36,7 @@ void address_rows(const ControlDef& def, std::string& page) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  // Where everything works, a column that says so would only be in the way.
+  // If all codes work, a column that says so would only be in the way.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += table_head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));
@@ -96,7 +96,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   }
 }
 
-/// The alarms that its file has rows for, by number, those without one last.
+/// Appends the alarms that the control's file has rows for, sorted by number; alarms without a number come last.
 void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& page) {
   if (def.alarms.empty()) return;
   std::vector<AlarmId> ids;

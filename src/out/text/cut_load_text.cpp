@@ -1,4 +1,4 @@
-// What blocks take away, told. For out/text/cut_text; tested by tests/out/cut_load_text_test.cpp.
+// Describes what each block removes. Used by out/text/cut_text; tested by tests/out/cut_load_text_test.cpp.
 
 #include "out/text/cut_load_text.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Both languages in one row.
+/// The words of one language.
 struct LoadWords {
   const char *line, *of, *rate, *tooth, *size;
 };
@@ -24,7 +24,7 @@ constexpr LoadWords load_russian = {"строка", " файла ", "{:.1f} мм
 
 const LoadWords& words_in(Lang lang) { return lang == Lang::ru ? load_russian : load_english; }
 
-constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // of mm and what is made of it; of mm a tooth
+constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // of mm and units built from it; of mm per tooth
 
 double cut_to(double value, int decimals) {
   const double scale = std::pow(10, decimals);
@@ -39,7 +39,7 @@ std::string told_cell(const std::optional<double>& value, int decimals = decimal
   return value ? fmt::format("{:.{}f}", *value + 0.0, decimals) : std::string();
 }
 
-/// As a field of CSV.
+/// Returns the text as a CSV field.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

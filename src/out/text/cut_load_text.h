@@ -1,6 +1,6 @@
 #pragma once
-// What blocks take away, for people and programs: rows of the summary, keys of the JSON, a table with a row a block. For out/text/cut_text
-// and cli/cut.
+// Describes what each block removes, for people and programs: lines of the summary, keys of the JSON, a table with one row per block. Used
+// by out/text/cut_text and cli/cut.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace kadr {
 
-/// "line 12 of sub.nc N110": `program` as of BlockLoad.
+/// Returns "line 12 of sub.nc N110"; `program` as in BlockLoad.
 std::string line_words(const Origin& origin, const std::string& program, Lang lang);
 
-/// Adds `line`, `program` where it is not the program itself, `block` where it has a number.
+/// Adds `line`; also `program` if it is not the main program, and `block` if the block has a number.
 void add_place(nlohmann::ordered_json& json, const Origin& origin, const std::string& program);
 
-/// By which calls, outermost first: [{"line":4,"block":"N10","program":"O100"}].
+/// Returns the calls that lead to the block, outermost first: [{"line":4,"block":"N10","program":"O100"}].
 nlohmann::ordered_json calls_json(const std::vector<AlarmReport::Call>& calls);
 
-/// Of the heaviest and the emptiest lines: a text for each.
+/// The text for one of the heaviest lines, and for one of the emptiest.
 std::string load_words(const BlockLoad& load, Lang lang);
 std::string air_words(const AirCut& air, Lang lang);
 
-/// `heaviest` and `emptiest`. What is not told is null.
+/// Adds `heaviest` and `emptiest`. A value that is not known is null.
 void add_loads(nlohmann::ordered_json& json, const CutResult& result);
 
-/// CSV: the names of the columns, and a row of them. What is not told is empty.
+/// CSV: the names of the columns, and one row. A value that is not known is empty.
 std::string blocks_heading();
 std::string blocks_row(const BlockLoad& load);
 

@@ -1,4 +1,4 @@
-// What a cut came to, in words. For cli/cut; tested by tests/out/cut_text_test.cpp.
+// Describes the result of a cut in words. Used by cli/cut; tested by tests/out/cut_text_test.cpp.
 
 #include "out/text/cut_text.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The words of the summary; both languages in one row.
+/// The words of the summary in one language.
 struct CutWords {
   const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *heaviest,
       *in_air, *window, *in_window, *simplified, *triangles, *threads, *thread, *lead, *no_crest, *crest;
@@ -69,9 +69,9 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "; материала там нет",
                                   "; глубина {:.3f} мм от Ø{:.3f} мм, который у детали остаётся"};
 
-constexpr double told_from = 0.05;  // s in the air: less is no tenth
+constexpr double told_from = 0.05;  // s in the air: less would round to no tenth
 
-/// To thousandths of a mm, of a mm³: what stands behind is no more than noise.
+/// Rounds to thousandths of a mm or mm³: further digits are noise.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 
 std::string summary_row(std::string_view name, std::string_view text) { return fmt::format("{:<12} {}\n", name, text); }
@@ -113,7 +113,7 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
   return summary_row(name, text);
 }
 
-/// Of the thread, from the crest; below 0: the insert's point has not come to it.
+/// Depth of the thread from the crest; below 0 if the insert's point has not reached it.
 double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
 
 std::string thread_words(const CutWords& w, const ThreadCut& t) {

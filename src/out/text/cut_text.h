@@ -1,5 +1,5 @@
 #pragma once
-// CutResult → text: the summary on stdout, JSON (design.md 10).
+// Writes a CutResult as text: the summary on stdout, and JSON (design.md 10).
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace kadr {
 
-/// In a line: "removed 82581.4 mm³, cell 0.25 mm"; of the window, if there is one.
+/// Returns one line: "removed 82581.4 mm³, cell 0.25 mm"; for the window, if there is one.
 std::string cut_caption(const CutResult& result, Lang lang);
 
-/// Which tools are too thin for the cells; empty: none is.
+/// Returns which tools are too thin for the cell size; empty if none is.
 std::string told_too_coarse(const CutResult& result, Lang lang);
 
 std::string cut_summary(const CutResult& result, Lang lang);
 
-/// One object. `alarms`, `warnings`: of the program itself, the findings not among them.
+/// Returns one object. `alarms` and `warnings` count those of the program itself, without the findings of the cut.
 nlohmann::ordered_json cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
 
-/// Of a finding of AlarmId::machine: those that met, in whole (an alarm cuts them short); else empty.
+/// For a finding of AlarmId::machine, returns the full names of the bodies that collided (an alarm shortens them); else empty.
 std::string names_of_bodies(const CutFinding& finding);
 
-/// The finding as an alarm or warning, without its place.
+/// Returns the finding as an alarm or warning, without its line.
 Alarm alarm_of(const CutFinding& finding);
 
 }  // namespace kadr

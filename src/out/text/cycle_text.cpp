@@ -1,5 +1,5 @@
-// The steps of a cycle in words, from what carries it out: the control's steps, its operations (nct 18.1) or its body. For
-// out/text/code_page, out/text/word_text.
+// Describes the steps of a canned cycle in words, from what executes it: the control's steps, its operations (nct 18.1) or its body. Used
+// by out/text/code_page and out/text/word_text.
 
 #include "out/text/cycle_text.h"
 
@@ -44,7 +44,7 @@ constexpr std::array<BothLanguages, static_cast<std::size_t>(CycleStep::count)> 
      {"passes of R3 from R2 down to R1: feed R0 to the pass level, dwell 0.3 s, rapid to R2",
       "проходы по R3 от R2 до R1: на подаче R0 до уровня прохода, выдержка 0,3 с, быстро на R2"}}};
 
-// In the order of DrillStep; `stop` and `end` are no motions.
+// In the order of DrillStep; `stop` and `end` are not motions.
 constexpr std::array<BothLanguages, static_cast<std::size_t>(DrillStep::manual) + 1> drill_words = {
     {{"", ""},
      to_level,
@@ -79,7 +79,7 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-/// `by_e`: the cycle has a word E for how far it draws back between pecks; else a parameter of the control says it.
+///   by_e  the word E of the cycle sets how far the tool retracts between pecks; else a parameter of the control does
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto words_for = [&](DrillStep step) {
     if (!by_e && step == DrillStep::break_chips) return in_language(step_words[static_cast<std::size_t>(CycleStep::peck_break)], lang);
@@ -93,7 +93,7 @@ std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang
   return steps;
 }
 
-/// A body's blocks as motions: which motion code is in force goes on from block to block.
+/// Describes the blocks of a body as motions: the motion code in force carries over from block to block.
 class BodyTeller {
  public:
   BodyTeller(const ControlDef& def, Lang lang) : def_(def), lang_(lang) {}
@@ -148,7 +148,7 @@ std::uint64_t bits(std::string_view letters) {
 
 std::string_view head(Lang lang) { return lang == Lang::ru ? "шаги" : "steps"; }
 
-/// G87: by a bit of the set-up either boring with manual withdrawal or back boring (nct 18.1.13).
+/// True for G87: a bit of the set-up selects boring with manual withdrawal or back boring (nct 18.1.13).
 bool may_bore_back(const DrillCycle& cycle) { return cycle.code + 1000 == back_boring; }
 
 std::int32_t drill_code(const CodeRow& row) { return row.arg != 0 ? row.arg : row.tenth; }
@@ -174,7 +174,7 @@ std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool by_e = (row.takes & bits("E")) != 0;
   std::string text = numbered(drilling_steps(*cycle, by_e, lang), head(lang));
   if (!may_bore_back(*cycle)) return text;
-  const std::string_view parameter = def.lineage.empty() ? " (N0607 #1 ORI = 1)" : "";  // of the NCT
+  const std::string_view parameter = def.lineage.empty() ? " (N0607 #1 ORI = 1)" : "";  // a parameter of the NCT
   const std::string_view oriented = lang == Lang::ru ? "шаги, если шпиндель ориентируется" : "steps, where the spindle can be oriented";
   return text + numbered(drilling_steps(*drill_cycle(back_boring), by_e, lang), fmt::format("{}{}", oriented, parameter));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The steps of a cycle in words, from what carries it out: the control's steps, its operations (nct 18.1) or its body.
+// Describes the steps of a canned cycle in words, from what executes it: the control's steps, its operations (nct 18.1) or its body.
 
 #include <cstdint>
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace kadr {
 
-/// Lines "    1. feed to the bottom" under a head; empty, if nothing is known.
+/// Returns lines "    1. feed to the bottom" under a head; empty if the steps are not known.
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang);
-/// The same of a code whose cycle is of the engine's: G81 of the NCT.
+/// The same for a code whose canned cycle is built into the engine: G81 of the NCT.
 std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang);
-/// Letters (bits) that a drilling code obeys: of Q, E, P, I, J, K those that its own operations use; all of any other code.
+/// Returns the letters (bits) that a drilling code obeys: those of Q, E, P, I, J, K that its own operations use, and every other letter. A
+/// code that does not drill obeys all letters.
 std::uint64_t words_used(const CodeRow& row);
 
 }  // namespace kadr

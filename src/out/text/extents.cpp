@@ -1,4 +1,4 @@
-// Extents of a run: how far it cuts and how far it moves at all, in each work system that it uses. For out/picture/plot_path,
+// Extents of a run: how far it cuts, and how far it moves at all, in each work system that it uses. Used by out/picture/plot_path and
 // out/text/summary.
 
 #include "out/text/extents.h"
@@ -66,7 +66,7 @@ void RunExtents::enter(std::uint16_t system) {
 
 namespace {
 
-/// Bounding box of a motion in the directions of the work system.
+/// Returns the bounding box of a motion along the axes of the work system.
 Extents in_system(const WorkSpace& space, const Curve& curve) {
   Extents box{space.in_system(curve.at(0)), space.in_system(curve.at(1))};
   for (std::size_t a = 0; a < max_axes; ++a) {

@@ -1,4 +1,4 @@
-// What is in force, in words. For cli/debug, cli/run (--from).
+// Describes in words what is in force. Used by cli/debug and cli/run (--from).
 
 #include "out/text/in_force_text.h"
 
@@ -31,7 +31,7 @@ const std::vector<InForceRow>& rows() {
   return all;
 }
 
-/// At most three places after the point, without zeros at the end.
+/// Returns the number with at most three decimals, without trailing zeros.
 std::string short_number(double value) {
   std::string text = fmt::format("{:.3f}", value);
   text.erase(text.find_last_not_of('0') + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// What is in force, in words: the sheet that a run in mid program begins with.
+// Describes in words what is in force: the sheet that a run from mid-program begins with.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace kadr {
 
-/// A line a kind of thing, each begun by `indent`; lengths mm, angles degrees. Variables stand last; `most` of them.
+/// Returns one line for each kind of thing, begun by `indent`; lengths in mm, angles in degrees. Variables come last, `most` of them at
+/// most.
 ///
 ///     position X 10 Y 0 Z 5
 ///     codes    G1 G17 G90 G54 F200 S800 M3 M8

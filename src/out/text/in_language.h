@@ -1,5 +1,5 @@
 #pragma once
-// A text in the language asked for.
+// Selects the text in the language requested.
 
 #include <array>
 #include <string>
@@ -15,7 +15,7 @@ using BothLanguages = std::array<std::string_view, 2>;
 
 inline std::string_view in_language(const BothLanguages& text, Lang lang) { return text[lang == Lang::ru ? 1 : 0]; }
 
-/// English where a row has no Russian.
+/// Returns the English text if the row has no Russian one.
 inline const std::string& in_language(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The limits of motion/look_ahead/limited_by in words. For out/picture/plot_legend, out/text/lost_time_text.
+// Names the limits of motion/look_ahead/limited_by. Used by out/picture/plot_legend and out/text/lost_time_text.
 
 #include "out/text/limit_text.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The limits of motion/look_ahead/limited_by in words.
+// Names the limits of motion/look_ahead/limited_by.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace kadr {
 
-/// "corner", "acceleration", …: the kind alone.
+/// Returns the kind alone: "corner", "acceleration", ….
 const char* limit_name(Limit limit, Lang lang);
 
-/// "corner, X"; of the feed, where the axes were not what limits: that of a rapid is another.
+/// Returns "corner, X". If the limit was not an axis but the rate itself, returns its name: programmed feed or, of a rapid, the rapid rate.
 std::string limit_text(LimitedBy by, bool rapid, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

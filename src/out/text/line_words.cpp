@@ -1,4 +1,4 @@
-// The words of a line with what each means. For view/page_check; tested by tests/out/line_words_test.cpp.
+// Explains the words of a line. Used by view/page_check; tested by tests/out/line_words_test.cpp.
 
 #include "out/text/line_words.h"
 
@@ -18,7 +18,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_blocks = 100;  // of a line: several stand between ПС
+constexpr std::size_t most_blocks = 100;  // in one line: several blocks may be separated by ПС
 constexpr std::size_t most_words = 500;
 
 class LineWords {
@@ -67,7 +67,7 @@ class LineWords {
     add(word.where, name, title, explained(name));
   }
 
-  /// The code of the block that takes the letter, where its address alone says less.
+  /// Returns the code of the block that uses the letter, since the address alone says less.
   const CodeRow* code_with(char letter) const {
     for (std::uint32_t i = 0; i < block_->word_count; ++i) {
       const Word& word = block_->words[i];
@@ -78,7 +78,7 @@ class LineWords {
     return nullptr;
   }
 
-  /// L81: a fixed cycle, where they are called so (2С42).
+  /// Returns the canned cycle L81, …, on controls that name them so (2С42).
   const CycleRow* cycle_of(char letter, const Word& word) const {
     if (letter != 'L' || word.expression || !(word.value >= 0 && word.value < 1e6) || word.value != std::floor(word.value)) return nullptr;
     const std::string name = fmt::format("L{}", std::int32_t(word.value));
@@ -86,7 +86,7 @@ class LineWords {
     return found == def_.cycles.end() ? nullptr : &*found;
   }
 
-  /// #5021, #_ABSIO[3], #<_x> of the system; those that are the program's own have no page.
+  /// Explains #5021, #_ABSIO[3] and the system's #<_x>. Variables of the program's own have no page.
   void take_variables(std::size_t begin, std::size_t end) {
     for (std::size_t at = line_.find('#', begin); at < end; at = line_.find('#', at + 1)) {
       if (in_comment(at)) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a line with what each means on its control: what the page shows under the pointer.
+// Explains the words of a line on its control: what the page shows under the pointer.
 
 #include <cstdint>
 #include <string>
@@ -12,14 +12,14 @@
 namespace kadr {
 
 struct LineWord {
-  std::uint32_t from = 0, to = 0;  // columns, counted from 1 in characters: its first, and that behind its last
+  std::uint32_t from = 0, to = 0;  // columns, counted from 1 in characters: the first character, and the one after the last
   std::string code;                // "G81", "X", "#5021"
-  std::string title;               // in a line
-  std::string text;                // all that kadr explain says of it; empty: there is no more than the title
+  std::string title;               // one line
+  std::string text;                // all that kadr explain says; empty: no more than the title
 };
 
-/// Of all blocks that stand in the line; of a faulty block what was read before the fault. Words that the control has not are left out.
-/// A letter means what the codes of its block make of it; what a code in force from an earlier block makes of it is not known here.
+/// Explains the words of all blocks of the line, and of a faulty block those read before the fault. Words that the control does not have
+/// are left out. A letter is explained by the codes of its own block; a code in force from an earlier block is not known here.
 ///   line  UTF-8, without its end
 std::vector<LineWord> words_of_line(const ControlDef& def, const AlarmTexts& texts, std::string_view line, Lang lang);
 

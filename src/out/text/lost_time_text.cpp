@@ -1,4 +1,4 @@
-// The table of `kadr run --why`: the lines that lose most time, and by what. For session/planned.
+// Writes the table of `kadr run --why`: the lines that lose most time, and the reason. Used by session/planned.
 
 #include "out/text/lost_time_text.h"
 

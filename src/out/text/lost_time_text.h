@@ -1,5 +1,5 @@
 #pragma once
-// The table of `kadr run --why`: the lines that lose most time, and by what.
+// Writes the table of `kadr run --why`: the lines that lose most time, and the reason.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace kadr {
 
-/// A place with the words of the program.
+/// A location with the text of the program there.
 struct LostTimeRow {
   LostTime::Place place;
-  std::string file;   // other than the program; else empty
+  std::string file;   // if not the main program, else empty
   std::string block;  // text of the line
 };
 
-/// `all`: s lost in all lines. Lines ending in '\n'.
+/// Returns the table, lines ending in '\n'. `all`: s lost in all lines.
 std::string lost_time_text(const std::vector<LostTimeRow>& rows, double all, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// For out/picture/plot_page, out/picture/speed_page, out/picture/mill_picture; tests/out/plot_test.cpp.
+// Used by out/picture/plot_page, out/picture/speed_page and out/picture/mill_picture; tested by tests/out/plot_test.cpp.
 
 #include "out/text/page_file.h"
 
@@ -18,7 +18,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(Cairo::surface_destroy
 bool is_svg(const std::string& file) { return file.ends_with(".svg") || file.ends_with(".SVG"); }
 bool is_png(const std::string& file) { return file.ends_with(".png") || file.ends_with(".PNG"); }
 
-/// Cairo's bytes into the file.
+/// Writes Cairo's bytes to the file.
 cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned count) {
   return std::fwrite(bytes, 1, count, static_cast<std::FILE*>(file)) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
@@ -33,7 +33,7 @@ tl::expected<void, std::string> write_svg(const ResultFile& file, double width, 
 
 tl::expected<void, std::string> write_png(const ResultFile& file, double width, double height, const std::function<void(Canvas&)>& draw) {
   const Cairo* const cairo = cairo_library();
-  constexpr double sharp = 1.5;  // pixels a unit of the page
+  constexpr double sharp = 1.5;  // pixels per unit of the page
   const Surface surface(cairo->image_surface_create(CAIRO_FORMAT_RGB24, int(width * sharp), int(height * sharp)), cairo->surface_destroy);
   cairo->surface_set_device_scale(surface.get(), sharp, sharp);
   cairo_status_t status = CAIRO_STATUS_SUCCESS;

@@ -1,5 +1,5 @@
 #pragma once
-// A page into a file, SVG or PNG, or into memory.
+// Draws a page into a file, SVG or PNG, or into memory.
 
 #include <functional>
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace kadr {
 
-/// The ending of the name (.svg, .png) says which. `width`, `height`: of the page, in its units. The file is the caller's to keep.
+/// Draws the page; the ending of the file's name (.svg, .png) selects the format. `width`, `height`: of the page, in its units. The caller
+/// keeps the file.
 ///   returns  an error sentence
 tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
                                            const std::function<void(Canvas&)>& draw);
 
-/// The same as SVG in memory; empty: there was no room for it.
+/// Returns the page as SVG; empty if memory ran out.
 std::string svg_page(double width, double height, const PageText& says, const std::function<void(Canvas&)>& draw);
 
-/// The name ends in one of those.
+/// True if the name ends in .svg or .png.
 bool is_page_name(const std::string& file);
 
-/// Why no page can be drawn here, or nothing.
+/// Returns why the page cannot be drawn here; empty if it can.
 std::string page_fault(const std::string& file);
 
 }  // namespace kadr

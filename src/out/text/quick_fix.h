@@ -1,5 +1,5 @@
 #pragma once
-// A change of the text that does what the hint of an alarm says, where there is only one.
+// Proposes a change of the text that does what the hint of an alarm says, if only one change is possible.
 
 #include <optional>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace kadr {
 
-/// Of the alarm's line: the characters from column `from` up to before `to` are replaced.
+/// In the alarm's line, replaces the characters from column `from` up to, but not including, `to`.
 struct QuickFix {
-  std::string text;  // what it does, for people
+  std::string text;  // what the change does, for people
   std::uint32_t from = 1, to = 1;
   std::string insert;
 };
 
-/// returns  nothing: no change is certain, or the line is not known
+/// returns  nullopt if no change is certain, or if the line is not known
 std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// The keys of a set-up for people: the page docs/setup.md, and what one control knows of them (kadr explain ID setup). For cli/explain.
+// Describes the keys of a set-up: the page docs/setup.md, and the keys that one control supports (kadr explain ID setup). Used by
+// cli/explain.
 
 #include "out/text/setup_page.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 std::string_view in(const SetupKey& row, Lang lang) { return lang == Lang::ru ? row.ru : row.en; }
 
-/// What a key must be, its unit, whether null may stand: "a number, zero or above; mm/min; or null".
+/// Returns the values that a key accepts, their unit, and whether null is allowed: "a number, zero or above; mm/min; or null".
 std::string form_text(const SetupKey& row, SetupRange range, Lang lang) {
   const auto words = form_of(row, range);
   std::string text = lang == Lang::ru ? words.ru : words.en;
@@ -24,7 +25,7 @@ std::string form_text(const SetupKey& row, SetupRange range, Lang lang) {
   return text;
 }
 
-/// Names below a table: "axes", «номер — целое число от 1 до 99».
+/// Returns the names below a table: "axes", «номер — целое число от 1 до 99».
 std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang) {
   const bool ru = lang == Lang::ru;
   const bool is_below = row.form == SetupForm::table;
@@ -67,7 +68,7 @@ std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
 
 bool is_row_of_table(const SetupKey& row) { return row.path.ends_with(".*") && row.form == SetupForm::table; }
 
-/// "offsets.*.length": `offsets.N.length` for people.
+/// Returns the path as people read it: "offsets.*.length" → `offsets.….length`.
 std::string path_shown(std::string_view path) {
   std::string text(path);
   for (std::size_t at = 0; (at = text.find('*', at)) != std::string::npos;) text.replace(at, 1, "…"), at += 3;
@@ -97,7 +98,7 @@ std::string page_head(Lang lang) {
          "`--zero G54=X-400,Y-250,Z-300`, `--corrector 17=-0.35`.\n\n";
 }
 
-/// "all", or the ids that know the key.
+/// Returns "all", or the ids of the controls that support the key.
 std::string knowers(const SetupKey& row, const std::vector<const ControlDef*>& controls, Lang lang) {
   std::string list;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The keys of a set-up for people: the page docs/setup.md, and what one control knows of them (kadr explain ID setup).
+// Describes the keys of a set-up: the page docs/setup.md, and the keys that one control supports (kadr explain ID setup).
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// All keys, and which control knows them. `controls`: in the order of the columns.
+/// Returns all keys, with the controls that support each. `controls`: in the order of the columns.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
-/// The keys that this control knows.
+/// Returns the keys that this control supports.
 std::string explain_setup(const ControlDef& def, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A line of a program as it is shown under an alarm: characters, not bytes, and marks under a part of them. For cli, out.
+// Shows a line of a program under an alarm: counts characters, not bytes, and marks a part of them. Used by cli and out.
 
 #include "out/text/source_line.h"
 
@@ -9,20 +9,20 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t widest = 110;  // characters shown of a line
-constexpr std::size_t ahead = 40;    // shown before the place, in a clipped line
+constexpr std::size_t ahead = 40;    // characters shown before the position, in a clipped line
 constexpr std::string_view indent = "  ";
 constexpr std::string_view clipped = "…";
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// Bytes of a character of UTF-8 by its first one; 0: it is none.
+/// Returns the length in bytes of a UTF-8 character by its first byte; 0 if no character begins with it.
 std::size_t length_by(unsigned char first) {
   if (first < 0x80) return 1;
   if (first < 0xC2 || first > 0xF4) return 0;
   return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
 }
 
-/// Its characters; of what is no UTF-8 each byte, with what goes on behind it as far as a character might.
+/// Splits the text into characters. A byte that is not UTF-8 is a piece of its own, together with the continuation bytes that follow it.
 std::vector<std::string_view> characters(std::string_view text) {
   std::vector<std::string_view> all;
   for (std::size_t i = 0; i < text.size();) {
@@ -35,7 +35,7 @@ std::vector<std::string_view> characters(std::string_view text) {
   return all;
 }
 
-/// U+202A … U+202E, U+2066 … U+2069: what follows would be written from the other side.
+/// True for U+202A … U+202E and U+2066 … U+2069, which reverse the direction of writing of what follows.
 bool turns_round(std::string_view character) {
   if (character.size() != 3 || character[0] != '\xE2') return false;
   const auto last = static_cast<unsigned char>(character[2]);
@@ -44,7 +44,7 @@ bool turns_round(std::string_view character) {
 
 constexpr const char* unknown = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Bytes that are no UTF-8, of some code page: in one of them such a byte is a control character.
+/// Shows bytes that are not UTF-8 but of some code page. A byte that is a control character in one of the code pages becomes U+FFFD.
 std::string bytes_shown(std::string_view bytes) {
   std::string shown;
   for (const char byte : bytes)
@@ -53,11 +53,11 @@ std::string bytes_shown(std::string_view bytes) {
   return shown;
 }
 
-/// Control characters must not reach a terminal: their pictures, U+2400 and on.
+/// Control characters must not reach a terminal: replaces them by their pictures, U+2400 and up.
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
   const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
-  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // of a smaller character
+  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // a longer form of a smaller character
   if (character.size() != length_by(byte) || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
   if (byte < 0x20 && byte != '\t') return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);

@@ -1,5 +1,5 @@
-// Statistics: what a run came to, for the summary on stdout (design.md 5). For cli/run_view, out/picture/speed_page; tested by
-// tests/out/summary_test.cpp.
+// Statistics: collects the totals of a run for the summary on stdout (design.md 5). Used by cli/run_view and out/picture/speed_page; tested
+// by tests/out/summary_test.cpp.
 
 #include "out/text/summary.h"
 
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// The words of the summary; both languages in one row.
+/// The words of the summary in one language.
 struct SummaryWords {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
   const char *units, *mixed, *path, *cutting, *rapid, *all;
@@ -86,7 +86,7 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(pad, ' ') + value + "\n";
 }
 
-/// A heading with lines below each other.
+/// Returns the name followed by the values, one per line.
 std::string lines(std::string_view name, const std::vector<std::string>& values) {
   std::string text;
   for (const std::string& value : values) text += line(text.empty() ? name : std::string_view(), value);
@@ -99,7 +99,7 @@ std::string split_text(const SummaryWords& w, double cutting, double rapid, doub
                      duration_text(tool_change));
 }
 
-/// The time of the planner of least time (docs/planner.md).
+/// Returns the time by the planner of least time (docs/planner.md).
 std::string planned_text(const SummaryWords& w, const char* heading, const PlannedTime& t) {
   const auto ramps = [&](const char* name, const PlannedTime::Share& share) {
     return fmt::format("{} {} {}, {} {}", name, w.speeding_up, duration_text(share.speeding_up), w.slowing_down,
@@ -126,7 +126,7 @@ void Statistics::use(std::uint32_t tool) {
   if (found == tools_.end()) tools_.push_back({tool, 0});
 }
 
-/// Of the tool in the spindle, since it was last called.
+/// Adds the cutting time since the last call to the tool in the spindle.
 void Statistics::count_cutting() {
   const double now = estimate_.split().cutting;
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += now - cutting_then_;
@@ -154,7 +154,7 @@ void Statistics::lengthen(const Motion& motion, double longer) {
 }
 
 std::string Statistics::caption(Lang lang) const {
-  constexpr std::size_t most = 2;  // systems: more do not fit a line
+  constexpr std::size_t most = 2;  // systems: more do not fit in a line
   const std::vector<std::string> texts = extents_.texts(RunExtents::Of::cutting, system_names_);
   std::string caption;
   for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) caption += (i == 0 ? "" : ";   ") + texts[i];

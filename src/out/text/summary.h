@@ -1,5 +1,5 @@
 #pragma once
-// Statistics: what a run came to, for the summary on stdout (design.md 5).
+// Statistics: collects the totals of a run for the summary on stdout (design.md 5).
 
 #include <string>
 #include <vector>
@@ -10,40 +10,42 @@
 
 namespace kadr {
 
-/// What the machining time is made of.
+/// What the machining time is computed from.
 enum class TimeBasis : std::uint8_t {
   programmed,   // feeds and rapid rates
-  limited,      // and what the control slows down
-  accelerated,  // and the accelerations of the axes
+  limited,      // also what the control slows down
+  accelerated,  // also the accelerations of the axes
 };
 
-/// Takes Steps in order; cheap per step, no memory but for the tools.
+/// Consumes Steps in order; cheap per step, and its memory grows only with the number of tools and work systems.
 class Statistics {
  public:
   Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
 
-  /// The setup's spindles and tool before the first action.
+  /// Reads the set-up's spindles and tool, before the first action.
   void start_with(const Setup& setup);
 
-  /// Times the steps of the run, before anybody gets them: what it has counted is part of the summary.
+  /// The clock that times the steps of the run before anybody receives them; its sums are part of the summary.
   TimeEstimate& clock() { return estimate_; }
-  /// A step that the clock has timed. Of a run whose summary nobody reads the clock alone will do.
+  /// Counts a step that the clock has timed. A run whose summary nobody reads needs the clock only.
   void consume(const Step& step);
-  /// What the times are made of, if not of programmed feeds; then lengthen() brings what they differ.
+  /// Sets what the times are computed from, if not from programmed feeds; lengthen() then adds the differences.
   void count_by(TimeBasis basis) { basis_ = basis; }
-  ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
+  ///   longer  s by which the motion, already consumed, takes longer than it was counted. Call it for all motions before an action that
+  ///           changes the tool.
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) {
     if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
-  /// How the work systems are called, by Motion::system; needed where the run has used several.
+  /// Sets the names of the work systems, by Motion::system; needed if the run has used several.
   void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
-  /// "cutting X 0 … 20   Y …, mm": the extents for a caption, those of the summary. Empty: nothing was cut.
+  /// Returns "cutting X 0 … 20   Y …, mm": the summary's extents as a caption; empty if nothing was cut.
   std::string caption(Lang lang) const;
 
-  /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
-  /// as it counts for the machine.
+  /// Returns the summary, lines ending in '\n'.
+  ///   planned  the time by the planner of least time, if it ran
+  ///   counts   whether that time is shown next to the control's time, or counts as the machine's time instead of it
   std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
                    PlannerMode counts = PlannerMode::programmed) const;
 
@@ -74,7 +76,7 @@ class Statistics {
   void use(std::uint32_t tool);
 
   TimeEstimate estimate_;
-  double cutting_then_ = 0;                                       // s, of the estimate, when the tools got theirs
+  double cutting_then_ = 0;                                       // s, the clock's cutting time when count_cutting() was last called
   std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
   TimeBasis basis_ = TimeBasis::programmed;
@@ -82,17 +84,17 @@ class Statistics {
   RunExtents extents_;
   std::vector<std::string> system_names_;
   std::vector<ToolUse> tools_;  // in order of first use
-  std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
+  std::size_t in_spindle_ = 0;  // index in tools_; tools_.size(): no tool known
 };
 
-/// Of several channels: how long one was at work and how long it waited for others, s (nct 14.5).
+/// For programs of several channels: how long a channel worked and how long it waited for others, in s (nct 14.5).
 struct ChannelTime {
   int channel = 1;
   double busy = 0, waited = 0;
 };
-/// "channel 2", a line above its summary.
+/// Returns "channel 2", the line above the channel's summary.
 std::string channel_heading(int channel, Lang lang);
-/// The time of all: the longest is the machining time.
+/// Returns the time of all channels: the longest is the machining time.
 std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
 
 /// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".

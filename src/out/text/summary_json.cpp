@@ -1,4 +1,4 @@
-// The summary of a run for programs. For cli/run; tested by tests/run_summary.py, which holds it against the text.
+// Writes the summary of a run for programs. Used by cli/run; tested by tests/run_summary.py, which compares it with the text.
 
 #include "out/text/summary_json.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To 1e-9: what is beyond is no figure.
+/// Rounds to 1e-9: further digits are meaningless.
 double figure(double value) { return std::round(value * 1e9) / 1e9 + 0.0; }
 
 const char* word_of(LengthUnit unit) { return unit == LengthUnit::mm ? "mm" : unit == LengthUnit::inch ? "inch" : "mixed"; }

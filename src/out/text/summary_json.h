@@ -1,5 +1,5 @@
 #pragma once
-// The summary of a run for programs: all figures of the text (out/text/summary), as JSON (docs/commands/run.md).
+// Writes the summary of a run for programs: all figures of the text (out/text/summary), as JSON (docs/commands/run.md).
 
 #include <string>
 #include <vector>
@@ -19,12 +19,12 @@ struct ChannelSummary {
 
 struct RunSummary {
   std::string program, control;  // the file's name, the control's id
-  bool complete = true;          // it ran to its end
+  bool complete = true;          // the run reached its end
   PlannerMode counts = PlannerMode::programmed;
   std::vector<ChannelSummary> channels;
 };
 
-/// Lengths in mm, angles in degrees, times in s, whatever the program's unit. Ends in '\n'.
+/// Returns lengths in mm, angles in degrees and times in s, whatever the program's unit. Ends in '\n'.
 std::string summary_json(const RunSummary& run);
 
 }  // namespace kadr

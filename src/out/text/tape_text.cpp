@@ -1,4 +1,4 @@
-// For cli/tape_command, view/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
+// Used by cli/tape_command and view/page_tape; tested by tests/run_tapes.py and tests/serve_making.py.
 
 #include "out/text/tape_text.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is to be told of punched tape, in words: for kadr tape and the page.
+// Describes punched tape in words: for kadr tape and the page.
 
 #include <string>
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// How the tape lies: "read from its wrong end: turned".
+/// Returns how the tape lies: "read from its wrong end: turned".
 std::string lie_in_words(TapeLie lie, Lang lang);
 
-/// "row 241: parity error (byte 100)", the byte in octal.
+/// Returns "row 241: parity error (byte 100)", the byte in octal.
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);
 
-/// "ISO-7", "EIA".
+/// Returns "ISO-7" or "EIA".
 std::string_view name_for_people(TapeCode code);
 
 }  // namespace kadr

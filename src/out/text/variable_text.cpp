@@ -1,4 +1,4 @@
-// A system variable for people: its numbers, its symbol, what may be done with it. For out/text/code_page, out/text/control_page.
+// Describes a system variable: its numbers, its symbol, and how it may be used. Used by out/text/code_page and out/text/control_page.
 
 #include "out/text/variable_text.h"
 
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// Place of a number in a range: which of the families, and which of its numbers.
+/// Position of a number in a range: the index of its family, and its index within the family.
 struct Place {
   std::uint32_t family = 0;
   std::uint32_t nth = 0;

@@ -1,4 +1,4 @@
-// The words of a code with what they mean there: kadr explain nct G81. For out/text/code_page.
+// Explains the words of a code: kadr explain nct G81. Used by out/text/code_page.
 
 #include "out/text/word_text.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// What a letter means to one function, where its address says several things.
+/// What a letter means to one function, for an address with several meanings.
 struct Meaning {
   Function function;
   char letter;
@@ -63,7 +63,7 @@ std::string_view unit_of(WordUnit unit, Lang lang) {
 
 bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
 
-/// Where the control says it otherwise than the NCT.
+/// Returns the meaning on controls that differ from the NCT.
 std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
@@ -81,7 +81,7 @@ std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& co
   }
 }
 
-/// The letters that the cycle looks at on this control.
+/// Returns the letters that the canned cycle uses on this control.
 std::uint64_t used_letters(const ControlDef& def, const CodeRow& row) {
   std::uint64_t used = words_used(row);
   if (row.function != Function::drilling) return used;
@@ -130,7 +130,7 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
     if ((used >> i & 1u) == 0) idle += (idle.empty() ? "" : " ") + name;
     else text += fmt::format("    {:<3}{}\n", name, meaning_of(def, row, letter, lang));
   }
-  if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)  // of the block, not of the code
+  if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)  // F belongs to the block, not the code
     text += fmt::format("    {:<3}{}\n", "F", meaning_of(def, row, 'F', lang));
   if (!idle.empty()) text += fmt::format("    {}: {}\n", ru ? "не используются этим циклом" : "not used by this cycle", idle);
   return text;

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a code with what they mean there: kadr explain nct G81.
+// Explains the words of a code: kadr explain nct G81.
 
 #include <cstdint>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// Letters of the words that say which offset the code uses, where the control has them as words of their own (NCT, Fanuc: D, H).
+/// Returns the letters of the words that select the offset for the code, on controls that have such words (NCT, Fanuc: D, H).
 std::uint64_t number_words(const ControlDef& def, const CodeRow& row);
 
-/// A line for each letter that the code takes: "    R  point R: …, mm".
+/// Returns a line for each letter that the code accepts: "    R  point R: …, mm".
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang);
 
-/// What a letter means beside that code: "depth of one peck, positive, mm (inch)".
+/// Returns what a letter means in a block with that code: "depth of one peck, positive, mm (inch)".
 std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// For every command that writes a file (cli/outputs) and for pictures (out/text/page_file); tests/out/result_file_test.cpp.
+// Used by every command that writes a file (cli/outputs) and for pictures (out/text/page_file); tested by tests/out/result_file_test.cpp.
 
 #include "out/trace/result_file.h"
 
@@ -26,17 +26,18 @@ namespace {
 
 std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, told_errno(error)); }
 
-/// The files under way, so that discard_all() finds them.
+/// The temporary files that are not kept yet, so that discard_all() finds them.
 struct UnderWay {
   std::mutex lock;
   std::set<std::string> names;
 };
 UnderWay& under_way() {
-  static auto* const files = new UnderWay;  // for good: discard_all() may be called while the process ends
+  static auto* const files = new UnderWay;  // never freed: discard_all() may be called while the process ends
   return *files;
 }
 
-/// Standard output or error, where the name means what they go to: written twice under two positions, one would destroy the other.
+/// Returns standard output or error if the name refers to the same file: written twice, with two file positions, one would overwrite the
+/// other.
 std::FILE* standard_stream(const std::string& name) {
   const auto id = file_id_of(name);
   for (std::FILE* const stream : {stdout, stderr})
@@ -44,7 +45,7 @@ std::FILE* standard_stream(const std::string& name) {
   return nullptr;
 }
 
-/// A new file in the folder; its name into `name`.
+/// Creates a new file in the folder and stores its name in `name`. Returns its descriptor, -1 on an error.
 int make_in(const std::filesystem::path& folder, std::string& name) {
   constexpr int most_tries = 1000;
   constexpr mode_t rights = 0666;  // less the umask
@@ -56,7 +57,7 @@ int make_in(const std::filesystem::path& folder, std::string& name) {
   return -1;
 }
 
-/// Where a file cannot be renamed (another file system, a mounted file, a folder that may not be written): its bytes into that place.
+/// Copies the bytes where a file cannot be renamed (another file system, a mounted file, a folder that may not be written).
 bool copy(const std::string& from, const std::string& to) {
   using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
   const File in(std::fopen(from.c_str(), "rb"), &std::fclose);
@@ -123,7 +124,7 @@ tl::expected<void, std::string> ResultFile::open_beside() {
   if (file < 0) return tl::unexpected(sentence(name_, errno));
   files.names.insert(beside_);
   constexpr mode_t all_rights = 07777;
-  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // not ours to change: then it has those of a new file
+  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // if we may not change them, the file keeps the rights of a new file
   owned_ = true;
   file_ = ::fdopen(file, "wb");
   return {};
@@ -154,7 +155,8 @@ void ResultFile::discard() {
 
 void ResultFile::discard_all() {
   UnderWay& files = under_way();
-  // For good: the process ends. Not for ever: where it is called by a handler of a signal, the thread that it has interrupted may hold it.
+  // The lock is never released again, since the process ends. The wait is limited: if a signal handler calls this function, the thread that
+  // it has interrupted may hold the lock.
   constexpr int most_looks = 100;
   for (int look = 0; !files.lock.try_lock(); ++look) {
     if (look == most_looks) return;

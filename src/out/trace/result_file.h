@@ -1,9 +1,9 @@
 #pragma once
-// ResultFile: a file that a command leaves behind. It stands in its place whole, or not at all.
+// ResultFile: a file that a command leaves behind. It appears complete or not at all.
 //
-//   open   a regular file: written beside its place, under a name of its own; a pipe, terminal or device: straight
-//   keep   takes its place, through links, with the rights of what was there
-//   else   it goes away, and what was there stays
+//   open   a regular file: opened next to its final path, under a temporary name; a pipe, terminal or device: opened directly
+//   keep   moves the file to its final path, through links, with the rights of the file that was there
+//   else   the temporary file is deleted, and the file that was there stays
 
 #include <cstdio>
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace kadr {
 
-/// Whether all that was written has come out; writes what still waits.
-///   returns  an errno, EPIPE where the reader has gone, at whatever writing it was noticed; 0: all is out
+/// Writes what is still buffered and checks that everything was written.
+///   returns  an errno; EPIPE if the reader has gone, whichever write noticed it; 0 if all is written
 int error_of(std::FILE* file);
 
 class ResultFile {
  public:
-  /// `name`: "-" is standard output, as is any name of what that goes to.
-  ///   returns  an error sentence: it can never be written there
+  ///   name     "-" is standard output, and so is any name of the file that standard output goes to
+  ///   returns  an error sentence if the file can never be written there
   static tl::expected<ResultFile, std::string> open(const std::string& name);
 
   ResultFile(ResultFile&& other) noexcept;
@@ -28,12 +28,12 @@ class ResultFile {
   std::FILE* get() const { return file_; }
   const std::string& name() const { return name_; }
 
-  /// It is complete. An error sentence: not all could be written; what was there stays. An empty one: its reader has gone (`| head`), of
-  /// which nothing is said.
+  /// Marks the file as complete. Returns an error sentence if not all could be written (the file that was there stays), and an empty one if
+  /// the reader has gone (`| head`), which is not reported.
   tl::expected<void, std::string> keep();
   void discard();
 
-  /// Of a process that must end at once: all that is not kept goes away. Nothing may be opened or kept afterwards.
+  /// For a process that must end at once: deletes all files that are not kept. Nothing may be opened or kept afterwards.
   static void discard_all();
 
  private:
@@ -42,10 +42,10 @@ class ResultFile {
   bool take_place() const;
 
   std::string name_;
-  std::string place_;   // the true path; empty: written straight
-  std::string beside_;  // where it is until it is kept
+  std::string place_;   // the final path, links resolved; empty: the file is written directly
+  std::string beside_;  // the temporary path, until the file is kept
   std::FILE* file_ = nullptr;
-  bool owned_ = false;  // else a standard stream
+  bool owned_ = false;  // false: a standard stream
 };
 
 }  // namespace kadr

@@ -11,8 +11,8 @@ namespace kadr {
 struct SampleOptions {
   double rate = 1000;                   // Hz
   std::vector<OverrideChange> changes;  // in the order of their times
-  bool spindle = false;                 // a column more
-  double max_time = 86400;              // s, of the last one: a day, 4 GB of three axes at 1 kHz
+  bool spindle = false;                 // adds a column with the spindle angle
+  double max_time = 86400;              // s, the time of the last sample: a day, which is 4 GB of three axes at 1 kHz
   StopToken stop{};
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates; with feed holds
-// and overrides at given times if wanted. Of a control that moves axes in step with a spindle its angle too, `spindle`: running degrees,
-// clockwise.
+// SampleWriter: writes positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates; on request
+// with feed holds and overrides at given times. If the control moves axes in step with a spindle, the column `spindle` gives its angle:
+// running degrees, clockwise.
 
 #include <cstdio>
 #include <deque>
@@ -15,40 +15,40 @@
 
 namespace kadr {
 
-/// Why nothing more is written.
+/// Why no more samples are written.
 enum class SampleEnd : std::uint8_t {
-  none,      // it is; or the motion is over
-  max_time,  // longer than was allowed
-  stopped,   // it was asked to
+  none,      // they still are, or the motion is over
+  max_time,  // the time limit was exceeded
+  stopped,   // a stop was requested
 };
 
 class SampleWriter {
  public:
-  /// Writes the heading. The file stays the caller's.
+  /// Writes the heading. The caller keeps and closes the file.
   SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, SampleOptions options);
 
-  /// Writes a second file: the tool's tip in work coordinates and its direction at the same instants. Its heading at once.
+  /// Also writes a second file: the tip of the tool in work coordinates and its direction at the same instants. Writes its heading at once.
   void write_tips(std::FILE* file, const AxisRoles& roles);
-  /// From this motion on the tool's place is told from here: the work system, rotary axes and length in force.
+  /// From this motion on, tip positions are computed from `from`: the work system, rotary axes and tool length in force.
   void take_place(std::uint64_t motion, const ToolPosition& from);
 
   void take(const TimedCells& cells);
-  /// The last position, and all that is buffered. A feed hold without end is one to the last position that was written.
+  /// Writes the samples up to the last position and all that is buffered. If a feed hold never ends, the samples end at the position held.
   void finish();
-  /// False: what was to be written could not be. Then nothing more is.
+  /// Returns false after a write error; then nothing more is written.
   bool ok() const { return error_ == 0; }
-  int error() const { return error_; }  // of the system; 0: none
-  /// From then on cells are passed over.
+  int error() const { return error_; }  // the system's errno; 0: none
+  /// Why writing has ended. Cells that come later are ignored.
   SampleEnd ended() const { return ended_; }
-  /// The tag of the cell of the last one.
+  /// The tag of the cell of the last sample.
   std::uint64_t tag() const { return playback_.tag(); }
 
-  /// The frame of a motion and of those after it.
+  /// The frame of a motion and of the motions after it.
   struct ToolPlace {
     std::uint64_t motion = 0;
     ToolPosition from;
   };
-  /// What it remembers, what is not written into the file yet included.
+  /// The state of the writer, including what is not written to the file yet.
   struct Memory {
     Playback::Memory playback;
     std::size_t changed = 0;
@@ -70,16 +70,16 @@ class SampleWriter {
   std::FILE* file_;
   std::size_t axes_;
   double period_;
-  int decimals_;  // of positions: so many that differences of the third order still tell the jerk
+  int decimals_;  // of positions: enough for third differences to show the jerk
   Playback playback_;
   SampleOptions options_;
-  std::size_t changed_ = 0;  // of them are in force
+  std::size_t changed_ = 0;  // number of changes in force
   std::uint64_t instant_ = 0;
   std::string text_;
   std::FILE* tip_file_ = nullptr;
   std::string tip_text_;
   AxisRoles roles_;
-  std::deque<ToolPlace> places_;  // the first is that of the present motion
+  std::deque<ToolPlace> places_;  // the first belongs to the present motion
   int error_ = 0;
   SampleEnd ended_ = SampleEnd::none;
 };

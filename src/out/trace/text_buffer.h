@@ -1,5 +1,5 @@
 #pragma once
-// TextBuffer: text on its way to a file in large pieces; and numbers as JSON wants them, fast.
+// TextBuffer: collects text and writes it to a file in large pieces. Also writes numbers as JSON needs them, fast.
 
 #include <cstddef>
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 namespace kadr {
 
-/// Writes `value`, rounded to 1e-9, without trailing zeros or -0; null if it is not a number.
+/// Writes `value`, rounded to 1e-9, without trailing zeros or -0; writes null if it is not a finite number.
 ///   at       room for 32 characters
-///   returns  after the last character
+///   returns  the position after the last character
 char* put_number(char* at, double value);
 
 inline char* put_text(char* at, std::string_view text) {
@@ -30,7 +30,7 @@ class TextBuffer {
   TextBuffer& operator=(const TextBuffer&) = delete;
   ~TextBuffer() { flush(); }
 
-  /// Where to write at most `most` ( ≤ size / 2) characters; hand the new end to done().
+  /// Returns where at most `most` ( ≤ size / 2) characters may be written; pass the new end to done().
   char* room(std::size_t most) {
     if (static_cast<std::size_t>(text_.get() + size - at_) < most) [[unlikely]]
       flush();
@@ -41,7 +41,7 @@ class TextBuffer {
   void append(std::string_view text);
   bool flush();
   bool ok() const { return error_ == 0; }
-  /// Of the system, the first there was; 0: none.
+  /// The errno of the first write error; 0: none.
   int error() const { return error_; }
 
   static constexpr std::size_t size = 1U << 17;

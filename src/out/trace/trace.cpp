@@ -1,4 +1,4 @@
-// TraceWriter: Steps as JSON Lines (design.md 5, tests/golden/README.md). For cli/run_view; tested by tests/out/trace_test.cpp.
+// TraceWriter: writes Steps as JSON Lines (design.md 5, tests/golden/README.md). Used by cli/run_view; tested by tests/out/trace_test.cpp.
 
 #include "out/trace/trace.h"
 
@@ -33,13 +33,13 @@ char* put_block(char* at, const Origin& origin) {
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
 
-/// Work coordinates of the tool where the curve of a motion is at `work`.
+/// Returns the work coordinates of the tool where the curve of the motion is at `work`.
 Axes tool_at(const Motion& motion, double part, const Axes& work) {
   const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
   return way != nullptr ? way->at(part, work) : work;
 }
 
-/// A control's number as a JSON number if it is one.
+/// Returns a control's number as a JSON number if it is one, else as a JSON string.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
   const bool digits = number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), is_digit);
@@ -89,7 +89,7 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
   return put_field(at, R"(","turns":)", motion.turns);
 }
 
-/// The line of a plain motion is written at once; what few motions have follows in pieces of its own.
+/// Writes a motion. The line of a plain motion is written at once; fields that only few motions have are appended piece by piece.
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
@@ -116,7 +116,7 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.append("}\n");
 }
 
-/// The way of the axes named: where the motion begins the program does not say (nct 21.1).
+/// Writes the travel of the axes named. The program does not state where this motion begins (nct 21.1).
 void TraceWriter::write_way(const Step& step, const Motion& motion) {
   if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
@@ -146,7 +146,7 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
   return at;
 }
 
-/// Where the tool is in the part (nct 25), and what the program's words mean there.
+/// Writes where the tool is in the part (nct 25), and what the program's words mean there.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
   const WorkSpace& space = *step.from.space;
@@ -198,7 +198,7 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   const bool curved =
       is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  if (time.exact) {  // else the set-up does not say how the axes accelerate: they would be wrong
+  if (time.exact) {  // else the set-up does not state the accelerations of the axes, and these figures would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
     if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);

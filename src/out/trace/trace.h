@@ -1,5 +1,5 @@
 #pragma once
-// TraceWriter: Steps as JSON Lines (design.md 5, tests/golden/README.md).
+// TraceWriter: writes Steps as JSON Lines (design.md 5, tests/golden/README.md).
 
 #include <optional>
 
@@ -9,42 +9,43 @@
 
 namespace kadr {
 
-/// What only some last lines have.
+/// Fields that only some last lines have.
 struct LastLine {
   std::string_view state{};  // JSON text; empty: none
-  int alarm_channel = 0;     // in which the alarm arose, if not in this one
+  int alarm_channel = 0;     // the channel in which the alarm arose, if it is another one
 };
 
 class TraceWriter {
  public:
-  /// `points`: parts of a motion at which the trace gives intermediate points. The file stays open, it is the caller's.
+  ///   points  fractions of a motion at which the trace gives intermediate points
+  /// The caller keeps and closes the file.
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points = {});
 
-  /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
-  ///   tells_ends  also of the codes that the control carries out itself (MachineFunction::by_control)
+  /// For programs of several channels: each line names this channel. They share the file: flush() before another one writes.
+  ///   tells_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
   void set_channel(int channel, bool tells_ends = true) { channel_ = channel, tells_ends_ = tells_ends; }
-  /// What it remembers of the step before: a motion after a probe's tells how far it goes.
+  /// State kept from the step before: the motion after a probe motion also states its travel.
   bool behind_probe() const { return behind_probe_; }
   void go_on_behind_probe(bool is) { behind_probe_ = is; }
   void flush() { out_.flush(); }
 
-  /// One line; FrameChange and ZoneChange give none. A motion that nobody has timed has no length, seconds and highest feed.
+  /// Writes one line; FrameChange and ZoneChange give none. A motion that was not timed has no length, seconds or highest feed.
   void write(const Step& step);
 
-  /// The last line: the state after the run, and the alarm if one stopped it.
+  /// Writes the last line: the state after the run, and the alarm if one stopped it.
   void finish(const Ending& ending, const LastLine& more = {});
   void finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
 
-  /// false: the file could not be written.
+  /// Returns false if the file could not be written.
   bool ok() const { return out_.ok(); }
-  int error() const { return out_.error(); }  // of the system
+  int error() const { return out_.error(); }  // the system's errno
 
  private:
   char* put_head(char* at, std::string_view kind, const Origin& origin) const;
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
   void write_motion(const Step& step, const Motion& motion);
-  /// A point of a motion's way.
+  /// A point on the path of a motion.
   struct Place {
     const Step& step;
     const Motion& motion;
@@ -63,13 +64,13 @@ class TraceWriter {
 
   TextBuffer out_;
   AxisRoles roles_;
-  int channel_ = 0;  // 0: the only one
+  int channel_ = 0;  // 0: the program has only one
   bool tells_ends_ = true;
-  std::vector<std::string> keys_;
-  std::vector<std::string> names_;  // "X":
-  std::size_t line_room_ = 0;       // characters that a head and two positions take at most
+  std::vector<std::string> keys_;  // "X":
+  std::vector<std::string> names_;
+  std::size_t line_room_ = 0;  // the most characters that a head and two positions need
   std::vector<double> points_;
-  bool behind_probe_ = false;  // the motion before was a probe's
+  bool behind_probe_ = false;  // the motion before was a probe motion
 };
 
 }  // namespace kadr
