@@ -13,7 +13,9 @@ import stat
 import subprocess
 import sys
 import threading
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import harness
 from harness import expect
@@ -203,6 +205,31 @@ def check_links_and_rights_stay(kadr):
     kadr.run('run', 'q.nc', '--control', 'mach3', '--trace', 'new')
     mask = int(re.search(r'^Umask:\s*(\d+)', Path('/proc/self/status').read_text(encoding='ascii'), re.M)[1], 8)
     expect(stat.S_IMODE((kadr.folder / 'new').stat().st_mode) == 0o666 & ~mask, 'rights of a new file')
+
+
+# ECMA-376 part 2, annexes D and F; 3MF Core Specification 1.2, 2.1 and 2.3.2: typed from there, not from what Kadr writes.
+PACKAGE = 'http://schemas.openxmlformats.org/package/2006/'
+TYPES_3MF = {'rels': 'application/vnd.openxmlformats-package.relationships+xml',
+             'model': 'application/vnd.ms-package.3dmanufacturing-3dmodel+xml'}
+MODEL_3MF = '{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}'
+
+
+def check_a_3mf_file_is_what_other_programs_read(kadr):
+    kadr.file('q.nc', 'M6 T1\nM3 S1000\nG0 X-10 Y10 Z-1\nG1 X30 F100\nM30\n')
+    kadr.file('tools.toml', '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 6\nflute_length = 20\nlength = 40\n')
+    kadr.run('cut', 'q.nc', '--control', 'mach3', '--stock', 'box:0,0,-5,20,20,0', '--tools', 'tools.toml', '--out', 'part.3mf')
+    with zipfile.ZipFile(kadr.folder / 'part.3mf') as package:
+        expect(package.testzip() is None, 'a checksum of the package is wrong')
+        types = ElementTree.fromstring(package.read('[Content_Types].xml'))
+        given = {row.get('Extension'): row.get('ContentType') for row in types.iter(f'{{{PACKAGE}content-types}}Default')}
+        expect(given == TYPES_3MF, f'content types: {given}')
+        links = list(ElementTree.fromstring(package.read('_rels/.rels')).iter(f'{{{PACKAGE}relationships}}Relationship'))
+        expect([link.get('Type') for link in links] == ['http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'], f'relationships: {links}')
+        model = ElementTree.fromstring(package.read(links[0].get('Target').lstrip('/')))
+    expect(model.tag == f'{MODEL_3MF}model' and model.get('unit') == 'millimeter', f'the model is a {model.tag} in {model.get("unit")}')
+    corners = len(list(model.iter(f'{MODEL_3MF}vertex')))
+    uses = [int(row.get(key)) for row in model.iter(f'{MODEL_3MF}triangle') for key in ('v1', 'v2', 'v3')]
+    expect(corners > 8 and sorted(set(uses)) == list(range(corners)), f'{corners} corners, {len(uses) // 3} triangles')
 
 
 def check_a_fifo_is_written_straight(kadr):
