@@ -42,7 +42,7 @@ CLI::Validator among(std::vector<std::string> words) {
   return CLI::Validator(find, "");
 }
 
-/// Accepts an id and writes it in small letters; the name of a user's file stays unchanged, and whoever reads it reports if it is missing.
+/// Accepts an id and writes it in small letters; the name of a user's file stays unchanged, and the reader reports a missing file.
 /// `further_names` is called only if the word is not an id, because it unpacks every built-in file.
 CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::vector<std::string> (*further_names)()) {
   const auto find = [=](std::string& word) {

@@ -17,7 +17,7 @@ CLI::Option* takes(CLI::Option* option, const char* en, const char* ru);
 CLI::Option* takes_file(CLI::Option* option);
 
 /// The value is a file that is written. A word that means "none" (`off`, `no`, `none`, `false`) or a name like an option's (`--help`, `-q`)
-/// is refused with a hint: whoever types `--trace off` wants no file. "-" means standard output and is accepted.
+/// is refused with a hint: a user who types `--trace off` wants no file. "-" means standard output and is accepted.
 CLI::Option* writes_file(CLI::Option* option);
 
 /// The value is one of these words, in small or capital letters; the help shows `text|json|sarif`.

@@ -54,8 +54,8 @@ int pending() {
   return sent == ending.end() ? 0 : *sent;
 }
 
-/// Waits for the signals: here every function may be called, unlike in a handler. The signals stay pending, so that whoever asks learns of
-/// them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
+/// Waits for the signals: here every function may be called, unlike in a handler. The signals stay pending, so that a caller that
+/// polls sees them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
 void watch(int signals) {
   pollfd sent = {signals, POLLIN, 0};
   while (::poll(&sent, 1, -1) < 0)

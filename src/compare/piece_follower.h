@@ -1,5 +1,5 @@
 #pragma once
-// PieceFollower: passes the pieces of both paths, and the difference that they belong to, to whoever follows a comparison. Used by
+// PieceFollower: passes the pieces of both paths, and the difference that they belong to, to the observer of a comparison. Used by
 // compare/comparison.
 
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// PanelMachine: a machine with its control, as an operator uses it: it runs a program, stretch by stretch, in real time. It has its own
-// thread and continues whoever displays it; operator requests may come from any thread.
+// PanelMachine: a machine with its control, as an operator uses it: it runs a program, section by section, in real time. It has its own
+// thread and runs with or without clients; operator requests may come from any thread.
 //
 //   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock,
 //                                                                                              and the block it belongs to
@@ -211,7 +211,7 @@ class PanelMachine {
     return search_->find(wish);
   }
   /// What restores the state of that place, starting from the present state of the machine.
-  ///   returns  the sheet of the program's own channel, then those of PanelPlace::beside, in their order
+  ///   returns  the sheet of the program's own channel, then the sheets of the channels in PanelPlace::beside, in their order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
   /// Moves the machine to the place, and holds it before the block as if the program had run to there.
   ///   left  keys (key_of; for other channels with their number as a prefix: "2/tool:") of items that keep their present value

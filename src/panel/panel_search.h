@@ -2,7 +2,7 @@
 // PanelSearch: finds places in a machine's program, in its own thread in parallel with the machine: what is in force there, and the whole
 // state of the control. It first runs through the whole program with checkpoints; then any line of a long program is found quickly.
 //
-//   begin(start) ──▶ first pass ──▶ find(wish): not ready … a place, or why there is none
+//   begin(start) ──▶ first pass ──▶ find(request): not ready … a place, or why there is none
 
 #include <atomic>
 #include <condition_variable>

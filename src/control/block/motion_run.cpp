@@ -1,4 +1,4 @@
-// Plain motions one after another, as CAM systems write them. For Interpreter::run().
+// The fast path for plain motions one after another. Used by Interpreter::run().
 
 #include "control/block/motion_run.h"
 
@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-/// The block did with its motion what the modes say.
+/// Returns true if the block's motion followed the modes alone: no G53, no G9, no code that uses the axis words itself.
 bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
-/// Nothing but a motion's own words decides what it does.
+/// Returns true if the words of a motion alone decide what it does: no compensation, transformation, polar or inch mode, no observer.
 bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
@@ -27,19 +27,19 @@ bool only_words_count(const Emitter& m) {
          m.dialect->lines_follow(m);
 }
 
-/// A modal call may act again where the program has returned to.
+/// Returns true if the run remains valid after a call: no modal call becomes active again in the caller.
 bool stays_after_call(const BlockContext& m) { return !m.program().in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
 
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
 constexpr MotionMode mode_made[] = {MotionMode::rapid, MotionMode::linear, MotionMode::arc_cw, MotionMode::arc_ccw};
 
-/// Nothing that a motion depends on: neither modes nor tables.
+/// Returns true if the statement changes neither modes nor tables, so that motions do not depend on it.
 bool keeps_modes(const Block& block) {
   switch (block.statement.kind) {
     case StatementKind::loop:
     case StatementKind::loop_end:
     case StatementKind::go_to:
-    case StatementKind::o_word: return true;  // modes that come back at its end: Interpreter::modes_changed()
+    case StatementKind::o_word: return true;  // if it restores modes at its end, it calls Interpreter::modes_changed()
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
@@ -49,7 +49,7 @@ bool keeps_modes(const Block& block) {
   }
 }
 
-/// It calls a subprogram or returns from it, and does nothing else.
+/// Returns true if the block only calls a subprogram or returns from one.
 bool only_calls(const BlockContext& m, const Block& block) {
   bool calls = false, takes_words = false;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -64,12 +64,13 @@ bool only_calls(const BlockContext& m, const Block& block) {
   return calls && (takes_words || (block.letters & (m.letters.acting | m.letters.axes)) == 0);
 }
 
-/// `O9010` alone, where a subprogram begins.
+/// Returns true for `O9010` alone, the label at the start of a subprogram.
 bool is_label(const Block& block) {
   return block.marker == Marker::label && block.word_count == 0 && block.assignments.empty() && block.comments.empty();
 }
 
-/// The word that calls a macro, or returns without any other word: such a block either fails before it has changed anything, or is done.
+/// Returns the index of the word that calls a macro, or of a return that is the only word; no_word otherwise. Such a block either fails
+/// before it has changed anything, or succeeds.
 std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   std::uint8_t word = no_word;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -83,13 +84,13 @@ std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   return quick ? word : no_word;
 }
 
-/// A loop carries it out again, and nothing is to be done beside what its words say.
+/// Returns true if a loop executes the block again and the block has nothing but words: no skip mark, comment or warning.
 bool is_read_again(const Block& block) {
   return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
          block.warnings.empty();
 }
 
-/// The same, and some of its words are expressions.
+/// Returns true if, in addition, some of its words are expressions.
 bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
@@ -104,7 +105,8 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 }
 
 void MotionRun::note(const Emitter& m) {
-  if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off) return end();  // soonest seen, and mostly for long
+  if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off)
+    return end();  // the cheapest test first; compensation mostly lasts for many blocks
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -159,7 +161,8 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
   return form;
 }
 
-/// Axis words, each axis once; besides at most a motion code, codes that change nothing, a centre and a feed.
+/// Returns true if the block consists of axis words, each axis once, and at most a motion code, codes that change nothing, an arc centre
+/// and a feed.
 bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
   constexpr double most_value = 1e9;  // as Interpreter::check_ranges
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -211,7 +214,7 @@ bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) co
   return true;
 }
 
-/// The codes that it repeats are in force, its number and its feed within their limits, and of the feed there is nothing to say.
+/// Returns true if the repeated codes are in force, the block number and the feed are within their limits, and the feed needs no warning.
 bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
@@ -223,7 +226,7 @@ bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   return number_fits(block);
 }
 
-/// By its centre, as the general way would.
+/// Finds the arc from its centre, like the general way.
 bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
   const PlaneAxes plane = m.modal.axes;
   const AxisMask normal = AxisMask{1} << plane.normal;
@@ -246,7 +249,7 @@ bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, con
   return found.has_value();
 }
 
-/// A new one comes into force: the modes of each motion code that goes with it follow when they are next used.
+/// Puts a new feed into force. The modes of each motion code with a feed are updated when they are next used.
 void MotionRun::take_feed(BlockContext& m, double feed) {
   if (m.modal.feed_known && feed == m.modal.feed) return;
   m.modal.feed = feed;
@@ -270,7 +273,8 @@ bool MotionRun::take(Interpreter& m) {
     return true;
   }
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
-  if (is_label(block)) return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
+  if (is_label(block))
+    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // it was checked in the first pass
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);
@@ -280,13 +284,13 @@ bool MotionRun::take(Interpreter& m) {
     return done;
   }
   if (!form.fits) return refused();
-  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // the general way says what is wrong
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // the general way reports the error
   if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
   while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
-  if (k == kinds) return on_ = false;  // the general way, and then it is known
+  if (k == kinds) return on_ = false;  // the general way executes it and note() adds the motion code
   const auto kind = static_cast<Kind>(k);
   if (kind < arc_cw ? form.centered : !form.centered) return refused();
 

@@ -14,7 +14,7 @@ bool turns_spindle(const BlockContext& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
-/// The dialect has commanded other spindles than the first.
+/// Returns true if the dialect has commanded other spindles than the first one.
 Result<bool> is_for_others(Emitter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
 Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
@@ -34,7 +34,8 @@ Status flood(Emitter& m) {
   return {};
 }
 
-/// A coded feed or speed (spec/gost 3: `F28` names a row of the machine's table), or the number itself.
+/// Returns the feed or speed that a code stands for (spec/gost 3: `F28` names a row of the machine's table), or the number itself if there
+/// is no table; -1 if the table lacks the code.
 double coded(const std::map<std::int32_t, double>& table, double value) {
   if (table.empty()) return value;
   const auto found = table.find(static_cast<std::int32_t>(value));
@@ -48,7 +49,7 @@ Status dwell_for(Emitter& m, char letter) {
   return {};
 }
 
-/// F in the middle of the axes' words; at most one F of the block may belong to all of them.
+/// Sets the feed of one axis: an F between the axis words.
 Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
@@ -61,7 +62,7 @@ Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double 
   return {};
 }
 
-/// A second F that belongs to no axis.
+/// Checks that no other F of the block is for all axes.
 Status only_common_feed(const BlockContext& m, const Word& f) {
   for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
     if (m.block->words[i].address == 'F' && !m.axis_of_feed(i)) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
@@ -74,7 +75,7 @@ bool has_feed_of_axis(const BlockContext& m) {
   return false;
 }
 
-/// The feed of the motion as a whole.
+/// Sets the feed along the path.
 Status common_feed(Emitter& m, Span where, double value) {
   const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
   double feed = coded(m.def.feed_codes, value);
@@ -88,7 +89,8 @@ Status common_feed(Emitter& m, Span where, double value) {
   return {};
 }
 
-/// F of a control on which it may belong to one axis: until a new one of that axis, or a block with one for all.
+/// Executes F on a control where it may belong to one axis. The feed of an axis stays in force until that axis gets another one, or until a
+/// block has a single F for all axes.
 Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
   const auto index = static_cast<std::uint32_t>(call.word - m.block->words.data());
@@ -123,12 +125,12 @@ Status speed_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// T: place in the magazine; where correctors belong to tools, T0404 is tool 04 with corrector 04 (spec/gost 4).
+/// T selects a pocket of the magazine. If offset numbers belong to tools, T0404 is tool 04 with offset 04 (spec/gost 4).
 Status tool_word(Emitter& m, const Call& call) {
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
   constexpr std::uint32_t marked =
-      100;  // T112 of the 2С42: tool 12, which stands in the spindle; INFERRED: of another one the digit is one too many
+      100;  // T112 of the 2С42: tool 12, which is in the spindle; INFERRED: for another tool the digit is an error
   if (m.def.grammar.word('T').one_more && *number >= marked) {
     if (m.modal.tool != *number % marked) return fail(alarm(AlarmId::too_many_digits, call.where, 'T', 3.0, 2.0));
     m.modal.tool_selected = m.modal.tool;
@@ -187,14 +189,14 @@ Status coolant_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G4 with the word its row takes: E in 0.1 s (2С42), P in s.
+/// Executes G4. Its table row names the word with the time: E in 0.1 s (2С42), P in s.
 Status dwell(Emitter& m, const Call& call) {
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if ((call.row->takes & letter_bit(letter)) != 0 && m.has(letter)) return dwell_for(m, letter);
   return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
 }
 
-/// A dwell time in a block with a motion: after the motion (2С42 6.4.5).
+/// Executes a dwell time in a block with a motion: the dwell follows the motion (2С42 6.4.5).
 Status dwell_word(Emitter& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
@@ -209,7 +211,7 @@ Status program_stop(Emitter& m, const Call&) {
 Status optional_stop(Emitter& m, const Call& call) {
   stop_beside_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  const bool always_told = call.row->arg == 1;  // the machine looks at the switch, not the interpreter
+  const bool always_told = call.row->arg == 1;  // the machine reads the switch, not the interpreter
   if (m.optional_stop_on || always_told) m.emit(Stop{true});
   return {};
 }

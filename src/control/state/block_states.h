@@ -1,5 +1,5 @@
 #pragma once
-// BlockStates: what was in force after each of the last blocks. The machine runs behind the control, and whoever looks at a motion
+// BlockStates: what was in force after each of the last blocks. The machine runs behind the control, and the display of a motion
 // needs the modes of its block, not those of the block being read.
 //
 // An action's Origin holds the number of its block in the run. A state is

@@ -28,7 +28,7 @@ class ThreadChain {
   void add(const Axes& to, double seconds, std::uint64_t tag);
 
   bool empty() const { return knots_.size() < 2; }
-  /// True if no more should be added, so that memory stays bounded. The axes then come to rest and synchronise again.
+  /// True if no more should be added, so that memory stays bounded. The axes then stop and synchronise again.
   bool full() const { return knots_.size() > most; }
   const Axes& start() const { return knots_.front().at; }
   const Axes& end() const { return knots_.back().at; }

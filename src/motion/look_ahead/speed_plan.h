@@ -25,7 +25,7 @@ struct PathPiece {
   double seconds = 0;
   double top = 0;      // the highest speed in it
   double end = 0;      // the speed at its end
-  bool steady = true;  // the path does not slow down at its end: a plan that starts there can come to rest within the remaining path
+  bool steady = true;  // the path does not slow down at its end: a plan that starts there can stop within the remaining path
 };
 
 /// Computes the plan. Keeps its memory from one plan to the next.

@@ -179,7 +179,7 @@ void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale
   canvas.kind("");
 }
 
-/// Draws a ring for each plunge, which is a point when seen from above, as long as the rings can be told apart.
+/// Draws a ring for each plunge, which is a point when seen from above, as long as the rings can be distinguished.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
   canvas.kind(name_of(Stroke::plunge));

@@ -21,7 +21,7 @@ constexpr double equal = SoftCorner::equal_swings;
 /// The pulse of a gentle corner at r, except for a constant factor.
 double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }
 
-/// The pulse of a sharp corner: one axis comes to rest like start() reversed while the other starts; s is the distance that both have
+/// The pulse of a sharp corner: one axis stops like start() reversed while the other starts; s is the distance that both have
 /// moved.
 double sharp_pulse(double r) {
   const auto gone = [](double t) { return start(equal + t) - start(equal - t); };

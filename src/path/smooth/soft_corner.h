@@ -6,7 +6,7 @@
 // far as it cuts the corner: for the same deviation the corner needs a third to a sixth of the jerk.
 //
 //   gentle corner   the speed is constant while the corner is passed: g‴ = ±c
-//   sharp corner    the speed falls towards the corner and rises after it, as on a machine whose axes come to rest and start one after
+//   sharp corner    the speed falls towards the corner and rises after it, as on a machine whose axes stop and start one after
 //                   the other with constant jerk: the same over time, mapped to the path; derived for 90°
 //
 // Both have the same deviation at the corner and where they swing out most. Found as perfect splines (Karlin 1975); our own work.

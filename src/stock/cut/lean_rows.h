@@ -52,7 +52,7 @@ inline constexpr float on_surface = 5e-5f;  // mm
 /// Components of the distance from the shaft that begins at the rounding's centre, for a point of the line after `t` mm of the path.
 template <class V>
 struct FromShaft {
-  V beside, below;  // beside is at least 0, below at most 0
+  V beside, below;  // `beside` is at least 0, `below` at most 0
   V out_x, out_y;   // unit vector of `beside`
 };
 template <class V>

@@ -82,7 +82,7 @@ class ParameterStore {
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
-  /// Rises with each change; whoever derived something from the values must then derive it again.
+  /// Rises with each change; values derived from them must then be computed again.
   std::uint64_t version() const { return now_.version; }
 
   /// Takes over the values of another channel's store (24.1: one indexed set for all channels). Called between two blocks.
