@@ -1,4 +1,4 @@
-// Whose requests are served.
+// server/guard: a request is served only if its host is one of the server's names and its origin one of the server's own pages. Tokens are new.
 
 #include "server/guard.h"
 
