@@ -48,7 +48,7 @@ void expect_same(const std::vector<Motion>& one, const std::vector<Motion>& othe
     if (!is_arc(one[i].kind)) continue;
     RC_ASSERT(one[i].first == other[i].first && one[i].second == other[i].second);
     RC_ASSERT(same_point(in_plane(moved(center_of(one[i])), other[i]), center_of(other[i]),
-                         within * 1e3));  // an arc by R gives a less exact centre
+                         within * 1e3));  // less exact by R
   }
 }
 const auto as_it_is = [](auto x) { return x; };

@@ -10,8 +10,8 @@
 
 namespace kadr::test {
 
-/// Blocks that build up state, the faulty block, and blocks that show the state.
-///   anew  blocks after the faulty one that state the modes of motions and the position again; the run without the fault has them too
+/// Blocks that build up state (`before`), blocks that show the state (`after`), and blocks between the faulty block and `after` that state
+/// the modes of motions and the position again (the third string); the run without the faulty block has all of them too.
 struct Scene {
   const char* control;
   std::string before, after, anew = {};

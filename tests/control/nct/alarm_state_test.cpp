@@ -144,7 +144,7 @@ TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
 
 TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
   const std::string calls =
-      "G66 P301\nG1 X2 F100\n";  // O301 moves, and its own motion would call it again: the modal call does not act inside it
+      "G66 P301\nG1 X2 F100\n";  // O301's own motion does not call O301 again
   const auto good = run("nct", calls + "M30\nO301\nY1\nM99\n", machine());
   EXPECT_EQ(good.first_alarm(), "");
   const auto deep =
