@@ -1,6 +1,6 @@
 #pragma once
-// Reads the golden cases (JSON) and our own cases (in the text form of tests/cases/reader.py) for C++ tests that need their set-ups and
-// programs.
+// Reads the golden cases (JSON) and our own cases (in the text form of
+// tests/cases/reader.py) for C++ tests that need their set-ups and programs.
 
 #include <gtest/gtest.h>
 
@@ -107,8 +107,8 @@ inline void for_each_case(const std::function<void(const Json&, const std::strin
   EXPECT_GT(own, 0U);
 }
 
-/// Returns the set-ups of a case: its own one, or one per variant. A variant's keys replace the case's keys; under `parameters` each
-/// parameter replaces one.
+/// Returns the set-ups of a case: its own one, or one per variant. A variant's
+/// keys replace the case's keys; under `parameters` each parameter replaces one.
 inline std::vector<Json> setups_of(const Json& given) {
   if (!given.contains("variants")) return {given["setup"]};
   std::vector<Json> setups;

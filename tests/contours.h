@@ -1,6 +1,6 @@
 #pragma once
-// Contours for the tests of path: motions that follow each other. Each begins in the direction in which the previous one ended, unless
-// the contour turns there.
+// Contours for the tests of path: motions that follow each other. Each begins in
+// the direction in which the previous one ended, unless the contour turns there.
 
 #include <algorithm>
 #include <cmath>

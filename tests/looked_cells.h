@@ -1,6 +1,6 @@
 #pragma once
-// Measures the output of the least-time planner in three axes. At several positions in each cell it compares speed, acceleration and
-// jerk with their limits.
+// Measures the output of the least-time planner in three axes. At several positions
+// in each cell it compares speed, acceleration and jerk with their limits.
 
 #include <algorithm>
 #include <array>

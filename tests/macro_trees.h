@@ -162,8 +162,8 @@ inline Tree random_tree(Choices& choose, int depth, int variables) {
   return tree;
 }
 
-/// Prints trees. `plain`: capitals only, no brackets but the necessary ones, and a blank only where two words would otherwise become
-/// one.
+/// Prints trees. `plain`: capitals only, no brackets but the necessary
+/// ones, and a blank only where two words would otherwise become one.
 class TreePrinter {
  public:
   TreePrinter(Choices& choose, bool plain) : choose_(choose), plain_(plain) {}
@@ -187,8 +187,8 @@ class TreePrinter {
     }
   }
 
-  /// Prints the tree for a position where an operator of at least rank `place` is required, with brackets if the tree binds less
-  /// tightly.
+  /// Prints the tree for a position where an operator of at least rank
+  /// `place` is required, with brackets if the tree binds less tightly.
   std::string print(const Tree& tree, int place) {
     if (binding(tree) < place || (!plain_ && choose_.one_in(6))) return "[" + blank() + print(tree, sum) + blank() + "]";
     switch (tree.kind) {

@@ -1,6 +1,6 @@
 #pragma once
-// Runs the least-time planner along a path of straight segments in three axes, samples the result, and measures it from the samples
-// alone.
+// Runs the least-time planner along a path of straight segments in three
+// axes, samples the result, and measures it from the samples alone.
 
 #include <algorithm>
 #include <array>

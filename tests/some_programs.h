@@ -64,8 +64,8 @@ class Folder {
   fs::path before_, path_;
 };
 
-/// Calls `use` with each golden and own case, with the case's files in the working directory. Cases that begin with a block search are
-/// left out.
+/// Calls `use` with each golden and own case, with the case's files in the
+/// working directory. Cases that begin with a block search are left out.
 inline void for_each_program(const std::function<void(const Work&)>& use) {
   Folder folder;
   for_each_case([&](const Json& given, const std::string& where) {

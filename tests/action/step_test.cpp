@@ -1,5 +1,5 @@
-// action/step: the curve of a step equals the curve of its motion and is built once. A kept step stays the same when everything it was
-// built from is gone.
+// action/step: the curve of a step equals the curve of its motion and is built
+// once. A kept step stays the same when everything it was built from is gone.
 
 #include "action/step.h"
 

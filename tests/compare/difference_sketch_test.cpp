@@ -1,5 +1,5 @@
-// compare/difference_sketch: the drawing has fewer points and stays within the chord tolerance of the original paths; nothing is drawn
-// across gaps.
+// compare/difference_sketch: the drawing has fewer points and stays within
+// the chord tolerance of the original paths; nothing is drawn across gaps.
 
 #include "compare/difference_sketch.h"
 

@@ -1,5 +1,5 @@
-// compare/stretch: its verdict on two paths is compared with the discrete Fréchet distance of both, divided into small pieces (Eiter,
-// Mannila 1994).
+// compare/stretch: its verdict on two paths is compared with the discrete
+// Fréchet distance of both, divided into small pieces (Eiter, Mannila 1994).
 
 #include "compare/stretch.h"
 

@@ -59,8 +59,8 @@ TEST(expression_rows, that_nobody_writes_are_those_of_RS274) {
   EXPECT_TRUE(load_control("gost")->grammar.expression.operators.all().empty());
 }
 
-/// Fanuc's custom macros have comparisons as operators: a condition is any expression. A control without them still requires a
-/// relation.
+/// Fanuc's custom macros have comparisons as operators: a condition is
+/// any expression. A control without them still requires a relation.
 TEST(expression_rows, may_make_a_condition_of_any_expression) {
   const auto compiles = [](const std::string& rows, std::string_view text) {
     const auto def = parse_control("id = \"own\"\nextends = \"nct\"\nname = {en = \"x\", ru = \"x\"}\n" + rows, "own.toml");

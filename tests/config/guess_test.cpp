@@ -228,8 +228,7 @@ bool stands_in(const GuessMark& mark, const Head& head) {
     const GuessLine forms = guess_line(line);
     const bool in_comment = mark.place == MarkPlace::comment;
     const bool found = !(in_comment ? found_in_words(forms.comments, mark.pattern) : found_in(forms, mark.pattern)).empty();
-    EXPECT_TRUE(!found || (signs_needed(mark.pattern) & ~signs_of(forms.raw)) == 0)
-        << mark.pattern;  // must not be skipped
+    EXPECT_TRUE(!found || (signs_needed(mark.pattern) & ~signs_of(forms.raw)) == 0) << mark.pattern;  // must not be skipped
     if (found) return true;
   }
   return false;
@@ -258,8 +257,8 @@ TEST(guess, trial) {
   EXPECT_EQ(candidates_of(guess_control("G154 P3\nG0 X1.\n")), std::vector<std::string>());  // decisive: no candidates to try
 }
 
-// These controls refuse a lathe's program if --control names them: found.md A2. The NCT reads it, because one parameter makes it a
-// lathe (its 18.2).
+// These controls refuse a lathe's program if --control names them: found.md
+// A2. The NCT reads it, because one parameter makes it a lathe (its 18.2).
 TEST(guess, a_lathes_program_is_refused) {
   const Guess guess =
       guess_control("%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n");

@@ -1,5 +1,5 @@
-// config/setup reads the set-up and the state of every golden case (JSON) and of every case of our own (in the text form of
-// tests/cases/reader.py).
+// config/setup reads the set-up and the state of every golden case (JSON)
+// and of every case of our own (in the text form of tests/cases/reader.py).
 
 #include "case_files.h"
 #include "config/setup.h"

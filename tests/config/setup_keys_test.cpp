@@ -139,8 +139,7 @@ TEST(setup_keys, what_the_controls_have) {
     std::set<H> there;
     for (int needs = 0; needs <= static_cast<int>(H::machine_axes); ++needs)
       if (has(def, static_cast<H>(needs))) there.insert(static_cast<H>(needs));
-    const std::string& known =
-        expected.contains(def.id) || def.lineage.empty() ? def.id : def.lineage.front();  // as its base
+    const std::string& known = expected.contains(def.id) || def.lineage.empty() ? def.id : def.lineage.front();  // as its base
     ASSERT_TRUE(expected.contains(known)) << def.id;
     EXPECT_EQ(there, expected.at(known)) << def.id;
   }

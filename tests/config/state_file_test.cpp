@@ -287,8 +287,8 @@ TEST_F(state_file, newer_versions) {
   EXPECT_EQ(refusal(), name() + " was written by a newer Kadr: its state version is 3, this one reads up to 2");
 }
 
-// Flips one bit of each byte of a small file, one at a time. The file must be refused or give exactly the same values. (All bits take
-// minutes.)
+// Flips one bit of each byte of a small file, one at a time. The file must
+// be refused or give exactly the same values. (All bits take minutes.)
 TEST_F(state_file, one_flipped_bit) {
   ASSERT_TRUE(open().save({{{variables, "#500", 1.5},
                             {variables, "#501", -0.1},

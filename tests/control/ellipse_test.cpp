@@ -1,5 +1,5 @@
-// Arcs under unequal scale factors (G51, Mach3 10.7.15): every segment has its ends on the ellipse and stays within the tolerance of
-// it.
+// Arcs under unequal scale factors (G51, Mach3 10.7.15): every segment
+// has its ends on the ellipse and stays within the tolerance of it.
 
 #include <gtest/gtest.h>
 

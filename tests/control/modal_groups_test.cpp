@@ -1,5 +1,5 @@
-// control/linuxcnc/modal_groups: the groups of controls/linuxcnc.toml have the numbers of spec/linuxcnc 3; a user's file may define
-// groups of its own.
+// control/linuxcnc/modal_groups: the groups of controls/linuxcnc.toml have
+// the numbers of spec/linuxcnc 3; a user's file may define groups of its own.
 
 #include "control/linuxcnc/modal_groups.h"
 

@@ -1,5 +1,5 @@
-// Jumps by block number (nct 14.1, 14.4.4, 23.2.8): the index is compared with reading on block by block, which defines what a jump
-// means.
+// Jumps by block number (nct 14.1, 14.4.4, 23.2.8): the index is compared
+// with reading on block by block, which defines what a jump means.
 #include "control/flow/program_file.h"
 
 #include <gtest/gtest.h>

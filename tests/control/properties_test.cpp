@@ -1,5 +1,5 @@
-// control: properties of every path: rotated, mirrored, divided, in inches, in increments, from another origin. Mach3 10.7; spec mach3
-// 4.
+// control: properties of every path: rotated, mirrored, divided, in
+// inches, in increments, from another origin. Mach3 10.7; spec mach3 4.
 
 #include "control/random_path.h"
 #include "control/run_program.h"
@@ -47,8 +47,7 @@ void expect_same(const std::vector<Motion>& one, const std::vector<Motion>& othe
     RC_ASSERT(std::fabs(one[i].turns - other[i].turns) <= within);
     if (!is_arc(one[i].kind)) continue;
     RC_ASSERT(one[i].first == other[i].first && one[i].second == other[i].second);
-    RC_ASSERT(same_point(in_plane(moved(center_of(one[i])), other[i]), center_of(other[i]),
-                         within * 1e3));  // less exact by R
+    RC_ASSERT(same_point(in_plane(moved(center_of(one[i])), other[i]), center_of(other[i]), within * 1e3));  // less exact by R
   }
 }
 const auto as_it_is = [](auto x) { return x; };

@@ -1,7 +1,7 @@
 #pragma once
-// Helpers for the tests of alarms. A faulty block leaves everything as it was. If the check continues after it, only the modes of its
-// motion and its end position remain (Interpreter::go_on), because later blocks rely on them. Once these are stated again, nothing of
-// the faulty block remains.
+// Helpers for the tests of alarms. A faulty block leaves everything as it was. If the check continues
+// after it, only the modes of its motion and its end position remain (Interpreter::go_on), because
+// later blocks rely on them. Once these are stated again, nothing of the faulty block remains.
 
 #include <algorithm>
 #include <string>

@@ -60,8 +60,7 @@ TEST(part_joints, of_a_tree_put_the_tip_back) {
         machine.chains.tool.push_back(name);
     const MachineTree tree(machine, names);
     const Axes axes{mm(random), mm(random), mm(random), degrees(random), degrees(random)};
-    MachineProfile headless =
-        machine;  // the same, but the part is not rotated, and what carries its first joint does not move
+    MachineProfile headless = machine;  // the same, but the part is not rotated, and what carries its first joint does not move
     auto& chain = headless.chains.part;
     const auto first = std::find_if(chain.begin(), chain.end(), [&](const std::string& name) { return machine.axes.at(name).joint.turns; });
     chain.erase(first, chain.end());

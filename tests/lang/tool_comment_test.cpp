@@ -1,5 +1,5 @@
-// lang/text/tool_comment: what comments say about tools, as shops and CAM systems write them. The rules and most of the comments are in
-// tests/lang/tool_comments.tsv.
+// lang/text/tool_comment: what comments say about tools, as shops and CAM systems
+// write them. The rules and most of the comments are in tests/lang/tool_comments.tsv.
 
 #include "lang/text/tool_comment.h"
 

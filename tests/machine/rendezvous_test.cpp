@@ -59,8 +59,8 @@ TEST(rendezvous, one_outside_the_set_goes_with_those_in_it) {
   EXPECT_EQ(r.next()->channels, (std::vector<std::uint8_t>{3, 1, 2}));
 }
 
-/// Channels 1 to 8 arrive in any order; each waits for a set that contains itself. A set is complete exactly when all its channels have
-/// arrived.
+/// Channels 1 to 8 arrive in any order; each waits for a set that contains
+/// itself. A set is complete exactly when all its channels have arrived.
 RC_GTEST_PROP(rendezvous, meets_when_the_last_has_come, ()) {
   Rendezvous r;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> key(9);  // for each channel: code, set

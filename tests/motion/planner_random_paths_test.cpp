@@ -1,6 +1,6 @@
-// Random paths: each is planned within the limits and the tolerance, and smoothing in a parallel thread gives the same bits as
-// smoothing in sequence. KADR_PATHS sets the number of paths (docs/planner.md has the results of longer runs), KADR_FIRST_PATH the
-// first seed.
+// Random paths: each is planned within the limits and the tolerance, and smoothing in a
+// parallel thread gives the same bits as smoothing in sequence. KADR_PATHS sets the number
+// of paths (docs/planner.md has the results of longer runs), KADR_FIRST_PATH the first seed.
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// Returns lines of 0.01 to 40 mm, in one direction or with corners of all sizes. Tolerance and feed are the same for all lines or
-/// differ from line to line.
+/// Returns lines of 0.01 to 40 mm, in one direction or with corners of all sizes.
+/// Tolerance and feed are the same for all lines or differ from line to line.
 std::vector<Piece> random_path(std::uint32_t seed) {
   constexpr double pi = 3.14159265358979323846;
   constexpr std::array<double, 3> tolerances = {0.005, 0.02, 0.1};

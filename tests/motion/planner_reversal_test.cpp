@@ -1,6 +1,6 @@
-// The least-time planner where the path reverses: after any distance, at any position, within any tolerance, on any machine. Stopping
-// at each corner is allowed too, and its time has a closed form (nct 7.0). No plan may take longer than that, nor less than the path at
-// its feed.
+// The least-time planner where the path reverses: after any distance, at any position, within
+// any tolerance, on any machine. Stopping at each corner is allowed too, and its time has a
+// closed form (nct 7.0). No plan may take longer than that, nor less than the path at its feed.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -137,8 +137,8 @@ TEST(PlannerReversal, BehindATinyCircle) {
 
 double random_step() { return std::pow(10, *rc::gen::inRange(-500, 101) * 0.01); }
 
-/// Returns a path that goes forward and back by random distances; each segment is rotated by `bend` radians, or goes in another
-/// direction.
+/// Returns a path that goes forward and back by random distances; each
+/// segment is rotated by `bend` radians, or goes in another direction.
 std::vector<Piece> random_zigzag(double tolerance, const std::function<double()>& bend) {
   std::vector<Piece> pieces;
   Point at{};
@@ -164,8 +164,8 @@ RC_GTEST_PROP(PlannerReversalProperty, NoPlanTakesLongerThanStandingAtEachCorner
   if (!fault.empty()) RC_FAIL(fault);
 }
 
-// Corners are rounded if the tolerance allows it, also where the path almost reverses. Stopping at them may be faster (a factor of 1.5
-// was seen in 4,000 programs).
+// Corners are rounded if the tolerance allows it, also where the path almost reverses.
+// Stopping at them may be faster (a factor of 1.5 was seen in 4,000 programs).
 constexpr double rounded = 2;
 RC_GTEST_PROP(PlannerReversalProperty, NearlyBack, ()) {
   const Machine machine = random_machine();

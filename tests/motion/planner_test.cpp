@@ -98,8 +98,8 @@ TEST(Planner, MoreToleranceIsNotSlower) {
   }
 }
 
-// A circle of short lines at a feed that its acceleration allows: it takes the time of the path at its feed, apart from the start and
-// the end.
+// A circle of short lines at a feed that its acceleration allows: it takes
+// the time of the path at its feed, apart from the start and the end.
 TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
   std::vector<Piece> circle;
   constexpr int pieces = 2000;
@@ -170,8 +170,8 @@ RC_GTEST_PROP(PlannerProperty, ObeysEveryLimitAndFollowsThePath, ()) {
   for (std::size_t a = 0; a < 3; ++a) RC_ASSERT(std::fabs(run.end[a] - pieces.back().to[a]) < 1e-9);
 }
 
-// The plans are not equal bit by bit: the cells are at other positions, and another of several good speeds may be found. Tiny paths
-// differ most.
+// The plans are not equal bit by bit: the cells are at other positions,
+// and another of several good speeds may be found. Tiny paths differ most.
 constexpr double some = 0.07;  // s
 
 RC_GTEST_PROP(PlannerProperty, ASplitLineTakesTheSameTime, ()) {

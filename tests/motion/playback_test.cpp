@@ -1,5 +1,5 @@
-// The servo clock: positions from planned cells under feed hold and override. The output obeys every limit, stays on the path, and ends
-// at the end of the path.
+// The servo clock: positions from planned cells under feed hold and override. The
+// output obeys every limit, stays on the path, and ends at the end of the path.
 
 #include "motion/play/playback.h"
 
@@ -223,8 +223,8 @@ TEST(Playback, TheOverrideActsWhereAFeedHoldDoesNot) {
   EXPECT_EQ(played(plan, {{0, 0.3}, {100, 0}}).points, played(plan, {{0, 0.3}}).points);
 }
 
-// 10 mm, a wait for the spindle, then 20 mm synchronous with it: 37 degrees per mm, at a constant rate. A delay during the first 10 mm
-// is made up by the wait.
+// 10 mm, a wait for the spindle, then 20 mm synchronous with it: 37 degrees per
+// mm, at a constant rate. A delay during the first 10 mm is made up by the wait.
 TEST(Playback, TheAxesWaitForTheSpindlesAngle) {
   constexpr double rate_of_spindle = -1850, waits = 0.02;  // degrees/s, s
   TimedCells plan;

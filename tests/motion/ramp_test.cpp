@@ -40,8 +40,7 @@ RC_GTEST_PROP(ramp, is_the_integral_of_the_drawn_acceleration, ()) {
     v += gain;
     if (i % 1000 != 500) continue;
     RC_ASSERT(std::abs(ramp.speed_at((i + 1) * dt) - v) < 1e-4 * 300);
-    RC_ASSERT(std::abs(ramp.seconds_at(s) - (i + 1) * dt) * v <
-              1e-4 * ramp.length());  // at low speed the time is less exact
+    RC_ASSERT(std::abs(ramp.seconds_at(s) - (i + 1) * dt) * v < 1e-4 * ramp.length());  // at low speed the time is less exact
   }
   RC_ASSERT(std::abs(v - to) < 1e-4 * 300);
   RC_ASSERT(std::abs(s - ramp.length()) < 1e-4 * (1 + s));

@@ -65,8 +65,8 @@ TEST(smoothing, q2_goes_through_the_points_along_the_circle) {
   }
 }
 
-// 4.7: N3104 greatest and N3105 least deviation, N3100 greatest and N3101 least length, N3102 angle: each of them leaves the segments
-// straight.
+// 4.7: N3104 greatest and N3105 least deviation, N3100 greatest and N3101
+// least length, N3102 angle: each of them leaves the segments straight.
 TEST(smoothing, what_is_beyond_the_parameters_is_straight) {
   const std::vector<Axes> points = circle();
   SmoothingRules tight = rules(0.004), least = rules(0.05), longer = rules(0.05), shorter = rules(0.05);

@@ -1,5 +1,5 @@
-// Threads synchronous with the spindle: NCT 4.4. The output obeys every limit, and between the ramps the axes are where the spindle
-// requires.
+// Threads synchronous with the spindle: NCT 4.4. The output obeys every
+// limit, and between the ramps the axes are where the spindle requires.
 
 #include "motion/least_time/thread_chain.h"
 

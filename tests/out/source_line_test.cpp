@@ -11,8 +11,8 @@
 namespace kadr::source_line_test {
 namespace {
 
-/// Looks at single bytes: ESC, BEL and other control characters; DEL; C1 as written in UTF-8, and a C1 byte that continues no UTF-8
-/// character.
+/// Looks at single bytes: ESC, BEL and other control characters; DEL; C1
+/// as written in UTF-8, and a C1 byte that continues no UTF-8 character.
 bool reaches_the_terminal(const std::string& text, bool lines) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);

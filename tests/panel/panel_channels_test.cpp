@@ -1,5 +1,5 @@
-// panel/panel_machine with several channels: each channel has its own axes and its own clock, and they wait for each other at waiting
-// codes.
+// panel/panel_machine with several channels: each channel has its own
+// axes and its own clock, and they wait for each other at waiting codes.
 
 #include <algorithm>
 #include <cmath>

@@ -24,8 +24,8 @@ class PanelJournalTest : public testing::Test {
   fs::path folder_;
 };
 
-/// The file is deleted while the process runs. Everything written to it would be lost, so nothing is confirmed, not even values that
-/// are known already.
+/// The file is deleted while the process runs. Everything written to it would
+/// be lost, so nothing is confirmed, not even values that are known already.
 TEST_F(PanelJournalTest, NoticesThatItsFileIsDeleted) {
   {
     const auto journal = PanelJournal::open(path());

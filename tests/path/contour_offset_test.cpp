@@ -142,8 +142,7 @@ RC_GTEST_PROP(contour_offset, turned_or_reversed_the_vectors_follow, ()) {
   const auto plain = junction(first, second, radius, side);
   const auto turned = junction(turn(first), turn(second), radius, side);
   const auto back = junction(reverse(second), reverse(first), radius, -side);
-  RC_PRE(std::fabs(cross(first.end, second.start)) > 1e-4 &&
-         std::fabs(dot(first.end, second.start)) > 1e-4);  // away from the limits
+  RC_PRE(std::fabs(cross(first.end, second.start)) > 1e-4 && std::fabs(dot(first.end, second.start)) > 1e-4);  // away from the limits
   RC_ASSERT(plain.has_value() == turned.has_value());
   RC_ASSERT(plain.has_value() == back.has_value());
   if (!plain) return;

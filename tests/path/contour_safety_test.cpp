@@ -188,8 +188,7 @@ bool runs_back(const Contour& contour, const Outcome& outcome) {
     const Vec2 way{m->to[0] - from[0], m->to[1] - from[1]};
     const Vec2 wanted{programmed.to[0] - start[0], programmed.to[1] - start[1]};
     const bool along = block > 0 && block + 1 < contour.motions.size() && !is_arc(programmed.kind);
-    const bool of_block =
-        &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // without its corner
+    const bool of_block = &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // without its corner
     if (along && of_block && dot(way, wanted) < -1e-5 * length(wanted)) return true;
     from = m->to;
   }

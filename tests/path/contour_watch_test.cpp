@@ -21,8 +21,8 @@ struct Tally {
   int alarms = 0, good = 0, false_ones = 0, bad = 0, missed = 0;
 };
 
-/// The sampled reference is accurate to a few hundredths of a millimetre; depths between these two limits count neither as a cut nor as
-/// none.
+/// The sampled reference is accurate to a few hundredths of a millimetre;
+/// depths between these two limits count neither as a cut nor as none.
 constexpr double certain_cut = 0.05, certainly_none = 1e-3;
 
 Tally tally(bool slender, int contours, Style style, std::uint64_t first_seed) {

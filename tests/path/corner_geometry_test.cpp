@@ -1,5 +1,5 @@
-// path/curve/corner_geometry: the slow reference of a rounding rolls a circle along the first element until it leaves the second. NCT
-// 17.
+// path/curve/corner_geometry: the slow reference of a rounding rolls a
+// circle along the first element until it leaves the second. NCT 17.
 
 #include "path/curve/corner_geometry.h"
 

@@ -31,8 +31,8 @@ Action action_of(decltype(Action::what) what) {
   return action;
 }
 
-/// Feeds the actions one at a time. With `snapshot`, a fresh object receives each action and continues from the memory of the previous
-/// object.
+/// Feeds the actions one at a time. With `snapshot`, a fresh object receives
+/// each action and continues from the memory of the previous object.
 struct Taken {
   std::vector<Action> actions;
   std::optional<CompensationFault> fault;
@@ -133,8 +133,8 @@ RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
     if (const auto* const m = std::get_if<Motion>(&plain.actions[i].what)) RC_ASSERT(m->to == motion_of(again.actions[i]).to);
 }
 
-/// The path of a turning tool's tip is the centre's path shifted as a whole by the radius along one axis or both; the alarms are the
-/// same.
+/// The path of a turning tool's tip is the centre's path shifted as a
+/// whole by the radius along one axis or both; the alarms are the same.
 RC_GTEST_PROP(queued_compensation, a_tip_goes_beside_the_centre, ()) {
   const auto side = *rc::gen::element<std::int8_t>(1, -1);
   const double radius = any_number(1, 3);
@@ -217,8 +217,8 @@ TEST(queued_compensation, line_too_short_for_its_corners) {
   EXPECT_EQ(all.actions.size(), 2U);
 }
 
-/// A neck narrower than the tool, with a wider space after it. The control compares neighbouring blocks only, so a warning reports the
-/// neck.
+/// A neck narrower than the tool, with a wider space after it. The control
+/// compares neighbouring blocks only, so a warning reports the neck.
 TEST(queued_compensation, narrow_neck_is_warned_of) {
   Contour c;
   c.line(20, -1, 5).side_step = SideStep::begins;

@@ -1,5 +1,5 @@
-// path/contour/radius_compensation: the path is nowhere nearer to the contour than the tool's radius. The slow reference is the sampled
-// path. NCT 15.5.
+// path/contour/radius_compensation: the path is nowhere nearer to the contour
+// than the tool's radius. The slow reference is the sampled path. NCT 15.5.
 
 #include "path/contour/radius_compensation.h"
 

@@ -87,8 +87,8 @@ TEST(SmoothPath, TheRoomOfWhereItTurnsBack) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(path.room(i), expected[i], 1e-12) << i;
 }
 
-// A right angle. Its corner is cut by at most the tolerance t, so a point on the bisector at 2 t from the corner is beyond the
-// tolerance by t.
+// A right angle. Its corner is cut by at most the tolerance t, so a point
+// on the bisector at 2 t from the corner is beyond the tolerance by t.
 TEST(SmoothPath, HowFarAPointIsBeyondTheTolerance) {
   constexpr double tolerance = 0.02;
   SmoothPath path(2);

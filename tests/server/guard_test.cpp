@@ -1,4 +1,4 @@
-// server/guard: a request is served only if its host is one of the server's names and its origin one of the server's own pages. Tokens are new.
+// server/guard: serves a request only if its host is one of the server's names and its origin one of the server's own pages.
 
 #include "server/guard.h"
 

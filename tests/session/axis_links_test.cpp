@@ -1,5 +1,5 @@
-// Axes of one channel that follow those of another (nct 20.2): the machine's positions equal those of a machine with all axes in one
-// channel.
+// Axes of one channel that follow those of another (nct 20.2): the machine's
+// positions equal those of a machine with all axes in one channel.
 
 #include <random>
 

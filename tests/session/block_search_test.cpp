@@ -1,5 +1,5 @@
-// The nct's own block search (13.1): the last code of each of the builder's groups, the tool by N1338, what is forgotten, and #_BSEARCH
-// during the search.
+// The nct's own block search (13.1): the last code of each of the builder's
+// groups, the tool by N1338, what is forgotten, and #_BSEARCH during the search.
 
 #include "session/block_search.h"
 

@@ -1,5 +1,5 @@
-// Checkpoints: a line reached from a snapshot gives the same state, and the same continuation, as the line reached by executing
-// everything before it.
+// Checkpoints: a line reached from a snapshot gives the same state, and the
+// same continuation, as the line reached by executing everything before it.
 
 #include "session/checkpoints.h"
 

@@ -19,8 +19,8 @@ std::string trace_with(const std::string& control, const std::string& modes, con
   return session.trace();
 }
 
-// Without a point the feed would be read in hundredths of an inch or of a millimetre per revolution (spec/fanuc 1.3), or in thousandths
-// (spec/haas 1.2).
+// Without a point the feed would be read in hundredths of an inch or of a
+// millimetre per revolution (spec/fanuc 1.3), or in thousandths (spec/haas 1.2).
 TEST(written_words, a_whole_feed_is_not_taken_for_increments) {
   for (const char* const control : {"fanuc", "haas", "nct", "linuxcnc"})
     for (const char* const modes : {"G21 G94", "G20 G94", "G21 G95", "G20 G95"})

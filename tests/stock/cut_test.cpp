@@ -281,8 +281,8 @@ TEST(Cut, ALineInSeveralPieces) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(stock.removed_by(i), 2 * 12 * 3, 1e-3);
 }
 
-// A T-slot cutter has entered from the side, so there is material above and below it: vertical lines are in two pieces. Then a mill
-// removes one piece.
+// A T-slot cutter has entered from the side, so there is material above and
+// below it: vertical lines are in two pieces. Then a mill removes one piece.
 TEST(Cut, AnUndercutAndWhatIsAboveItTakenAway) {
   ToolGeometry slot, mill;
   slot.kind = ToolKind::tslot, slot.diameter = 6, slot.flutes = 2, slot.length = 20, slot.shank = {{2, 2}, {2, 20}};

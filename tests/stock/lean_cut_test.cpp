@@ -1,5 +1,5 @@
-// The result of sweeps of tilted tools: the same for any threads and vector instructions of the processor, at any moment; what they
-// touch; their surface.
+// The result of sweeps of tilted tools: the same for any threads and vector
+// instructions of the processor, at any moment; what they touch; their surface.
 
 #include "stock/cut/lean_cut.h"
 
@@ -106,8 +106,8 @@ TEST(LeanCut, AnyMomentIsAsIfCutSoFar) {
     EXPECT_NEAR(volume_of(surface_of(all.at(count, 0.999999))), volume_of(surface_of(all.at(count + 1))), 0.05) << count;
 }
 
-/// The section that a flat end of 10 mm cuts out of a block 20 mm long in X, with its tip at the middle of the top face and 5 mm below
-/// it: a trapezoid.
+/// The section that a flat end of 10 mm cuts out of a block 20 mm long in X,
+/// with its tip at the middle of the top face and 5 mm below it: a trapezoid.
 TEST(LeanCut, ASlotHasItsSection) {
   for (const ToolKind kind : {ToolKind::flat, ToolKind::bull, ToolKind::taper}) {
     Stock stock(box_blank(block), 0.25, 2);

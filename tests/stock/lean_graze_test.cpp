@@ -89,8 +89,8 @@ TEST(LeanGrazeProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
               static_cast<unsigned long long>(ends), static_cast<unsigned long long>(wrong));
 }
 
-/// The ball of a ball end mill reaches the line at the start of the path, and the shaft reaches it higher up at the end. The material
-/// between the two must remain.
+/// The ball of a ball end mill reaches the line at the start of the path, and the
+/// shaft reaches it higher up at the end. The material between the two must remain.
 TEST(LeanGraze, BetweenBallAndShaftNothingIsTaken) {
   constexpr double cell = 0.25, first = 3.5, end = 8.8, step = 0.05;  // mm, along the line; material is removed below and above
   Stock stock(box_blank(block), cell, 1);

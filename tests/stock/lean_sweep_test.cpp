@@ -79,8 +79,8 @@ void expect_ends(const ToolGeometry& geometry, const Sweep& sweep, int family, V
   }
 }
 
-// The vertical line enters the shaft at its first position. With the tool direction at the middle of the path it would seem to leave
-// the shaft there.
+// The vertical line enters the shaft at its first position. With the tool
+// direction at the middle of the path it would seem to leave the shaft there.
 TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
   ToolGeometry g;
   g.kind = ToolKind::bull, g.diameter = 5.182752367505902, g.flutes = 11.584219372690388, g.corner = 0.63957597865510418;
@@ -93,8 +93,8 @@ TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
   expect_ends(g, sweep, 2, {2.25, 1.75, 6.02344643});
 }
 
-// The line is almost parallel to the path. Its distance from the ball hardly changes, so the position of the path nearest to the line
-// must be found more precisely.
+// The line is almost parallel to the path. Its distance from the ball hardly changes,
+// so the position of the path nearest to the line must be found more precisely.
 TEST(LeanSweep, ALineAllButAlongTheWayOfABallOfShortFlutes) {
   ToolGeometry g;
   g.kind = ToolKind::ball, g.diameter = 2 * 1.3191593285946681, g.flutes = 2.0012710986066544;

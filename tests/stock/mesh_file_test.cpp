@@ -110,8 +110,7 @@ TEST(mesh_file, a_binary_header_is_not_believed) {
 
 TEST(mesh_file, what_is_open_is_told_with_its_place) {
   Mesh mesh = box_mesh({1, 2, 3}, {4, 5, 6});
-  mesh.triangles.erase(mesh.triangles.begin() + 12,
-                       mesh.triangles.begin() + 15);  // removes the fifth triangle; the second shares an edge with it
+  mesh.triangles.erase(mesh.triangles.begin() + 12, mesh.triangles.begin() + 15);  // the fifth; the second shares an edge
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "not closed: 3 edges are open, the first at triangle 2, X1 Y2 Z3");
   tell_in(Lang::ru);
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "не замкнуто: открытых рёбер 3, первое у треугольника 2, X1 Y2 Z3");

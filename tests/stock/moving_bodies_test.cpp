@@ -132,8 +132,8 @@ TEST_F(moving_bodies, what_touches_at_zero_is_built_so) {
   EXPECT_EQ(move({}, {0, 0, -450}).size(), 2U);  // the head passes through the table into the body that carries it
 }
 
-// Contact of the tool with blank and fixture is checked by the cut itself, contact with the table here. The first part of the tool that
-// touches is reported.
+// Contact of the tool with blank and fixture is checked by the cut itself, contact
+// with the table here. The first part of the tool that touches is reported.
 TEST_F(moving_bodies, a_tool_and_its_work) {
   const std::size_t table = add(box({-200, -200, -420}, {200, 200, -400}), "C");
   const std::size_t vise = add(box({-50, -50, -400}, {50, 50, -300}), "C", BodyKind::work);
@@ -150,8 +150,8 @@ TEST_F(moving_bodies, a_tool_and_its_work) {
   EXPECT_TRUE(move({0, 0, -200}, {0, 0, -360}).empty());
 }
 
-// law: for any motion, at a meeting the bodies are less than 0.01 mm apart, and before it they are not; no meeting is missed that small
-// steps find.
+// law: for any motion, at a meeting the bodies are less than 0.01 mm apart,
+// and before it they are not; no meeting is missed that small steps find.
 TEST_F(moving_bodies, random_motions) {
   const std::size_t head = add(box({-60, -70, -200}, {60, 70, 0}), "Z"), table = add(box({-150, -150, -420}, {150, 150, -400}), "C");
   (void)head, (void)table;

@@ -80,8 +80,8 @@ inline ToolShape some_tool(Chance& chance, SomeTool which) {
   return shape_of(g);
 }
 
-/// Returns a move of any length and direction: along an axis, or so nearly along it that few digits of single precision remain; some
-/// moves begin far outside.
+/// Returns a move of any length and direction: along an axis, or so nearly along
+/// it that few digits of single precision remain; some moves begin far outside.
 inline Sweep some_move(Chance& chance) {
   const Vec3 through{chance.between(-4, 12), chance.between(-4, 12), chance.between(-8, 8)};
   const double far = chance.below(8) == 0 ? 4 : 1.3, length_ = std::pow(10, chance.between(-3, far));
@@ -104,8 +104,8 @@ inline Sweep some_move(Chance& chance) {
   return {from, from + way, 0, false};
 }
 
-/// Returns the distance of a point from the volume swept by the tool; negative inside. Each solid is convex, so its distance has one
-/// minimum along the path.
+/// Returns the distance of a point from the volume swept by the tool; negative
+/// inside. Each solid is convex, so its distance has one minimum along the path.
 inline double from_swept(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   constexpr double golden = 0.6180339887498949;
   const Vec3 way = sweep.to - sweep.from;

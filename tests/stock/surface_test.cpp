@@ -60,14 +60,14 @@ TEST(surface, a_cylinder) {
     const Stock stock(cylinder_blank({3, 4}, -12, 0, 20), cell, 2);
     const Surface surface = surface_of(stock);
     expect_manifold(surface);
-    // Points at which the tangents meet lie outside the circle by at most h² / 2r, where h is half a cell; as a share of the volume
-    // this is h² / r².
+    // Points at which the tangents meet lie outside the circle by at most h²
+    // / 2r, where h is half a cell; as a share of the volume this is h² / r².
     EXPECT_NEAR(volume_of(surface), exact, exact * cell * cell / 400) << cell;
   }
 }
 
-/// A slot from side to side with a section of `section` mm²; the error of the faces between points is less than 0.05 % of it for each
-/// mm of the cell.
+/// A slot from side to side with a section of `section` mm²; the error of the
+/// faces between points is less than 0.05 % of it for each mm of the cell.
 TEST(surface, slots_have_their_section) {
   const std::vector<Vec3> way{{50.0371, -20, -4.0437}, {50.0371, 120, -4.0437}};
   struct Case {
@@ -140,8 +140,8 @@ TEST(surface, points_know_their_sweep) {
   }
 }
 
-/// A floor in a plane of lattice points, or at the border of bricks. There the families differ by a tiny amount, which must not appear
-/// at the edges.
+/// A floor in a plane of lattice points, or at the border of bricks. There
+/// the families differ by a tiny amount, which must not appear at the edges.
 TEST(surface, floors_in_planes_of_the_lattice) {
   for (const double z : {-4.5, -4.0, -5.0, -15.0, -4.5000001})  // cells of 1 mm from -21: points are at halves, bricks meet at -5
     for (const ToolKind kind : {ToolKind::flat, ToolKind::bull}) {

@@ -1,5 +1,5 @@
-// control/correctors/pocket: compared with the sampled area as the slow reference. No area remains inside the wall, and nothing outside
-// is cut. spec/correctors 3.
+// control/correctors/pocket: compared with the sampled area as the slow reference.
+// No area remains inside the wall, and nothing outside is cut. spec/correctors 3.
 
 #include "control/correctors/pocket.h"
 

@@ -1,5 +1,5 @@
-// control/macro_b/output/print: how DPRNT, BPRNT and messages print variables, compared with printf and with whole-number arithmetic.
-// NCT 23.2.13.
+// control/macro_b/output/print: how DPRNT, BPRNT and messages print variables,
+// compared with printf and with whole-number arithmetic. NCT 23.2.13.
 
 #include "control/macro_b/output/print.h"
 

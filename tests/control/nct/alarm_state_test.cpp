@@ -143,8 +143,7 @@ TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
 }
 
 TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
-  const std::string calls =
-      "G66 P301\nG1 X2 F100\n";  // O301's own motion does not call O301 again
+  const std::string calls = "G66 P301\nG1 X2 F100\n";  // O301's own motion does not call O301 again
   const auto good = run("nct", calls + "M30\nO301\nY1\nM99\n", machine());
   EXPECT_EQ(good.first_alarm(), "");
   const auto deep =
@@ -154,8 +153,8 @@ TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
   EXPECT_EQ(deep.ending.position[0], -100);
 }
 
-// The table itself must be restored, not only the frame in force: the next G54 reads the table. M205 turns a spindle whose loop is
-// open.
+// The table itself must be restored, not only the frame in force: the
+// next G54 reads the table. M205 turns a spindle whose loop is open.
 TEST(alarm_on_nct, a_work_offset_comes_back) {
   const auto setup = parse_setup(R"({"parameters": {"N0607.1#2": 1, "N0820.1": 201, "N0821.1": 10, "N0822.1": 30}})");
   for (const char* const system : {"L2 P1", "L2 P0"}) {

@@ -157,8 +157,7 @@ TEST(change, expiry_makes_the_next_search_take_the_other) {  // golden 12-7
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 9, 1, 4}));
   EXPECT_EQ(tools.row(9)->status, 2U);  // not used → used
   EXPECT_EQ(tools.row(9)->counter, 1);
-  EXPECT_EQ(tools.places(),
-            (PlaceTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling: they swap pockets
+  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling: they swap pockets
 }
 
 TEST(change, not_counted_when_the_other_code_counts) {

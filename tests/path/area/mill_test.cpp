@@ -161,8 +161,7 @@ TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
   const Edges triangle{{{0, 0}, {60, 0}}, {{60, 0}, {0, 22}, 0, true}, {{0, 22}, {0, 0}}};
   const Edges step{{{0, 0}, {40, 0}},    {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
                    {{48, 24}, {40, 24}}, {{40, 24}, {40, 40}}, {{40, 40}, {0, 40}},  {{0, 40}, {0, 0}}};
-  const Edges narrow{
-      {{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // narrower than the tool
+  const Edges narrow{{{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // narrower than the tool
   for (const Edges& edges : {triangle, step, narrow})
     for (const Scheme scheme : all_schemes)
       for (const double tool_part : {0.5, 1.0, 1.4}) {
