@@ -257,8 +257,7 @@ TEST(guess, trial) {
   EXPECT_EQ(candidates_of(guess_control("G154 P3\nG0 X1.\n")), std::vector<std::string>());  // decisive: no candidates to try
 }
 
-// These controls refuse a lathe's program if --control names them: found.md
-// A2. The NCT reads it, because one parameter makes it a lathe (its 18.2).
+// Two controls refuse a lathe's program if --control names them. The NCT reads it, because one parameter makes it a lathe (its 18.2).
 TEST(guess, a_lathes_program_is_refused) {
   const Guess guess =
       guess_control("%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n");

@@ -156,7 +156,7 @@ void log(const std::vector<Zone>& found, const Job& job) {
         RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
 }
 
-/// found.md A20: at a wall that ends at an open side, the tool can cut from positions where its centre is outside the zone.
+/// At a wall that ends at an open side, the tool can cut from positions where its centre is outside the zone.
 TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
   const Edges triangle{{{0, 0}, {60, 0}}, {{60, 0}, {0, 22}, 0, true}, {{0, 22}, {0, 0}}};
   const Edges step{{{0, 0}, {40, 0}},    {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
