@@ -1,5 +1,5 @@
 #pragma once
-// Actions for the tests of the rooms after `control`: motions in one work system.
+// Builds actions for the tests of the rooms after `control`: motions in one work coordinate system.
 
 #include "control/state/state.h"
 
@@ -14,7 +14,7 @@ inline Motion straight(MotionKind kind, Vec3 to, double feed = 0) {
   return m;
 }
 
-/// `center`: all three coordinates; that off the plane is not used.
+/// `center` has all three coordinates; the one normal to the plane is ignored.
 inline Motion arc(MotionKind kind, Vec3 to, Vec3 center, double turns, Plane plane = Plane::xy) {
   Motion m = straight(kind, to, 100);
   const PlaneAxes axes = axes_of(plane);

@@ -1,11 +1,11 @@
 #pragma once
-// A random number for the property tests.
+// Random numbers for the property tests.
 
 #include <rapidcheck.h>
 
 namespace kadr::test {
 
-/// From `least` to `most`, in thousandths.
+/// Returns a number from `least` to `most` in steps of a thousandth.
 inline double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
 
 }  // namespace kadr::test

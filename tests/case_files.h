@@ -1,5 +1,6 @@
 #pragma once
-// The golden cases (JSON) and our own (the text of tests/cases/reader.py), for C++ tests that want their set-ups and programs.
+// Reads the golden cases (JSON) and our own cases (in the text form of
+// tests/cases/reader.py) for C++ tests that need their set-ups and programs.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace kadr::test {
 
 using Json = nlohmann::json;
 
-/// The lines of a text of cases; `| ` continues the line before it.
+/// Returns the lines of a file of cases; a line that begins with `| ` continues the line before it.
 inline std::vector<std::string> lines_of(std::istream& stream) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) {
@@ -25,7 +26,8 @@ inline std::vector<std::string> lines_of(std::istream& stream) {
   return lines;
 }
 
-/// An indented line as a line of a program: without what it must do, a JSON string as its text.
+/// Converts an indented line of a case into a line of the program: a JSON string becomes its text; in other lines the expected actions,
+/// which ` -> ` begins, are cut off.
 inline std::string program_line(const std::string& line) {
   std::string body = line.substr(4);
   if (body.starts_with('"')) {
@@ -38,16 +40,16 @@ inline std::string program_line(const std::string& line) {
   return body;
 }
 
-/// Of a text of cases what stands before `expect`, and states, in the form of the golden cases.
+/// Returns the cases of a text in the form of the golden cases. Of each case's expectations only `state` and `steps` are read.
 inline std::vector<Json> cases_of(const std::string& control, const std::vector<std::string>& lines) {
   const Json empty = {{"setup", Json::object()}, {"expect", Json::object()}};
   std::vector<Json> cases;
-  Json* part = nullptr;  // the case or the variant that is read
-  Json* text = nullptr;  // the program or the file that is read
+  Json* part = nullptr;  // the case or the variant being read
+  Json* text = nullptr;  // the program or the file being read
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string& line = lines[i];
     if (line.starts_with("    ")) {
-      if (line.find_first_not_of(' ') == line.find("-> ")) continue;  // further actions of the line above
+      if (line.find_first_not_of(' ') == line.find("-> ")) continue;  // more actions expected of the line above
       if (text) *text = text->is_null() ? program_line(line) : text->get<std::string>() + "\n" + program_line(line);
       continue;
     }
@@ -58,7 +60,7 @@ inline std::vector<Json> cases_of(const std::string& control, const std::vector<
       (*part)["id"] = rest.substr(0, rest.find(" |"));
       (*part)["control"] = control;
       text = &(*part)["program"];
-      ++i;  // the title
+      ++i;  // skips the title
     } else if (key == "--") {
       part = &cases.back()["variants"].emplace_back(empty);
       text = &(*part)["program"];
@@ -83,7 +85,7 @@ inline std::vector<Json> cases_of(const std::string& control, const std::vector<
   return cases;
 }
 
-/// Each golden case, then each of our own; `where`: for people.
+/// Calls `use` with each golden case, then with each of our own. `where` names the file and the case for failure messages.
 inline void for_each_case(const std::function<void(const Json&, const std::string& where)>& use) {
   namespace fs = std::filesystem;
   std::size_t golden = 0;
@@ -105,7 +107,8 @@ inline void for_each_case(const std::function<void(const Json&, const std::strin
   EXPECT_GT(own, 0U);
 }
 
-/// Set-ups of a case: its own, or one a variant, whose keys replace the case's (in `parameters` each parameter).
+/// Returns the set-ups of a case: its own one, or one per variant. A variant's
+/// keys replace the case's keys; under `parameters` each parameter replaces one.
 inline std::vector<Json> setups_of(const Json& given) {
   if (!given.contains("variants")) return {given["setup"]};
   std::vector<Json> setups;

@@ -1,6 +1,6 @@
 #pragma once
-// Random choices for RapidCheck properties: a row of bytes read one by one. Shrinking the bytes to nothing makes every
-// further choice the first one, so that a failing program shrinks to a short and plain one.
+// Random choices for RapidCheck properties, read one by one from a row of bytes. When RapidCheck shrinks the row to nothing, every
+// further choice is the first one, so a failing program shrinks to a short and plain one.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,7 @@ namespace kadr::test {
 class Choices {
  public:
   explicit Choices(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
-  /// A number in 0 … count - 1; 0 when the bytes are used up.
+  /// Returns a number in 0 … count - 1; 0 when the bytes are used up.
   std::size_t below(std::size_t count) {
     std::size_t number = 0;
     for (std::size_t reach = 1; reach < count; reach *= 256) number = number * 256 + next();
@@ -32,7 +32,7 @@ class Choices {
   std::size_t at_ = 0;
 };
 
-/// At most `bytes` choices.
+/// Returns a row of at most `bytes` random bytes to choose by.
 inline Choices choices(std::size_t bytes) {
   const auto all = rc::gen::resize(100, rc::gen::container<std::vector<std::uint8_t>>(bytes, rc::gen::arbitrary<std::uint8_t>()));
   return Choices(*all);

@@ -1,5 +1,6 @@
 #pragma once
-// Contours for the tests of path: motions in a row, each beginning in the direction in which the last ended, unless it is turned.
+// Contours for the tests of path: motions that follow each other. Each begins in
+// the direction in which the previous one ended, unless the contour turns there.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace kadr::test {
 
 inline const AxisRoles xyz = AxisRoles::of({"X", "Y", "Z"}, 0);
 
-/// A contour and the way in and out, each a motion of its own; all on one side.
+/// A contour with its approach and departure, each a motion of its own; all motions are on the same side.
 struct Contour {
   std::vector<Motion> motions;
   Vec2 at, direction{1, 0};
@@ -42,9 +43,9 @@ struct Contour {
   }
 };
 
-inline constexpr double sampling = 1;  // mm: at most between two samples
+inline constexpr double sampling = 1;  // greatest distance between two samples, mm
 
-/// Points of motions in a row.
+/// Samples points along motions that follow each other.
 inline std::vector<Vec2> sampled(const std::vector<Motion>& motions, Axes from) {
   std::vector<Vec2> points;
   for (const Motion& m : motions) {

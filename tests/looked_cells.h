@@ -1,5 +1,6 @@
 #pragma once
-// What the planner of least time hands out in three axes, looked at in places of each cell: shares of the limits.
+// Measures the output of the least-time planner in three axes. At several positions
+// in each cell it compares speed, acceleration and jerk with their limits.
 
 #include <algorithm>
 #include <array>
@@ -10,13 +11,13 @@
 namespace kadr::test {
 
 struct Looked {
-  double acceleration = 0, jerk = 0, speed = 0;  // shares of the axes' limits
-  double feed = 0;                               // of the commanded feed: the speed along the path
-  double beyond = 0;                             // CellSource::beyond
+  double acceleration = 0, jerk = 0, speed = 0;  // greatest shares of the axes' limits
+  double feed = 0;                               // greatest speed along the path as a share of the commanded feed
+  double beyond = 0;                             // greatest CellSource::beyond
   double seconds = 0;
   std::size_t unsolved = 0;
 
-  /// `at`: called with the position in each place.
+  /// Measures the cells; calls `at` with the position at each sample.
   template <class At>
   void take(const TimedCells& cells, const MotionLimits& limits, const At& at) {
     constexpr int places = 16;

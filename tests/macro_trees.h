@@ -1,6 +1,6 @@
 #pragma once
-// Random expressions of custom macros as trees: printed to text with random blanks, brackets and letters of both cases, and
-// evaluated by a recursive twin that knows nothing of the text (spec/nct/23 23.1.6, 23.2.2 – 23.2.7).
+// Random expressions of custom macros as trees. A tree is printed as text with random blanks, brackets and letters of both cases, and
+// evaluated by a recursive reference evaluator that never sees the text (spec/nct/23 23.1.6, 23.2.2 – 23.2.7).
 
 #include <cmath>
 #include <cstdio>
@@ -20,7 +20,7 @@ inline double no_value() { return std::nan(""); }
 inline bool is_empty(double x) { return std::isnan(x); }
 inline bool same_value(double a, double b) { return a == b || (is_empty(a) && is_empty(b)); }
 
-/// What a tree gives: a number, the empty value (NaN), or an alarm.
+/// The value of a tree: a number, the empty value (NaN), or an alarm.
 using TreeValue = std::variant<double, AlarmId>;
 inline bool same_value(const TreeValue& a, const TreeValue& b) {
   if (a.index() != b.index()) return false;
@@ -36,22 +36,22 @@ inline std::string value_text(const TreeValue& v) {
 
 struct Tree {
   enum class Kind { number, variable, indirect, bracket, minus, function, pair } kind = Kind::number;
-  std::string text;  // of the number; name of the function or of the operator
+  std::string text;  // digits of the number; name of the function or of the operator
   int variable = 0;
   std::vector<Tree> parts;
 };
 
-/// Value of #n for the twin.
+/// Returns the value of #n to the reference evaluator.
 using ReadNumber = std::function<TreeValue(double n)>;
 
-// ---- the twin
+// ---- the reference evaluator
 
 inline TreeValue finite_or_alarm(double x) { return std::isfinite(x) ? TreeValue(x) : TreeValue(AlarmId::not_a_number); }
 
 inline TreeValue bits(const std::string& op, double a, double b) {
   const auto fits = [](double v) { return v >= -4294967297.0 && v < 4294967296.0; };
   if (!fits(a) || !fits(b)) return AlarmId::bits_out_of_range;
-  const auto whole = [](double v) {  // nearest, halves away from zero, into 0 … 2^32 - 1
+  const auto whole = [](double v) {  // rounds to nearest, halves away from zero; the result must be in 0 … 2^32 - 1
     double n = v < 0 ? -std::floor(-v + 0.5) : std::floor(v + 0.5);
     while (n < 0) n += 4294967296.0;
     while (n >= 4294967296.0) n -= 4294967296.0;
@@ -113,7 +113,7 @@ inline TreeValue value_of(const Tree& tree, const ReadNumber& read) {
     case Tree::Kind::number: return std::strtod(tree.text.c_str(), nullptr);
     case Tree::Kind::variable: return read(tree.variable);
     case Tree::Kind::indirect: return read(parts[0]);
-    case Tree::Kind::bracket: return parts[0];  // brackets alone are no operation: an empty value stays empty
+    case Tree::Kind::bracket: return parts[0];  // brackets alone are not an operation: an empty value stays empty
     case Tree::Kind::minus: return is_empty(parts[0]) ? 0.0 : -parts[0];
     case Tree::Kind::function: return of_function(tree.text, parts[0]);
     default: return of_pair(tree.text, parts[0], parts[1]);
@@ -132,7 +132,7 @@ inline bool holds(const std::string& relation, double a, double b) {
   return x <= y;
 }
 
-// ---- made up and printed
+// ---- random trees and their text
 
 inline constexpr const char* tree_relations[] = {"EQ", "NE", "GT", "LT", "GE", "LE"};
 
@@ -162,7 +162,8 @@ inline Tree random_tree(Choices& choose, int depth, int variables) {
   return tree;
 }
 
-/// Prints trees; `plain`: no blanks but where two words would become one, capitals, only the brackets needed.
+/// Prints trees. `plain`: capitals only, no brackets but the necessary
+/// ones, and a blank only where two words would otherwise become one.
 class TreePrinter {
  public:
   TreePrinter(Choices& choose, bool plain) : choose_(choose), plain_(plain) {}
@@ -186,7 +187,8 @@ class TreePrinter {
     }
   }
 
-  /// The text where at least `place` must bind.
+  /// Prints the tree for a position where an operator of at least rank
+  /// `place` is required, with brackets if the tree binds less tightly.
   std::string print(const Tree& tree, int place) {
     if (binding(tree) < place || (!plain_ && choose_.one_in(6))) return "[" + blank() + print(tree, sum) + blank() + "]";
     switch (tree.kind) {

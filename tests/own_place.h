@@ -1,5 +1,5 @@
 #pragma once
-// A place for a file of a test: of this process alone, for tests are run side by side.
+// Returns a path for a temporary file of a test. The path contains the process id, because tests run in parallel.
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// `name`: "machine.toml".
+/// `name` is the end of the file's name, for example "machine.toml".
 inline std::filesystem::path own_place(const std::string& name) {
   return std::filesystem::temp_directory_path() / ("kadr_" + std::to_string(::getpid()) + "_" + name);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// What the planner of least time makes of a path of straight pieces in three axes, looked at from outside: as samples.
+// Runs the least-time planner along a path of straight segments in three
+// axes, samples the result, and measures it from the samples alone.
 
 #include <algorithm>
 #include <array>
@@ -15,18 +16,18 @@ using Point = std::array<double, 3>;
 
 struct Piece {
   Point to;
-  double feed, tolerance;  // mm/s, mm
+  double feed, tolerance;  // feed in mm/s, tolerance in mm
 };
 
-/// The same limits of all three axes, mm/s, mm/s², mm/s³.
+/// Returns the same limits for all three axes, in mm/s, mm/s² and mm/s³.
 inline MotionLimits three_axes(double speed, double acceleration, double jerk) {
   return {{speed, speed, speed}, {acceleration, acceleration, acceleration}, {jerk, jerk, jerk}};
 }
 
 struct PlannedRun {
   double seconds = 0;
-  double speed = 0, acceleration = 0, jerk = 0;  // greatest of any axis, by differences
-  std::vector<Point> points;                     // every millisecond
+  double speed = 0, acceleration = 0, jerk = 0;  // greatest of any axis, from differences of the samples
+  std::vector<Point> points;                     // one each millisecond
   Point end{};
   std::size_t failures = 0;
 };

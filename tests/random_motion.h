@@ -1,6 +1,6 @@
 #pragma once
-// Random motions for the tests of the rooms after `control`: lines, arcs, helices, spirals, polar and cylinder interpolation,
-// with and without a turned frame; X, Y, Z, C, and V, W that may follow X and V.
+// Random motions for the tests of the rooms after `control`: lines, arcs, helices, spirals, polar and cylindrical interpolation, with
+// and without a rotated frame. Axes are X, Y, Z, C, and V and W, which may be synchronous to X and V.
 
 #include <rapidcheck.h>
 
@@ -17,14 +17,14 @@ struct Moved {
   Motion motion;
 };
 
-/// Where a motion has its start: work coordinates near the origin, the machine's shifted, sometimes turned.
+/// Returns a random start: work coordinates near the origin; no frame yet.
 inline Moved any_start() {
   Moved moved{AxisRoles::of({"X", "Y", "Z", "C", "V", "W"}, 8), {}, {}};
   moved.from.work = {any_number(-50, 50), any_number(-50, 50), any_number(-50, 50), any_number(0, 360), any_number(-50, 50)};
   return moved;
 }
 
-/// Machine coordinates by a frame that lies somewhere.
+/// Computes the machine coordinates through a frame that is shifted at random and, if `may_turn`, sometimes rotated.
 inline void lay_frame(Moved& moved, bool may_turn) {
   if (may_turn && *rc::gen::arbitrary<bool>()) {
     FrameTurn turn;
@@ -38,7 +38,7 @@ inline void lay_frame(Moved& moved, bool may_turn) {
   for (std::size_t i = 0; i < moved.roles.count; ++i) moved.from.machine[i] += shift[i], moved.motion.machine[i] += shift[i];
 }
 
-/// V and W copy the way of X and of V.
+/// Makes V copy the travel of X, and W the travel of V in the same or the opposite direction.
 inline void let_follow(Moved& moved) {
   constexpr std::uint8_t v = 4, w = 5;
   auto detail = moved.motion.detail ? std::make_shared<MotionDetail>(*moved.motion.detail) : std::make_shared<MotionDetail>();
@@ -60,7 +60,7 @@ inline Moved any_line() {
   return moved;
 }
 
-/// The end of an arc from `arm` about the centre, its radius `growth` times as long there.
+/// Returns the end of an arc that begins at `arm` from the centre; its radius at the end is `growth` times the radius at the start.
 inline Vec2 arc_end(Vec2 center, Vec2 arm, double turns, double growth) { return center + growth * rotated(arm, 360 * turns); }
 
 inline Moved any_arc() {
@@ -82,7 +82,7 @@ inline Moved any_arc() {
   return moved;
 }
 
-/// A line in the plane of polar interpolation (X and C), past the rotation centre.
+/// Returns a line in the plane of polar interpolation (X and C) that misses the rotation centre.
 inline Moved any_polar() {
   Moved moved = any_start();
   MotionDetail detail;
@@ -101,7 +101,7 @@ inline Moved any_polar() {
   return moved;
 }
 
-/// An arc on a cylinder about C: C first, Z second.
+/// Returns an arc on a cylinder about C; C is the first axis of the plane, Z the second.
 inline Moved any_cylinder() {
   Moved moved = any_start();
   MotionDetail detail;

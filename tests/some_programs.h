@@ -1,5 +1,5 @@
 #pragma once
-// Programs for tests that carry whole runs out: golden cases, our own, the examples, random ones.
+// Programs for tests that execute whole runs: golden cases, our own cases, the examples, random programs.
 
 #include <cstdlib>
 #include <filesystem>
@@ -18,13 +18,13 @@ namespace kadr::test {
 
 namespace fs = std::filesystem;
 
-/// A program in a folder of its own, as the referee lays it out.
+/// A program in a folder of its own, laid out as the runner of the golden cases does it.
 struct Work {
   std::string id, where, program, main_file;
   Setup setup;
 };
 
-/// The first line in which two texts differ.
+/// Returns a description of the first line in which two texts differ, empty if they are equal.
 inline std::string difference(const std::string& a, const std::string& b) {
   std::istringstream left(a), right(b);
   std::string one, other;
@@ -37,7 +37,7 @@ inline std::string difference(const std::string& a, const std::string& b) {
   }
 }
 
-/// A folder with the case's files as the working directory, removed with all in it.
+/// A temporary working directory that holds the files of a case; the destructor removes it with its content.
 class Folder {
  public:
   Folder() : before_(fs::current_path()) {
@@ -64,7 +64,8 @@ class Folder {
   fs::path before_, path_;
 };
 
-/// Golden and own cases, each with its files in the working directory; not those that begin with a search.
+/// Calls `use` with each golden and own case, with the case's files in the
+/// working directory. Cases that begin with a block search are left out.
 inline void for_each_program(const std::function<void(const Work&)>& use) {
   Folder folder;
   for_each_case([&](const Json& given, const std::string& where) {
@@ -83,7 +84,7 @@ inline void for_each_program(const std::function<void(const Work&)>& use) {
   });
 }
 
-/// The examples, with the set-ups beside them.
+/// Calls `use` with each example and the set-up in the .json file of the same name.
 inline void for_each_example(const std::function<void(const Work&)>& use) {
   for (const std::string id : {"s2c42", "mach3", "nct", "correctors", "gost"})
     for (const auto& entry : fs::directory_iterator(KADR_ROOT "/examples/" + id)) {
@@ -99,7 +100,7 @@ inline void for_each_example(const std::function<void(const Work&)>& use) {
 
 // ---- random programs
 
-/// Of each control: what lines are made of. A letter alone gets a number, `@` the number of a line.
+/// The forms of block from which random programs of each control are built. A letter alone gets a number; `@` becomes a line number.
 inline const std::map<std::string, std::vector<std::string>> blocks_of = {
     {"nct",
      {"G0 X Y",
@@ -227,7 +228,7 @@ inline const std::map<std::string, std::vector<std::string>> blocks_of = {
       "N@ S M3",   "N@ T1 M6",    "N@ Z",          "N@ G41 D1 X", "N@ G40 X", "N@ H3",  "N@ X M20", "N@ R1 5", "N@ L81 R2-5 R3-20 R10 R7 1",
       "N@ G43 D1", "N@ M5",       "N@ G4 F1"}}};
 
-/// Chapter 25 of the NCT, on a machine with axes A and C.
+/// Blocks of chapter 25 of the NCT manual, for a machine with the axes A and C.
 inline const std::vector<std::string> five_axis_blocks = {"G0 X Y Z",
                                                           "G1 X Y Z F",
                                                           "G1 X Y A C F",

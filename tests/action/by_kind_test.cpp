@@ -1,4 +1,4 @@
-// action/by_kind: each kind of action goes to the function that takes it; a kind that nothing takes does not compile.
+// action/by_kind: dispatches each kind of action to the function that accepts it; a kind that no function accepts does not compile.
 
 #include "action/by_kind.h"
 

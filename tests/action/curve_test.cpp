@@ -1,4 +1,4 @@
-// action/curve: length, points and extents of lines, arcs and helices; the slow twin is the sampled path.
+// action/curve: length, points and extents of lines, arcs and helices, compared with the sampled path as the slow reference.
 
 #include "action/curve.h"
 
@@ -53,7 +53,7 @@ TEST(curve, quarter_circle_is_exact_at_quadrants) {
   EXPECT_EQ(Curve(xyz, from, other).at(0.5), (Axes{0, -10, 0}));
 }
 
-// Seen from the positive end of the normal: G18 turns from Z to X.
+// Seen from the positive end of the normal, an arc in G18 turns from Z to X.
 TEST(curve, planes_turn_from_their_first_axis_to_the_second) {
   const Axes from{0, 0, 10};
   const Motion zx = arc(arc_ccw, {10, 0, 0}, {}, 0.25, Plane::zx);
@@ -74,7 +74,7 @@ TEST(curve, helix) {
   EXPECT_EQ(curve.extents().least, (Axes{-20, -20, -9}));
 }
 
-// 04-29: any axes outside the plane go along with the angle; feeds by what they are measured along.
+// 04-29: axes outside the plane move in proportion to the angle. The length for the feed depends on what the feed is measured along.
 TEST(curve, arc_with_two_axes_outside_its_plane) {
   const AxisRoles roles = AxisRoles::of({"X", "Y", "Z", "V"}, 0);
   const Axes from{100, 0, 0, 0};
@@ -118,7 +118,7 @@ TEST(curve, rolled_axis_goes_its_signed_way) {  // nct 5.6
   EXPECT_EQ(curve.extents().most[1], 350);
 }
 
-/// On the surface of a cylinder: A (degrees) first, X second.
+/// A motion on the surface of a cylinder: A (degrees) is the first axis, X the second.
 struct OnCylinder {
   Axes from{};
   Motion motion;
@@ -143,7 +143,7 @@ OnCylinder on_cylinder(MotionKind kind, Vec2 from, Vec2 to, double radius) {
 
 const AxisRoles xyza = AxisRoles::of({"X", "Y", "Z", "A"}, 8);
 
-// 04-40: lengths on the surface of radius 28.65.
+// 04-40: lengths on the surface of radius 28.65 mm.
 TEST(curve, lines_on_a_cylinder) {
   const OnCylinder turn = on_cylinder(feed, {0, -10}, {30, -10}, 28.65);
   EXPECT_NEAR(Curve(xyza, turn.from, turn.motion).length(), 15.0011, 1e-4);
@@ -155,7 +155,7 @@ TEST(curve, lines_on_a_cylinder) {
   EXPECT_NEAR(curve.at(0.5)[0], -42.5, 1e-9);
 }
 
-TEST(curve, arc_on_a_cylinder) {  // 04-40 N120: the centre stands in axis units
+TEST(curve, arc_on_a_cylinder) {  // 04-40 N120: the centre is in axis units
   OnCylinder c = on_cylinder(arc_ccw, {180, -75}, {240, -57.5}, 28.65);
   c.motion.center = {179.381138, -40.001378};
   c.motion.turns = 0.165266667;
@@ -168,10 +168,10 @@ TEST(curve, arc_on_a_cylinder) {  // 04-40 N120: the centre stands in axis units
   }
   EXPECT_EQ(curve.at(1), c.motion.to);
   EXPECT_EQ(curve.programmed(0.3), curve.at(0.3));
-  EXPECT_EQ(curve.extents().least[0], -75);  // the start: just past the lowest point of the circle
+  EXPECT_EQ(curve.extents().least[0], -75);  // the start is just past the lowest point of the circle
 }
 
-// 04-39 N120: a quarter circle about (30, 30) in the programmed plane; 04-50: past the centre.
+// 04-39 N120: a quarter circle about (30, 30) in the programmed plane. 04-50: a line past the centre of rotation.
 TEST(curve, polar_interpolation) {
   const AxisRoles roles = AxisRoles::of({"X", "Z", "C"}, 4);
   MotionDetail detail;
@@ -212,7 +212,7 @@ TEST(curve, polar_interpolation) {
   EXPECT_GT(past.pieces(0.02), 10);
 }
 
-/// A random arc of any plane and direction, its radius growing a little.
+/// A random arc in any plane and direction whose radius grows a little.
 struct RandomArc {
   Axes from{};
   Motion motion;

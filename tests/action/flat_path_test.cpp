@@ -1,4 +1,4 @@
-// action/flat_path: arcs and spirals in a plane. NCT 4.3–4.3.3; figures of the golden cases 04-23 … 04-31.
+// action/flat_path: arcs and spirals in a plane. NCT 4.3–4.3.3; values of the golden cases 04-23 … 04-31.
 
 #include "action/flat_path.h"
 
@@ -49,7 +49,7 @@ TEST(flat_path, spiral_of_two_and_a_half_turns) {
   EXPECT_NEAR(spiral.length(), 944.5726, 1e-4);
 }
 
-// 04-31: four turns clockwise, radius 50 to 20, 20 mm down.
+// 04-31: four revolutions clockwise, radius from 50 to 20, 20 mm down.
 TEST(flat_path, cone) {
   const FlatPath spiral = FlatPath::arc({-50, 0}, {-20, 0}, {0, 0}, -4);
   expect_point(spiral.at(0.0625), {0, 48.125});
@@ -61,12 +61,12 @@ TEST(flat_path, cone) {
 
 TEST(flat_path, from_the_centre_outwards_the_end_gives_the_direction) {
   const FlatPath spiral = FlatPath::arc({5, 5}, {5, 25}, {5, 5}, 1.25);
-  expect_point(spiral.at(0.2), {5, 5 + 4}, 1e-12);  // it starts at 0°; a quarter turn on: a fifth of the radius
+  expect_point(spiral.at(0.2), {5, 5 + 4}, 1e-12);  // it starts at 0°; after a quarter turn a fifth of the radius is reached
   expect_point(spiral.at(1), {5, 25}, 0);
   EXPECT_NEAR(spiral.length(), FlatPath::arc({5, 25}, {5, 5}, {5, 5}, -1.25).length(), 1e-12);
 }
 
-// The origin is passed by half a turn, within a circle by whole ones.
+// A line through the origin sweeps half a turn about it; a circle around the origin sweeps whole turns.
 TEST(flat_path, angle_swept_about_the_origin) {
   EXPECT_EQ(FlatPath::line({50, 0}, {-50, 0}).swept(1), 180);
   EXPECT_NEAR(FlatPath::line({50, 1}, {-50, 1}).swept(1), 180 - 2 * std::atan(1 / 50.0) / rad_per_deg, 1e-9);
@@ -74,7 +74,7 @@ TEST(flat_path, angle_swept_about_the_origin) {
   EXPECT_NEAR(FlatPath::arc({10, 0}, {10, 0}, {15, 0}, -3).swept(1), 0, 1e-9);
 }
 
-/// A random arc: radii 0.1 … 100 mm, up to 6 turns.
+/// A random arc or spiral with radii of 0.1 … 100 mm and up to 6 revolutions.
 struct RandomSpiral {
   Vec2 from, to, center;
   double turns = 0;
@@ -140,13 +140,13 @@ RC_GTEST_PROP(flat_path, box_is_that_of_its_points, ()) {
   Box2 sampled{path.at(0), path.at(0)};
   for (int i = 1; i <= steps; ++i) sampled.take(path.at(double(i) / steps));
   const Box2 box = path.box();
-  const double gap = 0.01;  // 100 mm · (6 turns · 2π / 5000)² / 8 is below
+  const double gap = 0.01;  // the sagitta, 100 mm · (6 revolutions · 2π / 5000)² / 8, is smaller
   for (const double over :
        {sampled.least.x - box.least.x, sampled.least.y - box.least.y, box.most.x - sampled.most.x, box.most.y - sampled.most.y})
     RC_ASSERT(over >= -1e-9 && over <= gap);
 }
 
-/// The slow twin of swept(): sums the angles between near points.
+/// The slow reference of swept() adds the angles between neighbouring points.
 RC_GTEST_PROP(flat_path, angle_swept_agrees_with_its_slow_twin, ()) {
   Choices choose = choices(60);
   const RandomSpiral s = random_spiral(choose);

@@ -1,4 +1,4 @@
-// action/tool_position, path/curve/machine_extents: machine coordinates along a motion, frames turned or not. NCT 10.2.3.
+// action/tool_position, path/curve/machine_extents: machine coordinates along a motion, with rotated and unrotated frames. NCT 10.2.3.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using enum MotionKind;
 
 const AxisRoles roles = AxisRoles::of({"X", "Y", "Z", "B"}, 8);
 
-/// M_Z(30) · M_Y(20) · M_X(10), as nct 10.2.3 writes it out.
+/// M_Z(30) · M_Y(20) · M_X(10), in the order of nct 10.2.3.
 FrameTurn rotation_of_the_manual() {
   const SinCos a = sincos_deg(10), b = sincos_deg(20), g = sincos_deg(30);
   FrameTurn r;
@@ -36,14 +36,14 @@ TEST(frame, turned_work_coordinates) {  // golden 10-14
 }
 
 TEST(frame, main_axes_may_stand_anywhere_or_be_missing) {
-  FrameTurn quarter;  // about Z: X towards Y
+  FrameTurn quarter;  // about Z, from X towards Y
   quarter.rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
   quarter.main = {2, 0, -1};
   EXPECT_EQ(turned(&quarter, {5, 9, 3}), (Axes{3, 9, -5}));
 }
 
-/// NCT 20.3, 20.4: any permutation, any senses, over a rotation, there and back; each axis of the machine has the programmed way of its
-/// own.
+/// NCT 20.3, 20.4: any exchange and reversal of axes on top of a rotation, and back. Each machine axis travels the programmed distance
+/// of the axis that it is exchanged with.
 RC_GTEST_PROP(frame, exchanged_and_reversed_axes_there_and_back, ()) {
   test::Choices choose = test::choices(40);
   auto turn = std::make_shared<FrameTurn>(rotation_of_the_manual());
@@ -68,7 +68,7 @@ RC_GTEST_PROP(frame, exchanged_and_reversed_axes_there_and_back, ()) {
   }
 }
 
-/// The slow twin: origin + length + turn · (shift + work), for each point.
+/// The slow reference computes origin + length + turn · (shift + work) for each point.
 RC_GTEST_PROP(frame, points_of_an_arc_in_a_turned_frame, ()) {
   test::Choices choose = test::choices(40);
   const auto rotation = std::make_shared<FrameTurn>(rotation_of_the_manual());
@@ -99,7 +99,7 @@ RC_GTEST_PROP(frame, points_of_an_arc_in_a_turned_frame, ()) {
 }
 
 TEST(frame, extents_in_a_turned_frame_are_exact) {
-  FrameTurn about_x;  // by 60°: the circle in XY leans
+  FrameTurn about_x;  // by 60°: the circle in XY is tilted
   const SinCos a = sincos_deg(60);
   about_x.rows = {Vec3{1, 0, 0}, Vec3{0, a.cos, -a.sin}, Vec3{0, a.sin, a.cos}};
   const ToolPosition start{{10, 0, 0}, {10, 0, 0}, std::make_shared<FrameTurn>(about_x)};

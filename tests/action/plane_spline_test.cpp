@@ -22,7 +22,7 @@ void expect_at(Vec2 got, Vec2 expected, double within = near) {
   EXPECT_NEAR(got.y, expected.y, within);
 }
 
-// y = x² from x = -2 to 2 (the manual's example of G5.1); its length is x/2·√(1 + 4x²) + asinh(2x)/4 on each side.
+// y = x² from x = -2 to 2 (the manual's example of G5.1). Its length is x/2·√(1 + 4x²) + asinh(2x)/4 on each side.
 TEST(plane_spline, parabola) {
   const PlaneSpline curve({{{-2, 4}}, {{0, -4}}, {{2, 4}}}, 3);
   EXPECT_NEAR(curve.length(), 2 * (std::sqrt(17.0) + std::asinh(4.0) / 4), near);
@@ -35,7 +35,7 @@ TEST(plane_spline, parabola) {
   expect_at(box.most, {2, 4}, 2e-9);
 }
 
-// A quarter of the unit circle: weights 1, cos 45°, 1.
+// A quarter of the unit circle has the weights 1, cos 45°, 1.
 TEST(plane_spline, circle) {
   const PlaneSpline curve({{{1, 0}}, {{1, 1}, std::sqrt(0.5)}, {{0, 1}}}, 3);
   EXPECT_NEAR(curve.length(), pi / 2, near);
@@ -47,7 +47,8 @@ TEST(plane_spline, circle) {
   }
 }
 
-// Uniform clamped knots, order 3, four points: two parabolas that meet in the middle of the inner control points, going their way.
+// Uniform clamped knots, order 3 and four points give two parabolas. They meet at the midpoint of the inner control points, in the
+// direction from one to the other.
 TEST(plane_spline, pieces_of_a_quadratic_b_spline_meet_between_the_control_points) {
   const PlaneSpline curve({{{0, 0}}, {{0, 2}}, {{4, 2}}, {{4, 0}}}, 3);
   expect_at(curve.at(0.5), {2, 2});
@@ -106,7 +107,7 @@ RC_GTEST_PROP(plane_spline, runs_evenly_within_its_box_and_the_other_way_round, 
     before = here;
     if (i % 100 == 0) RC_ASSERT(length(back.at(1 - part) - here) <= 1e-5);
   }
-  RC_ASSERT(std::fabs(sum - curve.length()) <= 0.02 * curve.length());  // a chord over a cusp is shorter by up to itself
+  RC_ASSERT(std::fabs(sum - curve.length()) <= 0.02 * curve.length());  // at a cusp the chord can be shorter by its whole length
   const double reach = curve.length() / count;
   RC_ASSERT(box.least.x <= sampled.least.x + 1e-8);
   RC_ASSERT(box.most.y >= sampled.most.y - 1e-8);
@@ -118,10 +119,10 @@ RC_GTEST_PROP(plane_spline, chords_of_pieces_stay_as_near_as_asked, ()) {
   Choices choose = choices(80);
   const RandomSpline random = random_spline(choose);
   const PlaneSpline curve(random.points, random.order);
-  const double finest = choose.one_in(10) ? -3 : -1.5;  // a cusp at a thousandth takes seconds
+  const double finest = choose.one_in(10) ? -3 : -1.5;  // a cusp with a tolerance of 0.001 mm takes seconds
   const double chord = std::pow(10, real(choose, finest, 0)), from = real(choose, 0, 0.5), to = real(choose, 0.5, 1);
   const int count = curve.pieces(from, to, chord);
-  const int stride = std::max(1, count / 2000);  // a cusp asks for a million pieces: some of each part of the curve are looked at
+  const int stride = std::max(1, count / 2000);  // a cusp needs a million segments: only some of each part of the curve are checked
   for (int i = count % stride / 2; i < count; i += stride) {
     const double low = from + (to - from) * i / count, high = from + (to - from) * (i + 1) / count;
     const Vec2 start = curve.at(low), way = curve.at(high) - start;

@@ -1,4 +1,4 @@
-// action/polar: polar interpolation. NCT 4.5; figures of the golden case 04-39.
+// action/polar: polar interpolation. NCT 4.5; values of the golden case 04-39.
 
 #include "action/polar.h"
 
@@ -17,7 +17,7 @@ void expect_axes(PolarAxes got, double linear, double rotary) {
   EXPECT_NEAR(got.rotary, rotary, 1e-6);
 }
 
-// 04-39: the contour goes once round; C counts on from block to block to 360.
+// 04-39: the path runs once around the centre; C counts up from block to block to 360.
 TEST(polar, contour_of_the_manual) {
   struct Step {
     Vec2 to;
@@ -42,7 +42,7 @@ TEST(polar, from_the_negative_side) {
   expect_axes(PolarPath(path, -1, 0, 0).at(1), -std::sqrt(5000), -45);
 }
 
-// p: at rotary 0 the tool stands at w = p; the linear axis is then u.
+// p is the offset: with the rotary axis at 0 the tool is at w = p, and the linear axis is at u.
 TEST(polar, offset_of_the_centre) {
   const FlatPath path = FlatPath::line({40, 3}, {0, 50});
   const PolarPath polar(path, 1, 3, 0);
@@ -58,7 +58,7 @@ TEST(polar, nearest_point_of_a_line) {
   EXPECT_EQ(PolarPath(away, 1, 0, 0).nearest(), 0);
 }
 
-/// A path that stays clear of the centre, and an offset below its distance.
+/// A path that stays clear of the centre, and an offset smaller than its distance from the centre.
 struct RandomPolar {
   FlatPath path;
   double side = 1, offset = 0, start = 0, nearest = 0;
@@ -87,7 +87,7 @@ RandomPolar random_polar(Choices& choose) {
   return r;
 }
 
-/// The slow, obvious twin: follows the path in small steps and takes of each angle the turn nearest to the one before.
+/// The slow and obvious reference: follows the path in small steps and chooses each angle within half a turn of the previous one.
 PolarAxes slow_twin(const RandomPolar& r, double part) {
   constexpr int steps = 4'000;
   double angle = 0, first = 0, linear = 0;
@@ -134,7 +134,7 @@ RC_GTEST_PROP(polar, extremes_are_those_of_its_points, ()) {
     sampled_least = {std::min(sampled_least.linear, p.linear), std::min(sampled_least.rotary, p.rotary)};
     sampled_most = {std::max(sampled_most.linear, p.linear), std::max(sampled_most.rotary, p.rotary)};
   }
-  const double gap = 0.5;  // of the samples: mm, degrees
+  const double gap = 0.5;  // greatest error from sampling, mm and degrees
   for (const double over : {sampled_least.linear - least.linear, sampled_least.rotary - least.rotary, most.linear - sampled_most.linear,
                             most.rotary - sampled_most.rotary})
     RC_ASSERT(over >= -1e-7 && over <= gap);

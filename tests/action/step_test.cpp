@@ -1,4 +1,5 @@
-// action/step: the curve of a step is that of its motion, built once; a kept step is the same when all that it was made of is gone.
+// action/step: the curve of a step equals the curve of its motion and is built
+// once. A kept step stays the same when everything it was built from is gone.
 
 #include "action/step.h"
 

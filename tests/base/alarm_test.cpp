@@ -40,10 +40,10 @@ TEST(alarm_arguments, of_thirty_bytes_are_whole) {
 
 TEST(alarm_arguments, are_cut_at_a_whole_character) {
   std::string fifteen;
-  for (int i = 0; i < 15; ++i) fifteen += "Ж";  // 30 bytes
+  for (int i = 0; i < 15; ++i) fifteen += "Ж";  // 15 letters, 30 bytes
   EXPECT_EQ(AlarmArg(fifteen).text(), fifteen);
   EXPECT_EQ(AlarmArg(fifteen + "Ж").text(), fifteen);
-  EXPECT_EQ(AlarmArg("a" + fifteen).text(), "a" + fifteen.substr(0, 28));  // the 15th letter would end at byte 31
+  EXPECT_EQ(AlarmArg("a" + fifteen).text(), "a" + fifteen.substr(0, 28));  // the 15th letter would end at byte 31, one too many
   const std::string signs = "a№№№№№№№№№№";                                 // three bytes each
   EXPECT_EQ(AlarmArg(signs).text(), signs.substr(0, 28));
 }

@@ -1,4 +1,4 @@
-// base/code_literals: what the compiler makes of 43.4_g.
+// base/code_literals: the value of a literal such as 43.4_g.
 
 #include "base/code_literals.h"
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with: file, hard (its second name), link → file, dangling → missing, sub/.
+/// A folder with file, hard (a second name of file), link → file, dangling → missing, and sub/.
 struct Folder {
   fs::path root = fs::temp_directory_path() / ("kadr_file_id_" + std::to_string(::getpid()));
   Folder() {

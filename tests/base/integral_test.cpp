@@ -1,4 +1,4 @@
-// base/integral, base/extremes: against integrals and extremes known by formula.
+// base/integral, base/extremes: compared with integrals and extremes known by formula.
 
 #include "base/integral.h"
 
@@ -36,7 +36,7 @@ TEST(integral, of_nothing_is_nothing) {
 
 TEST(extremes, of_several_waves) {
   const Range range = range_of([](double x) { return std::sin(18 * x) + x; }, 64);
-  // cos(18x) = −1/18: the last crest and the first trough.
+  // cos(18x) = −1/18 at the last crest and at the first trough.
   const double phase = std::acos(-1 / 18.0), crest = (phase + 4 * 3.14159265358979323846) / 18,
                trough = (2 * 3.14159265358979323846 - phase) / 18;
   EXPECT_NEAR(range.most, std::sin(18 * crest) + crest, 1e-12);

@@ -12,7 +12,7 @@ namespace {
 
 using Eight = std::array<double, lanes>;
 
-/// What a kind of lanes makes of numbers: each by itself, and of all.
+/// What one type of lanes computes from numbers: in each lane, and over all lanes.
 struct Made {
   std::array<std::uint64_t, 4> of_all;
   bool operator==(const Made&) const = default;

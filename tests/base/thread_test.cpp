@@ -33,7 +33,7 @@ TEST(SideBySideThreads, DoEachShareOnce) {
   }
 }
 
-/// In whichever of them: all are over by then.
+/// The exception may come from any of the threads; all threads have ended by then.
 TEST(SideBySideThreads, HandOnWhatOneThrows) {
   for (int bad = 0; bad < 5; ++bad) {
     std::atomic<int> under_way = 0;

@@ -1,4 +1,4 @@
-// base/vec: exact trigonometry in degrees; the laws of its docstrings.
+// base/vec: exact trigonometry in degrees, and the laws stated in its docstrings.
 
 #include "base/vec.h"
 
@@ -13,9 +13,9 @@
 namespace kadr::vec_test {
 namespace {
 
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }  // −0 is 0
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }  // makes −0 equal to 0
 
-/// An angle whose sum with 90 is exact: a multiple of 1/1024 within some turns.
+/// Returns an angle whose sum with 90 is exact: a multiple of 1/1024 within some revolutions.
 double exact_angle() { return *rc::gen::inRange(-4'000'000, 4'000'000) / 1024.0; }
 Vec2 any_vector() { return {*rc::gen::inRange(-1'000'000, 1'000'000) / 1000.0, *rc::gen::inRange(-1'000'000, 1'000'000) / 1000.0}; }
 
@@ -33,12 +33,12 @@ TEST(sincos_deg, known_values) {
   EXPECT_NEAR(sincos_deg(60).cos, 0.5, 1e-15);
   EXPECT_NEAR(sincos_deg(45).sin, std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(sincos_deg(-30).sin, -0.5, 1e-15);
-  EXPECT_NEAR(sincos_deg(3630).sin, 0.5, 1e-13);  // ten turns and 30
+  EXPECT_NEAR(sincos_deg(3630).sin, 0.5, 1e-13);  // ten revolutions and 30°
 }
 
 bool odd_multiple_of_45(double deg) { return std::fabs(std::remainder(deg, 90.0)) == 45.0; }
 
-/// By std::remquo, which is exact.
+/// Computes sine and cosine through std::remquo, which is exact.
 SinCos slowly(double deg) {
   int quarter = 0;
   const double rest_deg = std::remquo(deg, 90.0, &quarter), rest = rest_deg * rad_per_deg;
@@ -67,7 +67,7 @@ TEST(sincos_deg, is_that_of_the_exact_rest_bit_by_bit) {
 
 RC_GTEST_PROP(sincos_deg, a_quarter_turn_more_is_cos_and_minus_sin_bit_by_bit, ()) {
   const double a = exact_angle();
-  RC_PRE(!odd_multiple_of_45(a));  // the next test
+  RC_PRE(!odd_multiple_of_45(a));  // covered by the next test
   const SinCos here = sincos_deg(a);
   const SinCos there = sincos_deg(a + 90);
   RC_ASSERT(bits(there.sin) == bits(here.cos));
@@ -113,7 +113,7 @@ TEST(angle_deg, exact_at_multiples_of_90) {
 
 TEST(angle_deg, stays_above_minus_180) {
   EXPECT_GT(angle_deg({-1, -1e-12}), -180);
-  EXPECT_GT(angle_deg({-1, -1e-300}), -180);  // rounds to a half turn
+  EXPECT_GT(angle_deg({-1, -1e-300}), -180);  // the angle rounds to a half turn
 }
 
 RC_GTEST_PROP(angle_deg, is_the_angle_x_was_turned_by, ()) {

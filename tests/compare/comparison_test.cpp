@@ -1,4 +1,4 @@
-// compare/: the same, and each kind of difference, of small programs; and properties against a slow twin.
+// compare/: small programs that are equal or differ in one way each, and random programs compared with a slow reference.
 
 #include "compare/comparison.h"
 
@@ -22,7 +22,7 @@ std::unique_ptr<Session> session_of(const std::string& text, const std::string& 
   return std::move(*session);
 }
 
-/// Of two controls.
+/// Compares two programs, each for a control of its own.
 Comparison compared_as(const std::string& a, const std::string& of_a, const std::string& b, const std::string& of_b) {
   return compare_sessions(session_of(a, of_a), session_of(b, of_b), {});
 }
@@ -188,7 +188,8 @@ TEST(Comparison, AFeedPerRevolutionIsOnePerMinuteAtItsSpeedByTheRules) {
   EXPECT_FALSE(compare_sessions(session_of(by_turns), session_of("G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nX20\nM2\n"), rules).equal());
 }
 
-/// A way of random corners, and the same with points put in along its lines: equal. One corner moved: found, as far as it was moved.
+/// A path with random corners equals the same path with points added along its lines. If one corner is moved, the difference is found
+/// with the distance of the move.
 RC_GTEST_PROP(ComparisonProperty, divided_the_same_moved_not, ()) {
   const auto corners =
       *rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(rc::gen::inRange(-50, 50), rc::gen::inRange(-50, 50)));

@@ -1,4 +1,4 @@
-// compare/comparison_text.
+// compare/comparison_text: the printed text of a comparison.
 
 #include "compare/comparison_text.h"
 

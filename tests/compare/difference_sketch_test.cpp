@@ -1,4 +1,5 @@
-// compare/difference_sketch: what is drawn is no farther from what was taken than the chord, with fewer points; nothing is drawn between.
+// compare/difference_sketch: the drawing has fewer points and stays within
+// the chord tolerance of the original paths; nothing is drawn across gaps.
 
 #include "compare/difference_sketch.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using Layer = SketchPiece::Layer;
 
-/// A circle of so many pieces, all of one line.
+/// Returns a circle of this number of segments, all from one program line.
 std::vector<SketchPiece> circle(int pieces, Layer layer = Layer::same) {
   std::vector<SketchPiece> all;
   const auto at = [&](int i) { return Vec3{10 * std::cos(2 * pi * i / pieces), 10 * std::sin(2 * pi * i / pieces), 0}; };

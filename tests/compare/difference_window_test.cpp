@@ -1,4 +1,4 @@
-// compare/difference_window: what is seen close up, and from which side.
+// compare/difference_window: which area is shown close up, and from which side.
 
 #include "compare/difference_window.h"
 

@@ -1,4 +1,4 @@
-// compare/piece_follower: the pieces of both ways, each in its order and without a gap, and which difference they belong to.
+// compare/piece_follower: returns the pieces of both paths in order and without a gap, each with the difference that it belongs to.
 
 #include "compare/piece_follower.h"
 
@@ -80,7 +80,7 @@ TEST(PieceFollower, AnActIsToldWhereItDiffers) {
   EXPECT_EQ(acts, 1U);
 }
 
-/// Random corners and feeds, some of them changed.
+/// Random corners and feeds, some of them changed in the second program.
 RC_GTEST_PROP(PieceFollowerProperty, without_a_gap_and_numbered_as_told, ()) {
   const auto corner = rc::gen::tuple(rc::gen::inRange(-20, 20), rc::gen::inRange(-20, 20), rc::gen::inRange(0, 12));
   const auto corners = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(*rc::gen::inRange<std::size_t>(0, 16), corner);

@@ -1,4 +1,5 @@
-// compare/stretch: what it says of two ways, against the discrete Fréchet distance of both cut in small pieces (Eiter, Mannila 1994).
+// compare/stretch: its verdict on two paths is compared with the discrete
+// Fréchet distance of both, divided into small pieces (Eiter, Mannila 1994).
 
 #include "compare/stretch.h"
 
@@ -11,7 +12,7 @@ namespace kadr::stretch_test {
 namespace {
 
 using Point = std::array<double, 2>;
-using Way = std::vector<Point>;  // begins at its first
+using Way = std::vector<Point>;  // begins at its first point
 
 Axes axes(const Point& p) {
   Axes at{};
@@ -31,14 +32,14 @@ Lane lane_of(const Way& way, const CourseSpace& space) {
 }
 
 struct Told {
-  bool whole;  // both to their ends
+  bool whole;  // both paths are compared to their ends
   double greatest;
 };
 Told told(const Way& a, const Way& b, double tolerance) {
   const CourseSpace space(2);
   Lane lane_a = lane_of(a, space), lane_b = lane_of(b, space);
   const StretchResult result = go_along(lane_a, lane_b, space, tolerance);
-  // What is left of one when the other is over must lie beside its end.
+  // When one path has ended, the rest of the other must be near that end.
   const auto rest_near = [&](Lane& lane, const Lane& other) {
     for (std::size_t i = 0; lane.item(i).kind == CourseItem::Kind::move; ++i)
       if (space.distance(lane.item(i).to, other.at()) > tolerance) return false;
@@ -57,7 +58,7 @@ Way divided(const Way& way, double step) {
   return fine;
 }
 
-/// At least the continuous one, at most a step more.
+/// Returns a value that is at least the continuous Fréchet distance, and at most one step more.
 double discrete_frechet(const Way& a, const Way& b) {
   std::vector<double> row(b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -113,7 +114,7 @@ RC_GTEST_PROP(StretchProperty, as_the_discrete_distance_says, ()) {
   const double step = 0.04, tolerance = *rc::gen::element(0.15, 0.5, 1.0, 2.0);
   const double discrete = discrete_frechet(divided(a, step), divided(b, step));
   const Told result = told(a, b, tolerance);
-  constexpr double rounding = 1e-9;  // a vertex exactly as far as the tolerance may be either way: the free space tells by squares
+  constexpr double rounding = 1e-9;  // a vertex exactly at the tolerance can be judged either way, because the free space compares squares
   if (discrete <= tolerance - rounding) RC_ASSERT(result.whole);
   if (discrete > tolerance + step) RC_ASSERT(!result.whole);
   if (result.whole) RC_ASSERT(result.greatest <= tolerance + 1e-9);
@@ -128,7 +129,8 @@ Way halved(const Way& way) {
   return fine;
 }
 
-/// Ways that wind within the tolerance and differ in one place: pieces that are the same pass without a search; cut in two they do not.
+/// Paths that wind within the tolerance and differ in one place. Equal pieces match without a search. Pieces cut in two do not, so the
+/// search must give the same verdict.
 RC_GTEST_PROP(StretchProperty, pieces_that_are_the_same_need_no_search, ()) {
   const auto point = rc::gen::map(rc::gen::pair(rc::gen::inRange(0, 7), rc::gen::inRange(0, 4)), [](const std::pair<int, int>& p) {
     return Point{p.first / 2.0, p.second / 2.0};

@@ -1,4 +1,4 @@
-// config/alarm_texts: every alarm has its words in both languages.
+// config/alarm_texts: every alarm has a text in both languages.
 
 #include "config/alarm_texts.h"
 
@@ -15,7 +15,7 @@ TEST(alarm_texts, every_id_has_a_text_in_both_languages) {
     const auto id = static_cast<AlarmId>(i);
     EXPECT_FALSE(texts.pattern(id, Lang::en).empty()) << name_of(id);
     EXPECT_FALSE(texts.pattern(id, Lang::ru).empty()) << name_of(id);
-    if (id == AlarmId::program_alarm) continue;  // the program's own text
+    if (id == AlarmId::program_alarm) continue;  // its text comes from the program
     EXPECT_NE(texts.pattern(id, Lang::ru), texts.pattern(id, Lang::en)) << name_of(id);
   }
 }

@@ -1,4 +1,4 @@
-// Contours: one rectangle with a hole in each of the three formats; garbage ends in an alarm with its line.
+// Contours: reads the same rectangle with a hole in each of the three formats. Garbage ends in an alarm that names its line.
 
 #include "config/contour.h"
 

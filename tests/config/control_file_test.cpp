@@ -1,4 +1,4 @@
-// config/control_file: the built-in controls hold together; a file of one's own extends one of them. Spec gost 3; design.md 3.
+// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3; design.md 3.
 
 #include "config/control_file.h"
 
@@ -64,7 +64,7 @@ TEST_P(BuiltIn, phases_rank_as_the_file_lists_them) {
 
 TEST_P(BuiltIn, every_code_is_found_by_its_number) {
   for (std::size_t i = 0; i < def.codes.size(); ++i) {
-    if (def.codes[i].tenth < 0) continue;  // M…: the others
+    if (def.codes[i].tenth < 0) continue;  // M…, the row of all other M functions, has no number
     EXPECT_EQ(def.row_of(def.codes[i].letter, def.codes[i].tenth), static_cast<std::int32_t>(i)) << def.codes[i].code;
   }
   EXPECT_EQ(def.row_of('G', 9999), -1);
@@ -85,7 +85,7 @@ TEST_P(BuiltIn, rows_refer_to_groups_cycles_and_words_that_exist) {
 }
 
 TEST_P(BuiltIn, rows_say_what_they_are_in_both_languages_and_where_it_stands) {
-  const bool extends_another = !def.lineage.empty();  // sections of the manual of the NCT are none of theirs
+  const bool extends_another = !def.lineage.empty();  // the sections of the manual of the NCT do not apply to extending controls
   for (const CodeRow& row : def.codes) {
     EXPECT_NE(row.text.en, "") << row.code;
     EXPECT_NE(row.text.ru, "") << row.code;
@@ -93,7 +93,7 @@ TEST_P(BuiltIn, rows_say_what_they_are_in_both_languages_and_where_it_stands) {
   }
 }
 
-// ---- nct: what only this control's file has
+// ---- nct: what only this control's file contains
 
 const ControlDef& nct() {
   static const ControlDef def = load_control("nct").value();
@@ -118,7 +118,7 @@ TEST(nct, writes_macros) {
 
 TEST(nct, codes_take_every_axis_of_the_channel) {
   EXPECT_TRUE(nct_code('G', 0).takes_all_axes);
-  // ,C ,R ,A: not the letters C, R, A
+  // The code takes ,C ,R and ,A; these are not the letters C, R and A.
   EXPECT_EQ(nct_code('G', 0).takes, letter_bit(comma_chamfer) | letter_bit(comma_rounding) | letter_bit(comma_angle));
   EXPECT_EQ(nct().address(comma_chamfer).unit, WordUnit::length);
   EXPECT_FALSE(nct_code('G', 220).takes_all_axes);
@@ -165,7 +165,7 @@ TEST(nct, alarms_have_the_controls_numbers_and_words) {
   EXPECT_EQ(nct().alarms.at(AlarmId::m_codes_contradict).number, "");
 }
 
-// ---- a file of one's own
+// ---- a user's file
 
 ControlDef extended(const std::string& toml) {
   auto def = parse_control(toml, "own.toml");
@@ -205,7 +205,7 @@ TEST(extends, overrides_one_code_and_adds_one) {
   ASSERT_NE(code_of(own, 'G', 7700), nullptr);
   EXPECT_EQ(code_of(own, 'G', 7700)->function, Function::dwell);
   EXPECT_EQ(own.codes.size(), load_control("gost").value().codes.size() + 1);
-  EXPECT_EQ(code_of(own, 'G', 950)->function, Function::feed_per_revolution);  // untouched
+  EXPECT_EQ(code_of(own, 'G', 950)->function, Function::feed_per_revolution);  // not TOML
 }
 
 TEST(extends, keeps_what_the_changed_row_does_not_name) {
@@ -250,7 +250,7 @@ TEST(errors, name_file_line_and_thing) {
   }
 }
 
-// One mechanism with machine files and set-ups: config/range.h.
+// Machine files and set-ups use the same check: config/range.h.
 TEST(errors, of_numbers_beyond_their_range) {
   const auto said = [](const std::string& toml) { return refusal(head + toml); };
   for (const char* scale : {"0", "-1", "nan", "inf", "1e-300", "'1'", "true"})
@@ -279,7 +279,7 @@ TEST(errors, in_a_row_laid_over_another_name_the_line_of_ones_own_file) {
 }
 
 TEST(errors, of_a_code_twice) {
-  // gost writes "04": the same code with other digits is another row.
+  // gost writes "04"; the same code with other digits would be a second row, so it is refused.
   const std::string sentence = refusal(head + "[g]\n\"4\" = { does = \"dwell\", phase = \"dwell_after\", takes = \"P\" }\n");
   EXPECT_EQ(sentence.find("own.toml:4: "), 0u) << sentence;
 }
@@ -290,12 +290,12 @@ TEST(errors, of_what_is_missing) {
   EXPECT_FALSE(parse_control("", "own.toml"));
   const auto none = load_control("nap");
   ASSERT_FALSE(none);
-  EXPECT_NE(none.error().find("mach3"), std::string::npos);  // it tells which there are
+  EXPECT_NE(none.error().find("mach3"), std::string::npos);  // the message lists the available ones
   EXPECT_FALSE(load_control("alarms"));
   EXPECT_FALSE(load_control("/no/such/file.toml"));
 }
 
-/// It does not extend itself; where it is too long, that is said.
+/// A file must not extend itself; a chain that is too long is refused with a message that says so.
 TEST(errors, of_a_long_chain) {
   const std::filesystem::path folder = own_place("control_file");
   std::filesystem::create_directories(folder);

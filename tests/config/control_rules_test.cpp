@@ -1,5 +1,5 @@
-// config/function_needs, control_loader_functions, control_loader_rules: what a row may ask of the engine. The messages themselves:
-// tests/own_control.py.
+// config/function_needs, control_loader_functions, control_loader_rules: what a row may require of the engine. The messages themselves
+// are tested by tests/own_control.py.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(needs, stand_in_the_table_of_functions) {
   EXPECT_EQ(traits_of(Function::rapid).by, CalledBy::code);
 }
 
-/// A row of its own with each function: accepted only where what it needs is there.
+/// Adds a row of its own for each function to each base. It must be accepted only where everything that the function needs exists.
 TEST(needs, are_asked_for_by_the_loader) {
   std::string phases;
   for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::none); ++p)
@@ -43,7 +43,7 @@ TEST(needs, are_asked_for_by_the_loader) {
                          (traits_of(f).needs == Needs::correctors && base != "correctors") ||
                          (traits_of(f).needs == Needs::sections && base != "s2c42") ||
                          (traits_of(f).needs == Needs::labels && base != "mach3" && base != "nct" && base != "gost");
-      if (!wrong) continue;  // refused for other reasons, or accepted
+      if (!wrong) continue;  // it may be refused for another reason, or accepted
       EXPECT_EQ(said.find("own.toml:6: G300: '" + name + "'"), 0U) << base << ": " << said;
     }
   }

@@ -1,4 +1,4 @@
-// The section [expressions] of a control file: rows of one's own, and what is refused.
+// The section [expressions] of a control file: rows that a file adds, and what is refused.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ std::string fault_of(const std::string& rows, const std::string& base = "mach3")
   return def ? "" : def.error();
 }
 
-/// #1 … after a program.
+/// Returns the values of #1 … after a program has run.
 std::map<std::string, double> variables_of(const std::string& rows, const std::string& program) {
   const auto def = parse_control("id = \"own\"\nextends = \"mach3\"\nname = {en = \"x\", ru = \"x\"}\n" + rows, "own.toml");
   if (!def) throw std::runtime_error(def.error());
@@ -49,7 +49,7 @@ TEST(expression_rows, change_how_tightly_an_operator_binds) {
   EXPECT_EQ(variables_of("[expressions.operators]\n\"+\" = {does = \"add\", binding = 4}\n", "#1=[2*3+4]\nM30\n").at("#1"), 14);
 }
 
-/// A base without them, and a file that only switches expressions on.
+/// The base has no expressions, and the file only switches them on.
 TEST(expression_rows, that_nobody_writes_are_those_of_RS274) {
   const auto def = parse_control(
       "id = \"own\"\nextends = \"gost\"\nname = {en = \"x\", ru = \"x\"}\n[grammar]\nexpressions = true\nvariables = 99\n", "own.toml");
@@ -59,7 +59,8 @@ TEST(expression_rows, that_nobody_writes_are_those_of_RS274) {
   EXPECT_TRUE(load_control("gost")->grammar.expression.operators.all().empty());
 }
 
-/// Comparisons as operators of custom macros (Fanuc): a condition is any expression; one without them keeps asking for its relation.
+/// Fanuc's custom macros have comparisons as operators: a condition is
+/// any expression. A control without them still requires a relation.
 TEST(expression_rows, may_make_a_condition_of_any_expression) {
   const auto compiles = [](const std::string& rows, std::string_view text) {
     const auto def = parse_control("id = \"own\"\nextends = \"nct\"\nname = {en = \"x\", ru = \"x\"}\n" + rows, "own.toml");
@@ -75,7 +76,7 @@ TEST(expression_rows, may_make_a_condition_of_any_expression) {
   for (const char* const text : {"[#1]", "[#1 AND 2]", "[[#1 EQ 2] AND [#3 LT 4]]"}) EXPECT_FALSE(compiles("", text)) << text;
 }
 
-/// A function whose text begins AXNUM and is written with a bracket: AXNUM[…] is itself still.
+/// AXNUM[…] keeps its meaning although a function's name is the beginning of AXNUM and is also written with a bracket.
 TEST(expression_rows, do_not_hide_axnum) {
   auto def = parse_control(
       "id = \"own\"\nextends = \"nct\"\nname = {en = \"x\", ru = \"x\"}\n[expressions.functions]\nAXN = {does = \"abs\"}\n", "own.toml");

@@ -1,4 +1,4 @@
-// config/function: names of functions and phases lead back to them.
+// config/function: the name of each function and phase leads back to that function or phase.
 
 #include "config/function.h"
 

@@ -1,4 +1,4 @@
-// config/guess: the control of a program, from its text: the golden programs, the examples, small samples.
+// config/guess: guesses the control from the text of a program. Checked with the golden programs, the examples and small samples.
 
 #include "config/guess.h"
 
@@ -26,7 +26,7 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// A program as UTF-8, whatever it is written in.
+/// Returns a program as UTF-8, whatever its encoding.
 std::string program_of(const std::filesystem::path& path) {
   const std::string bytes = text_of(path);
   std::string text;
@@ -34,13 +34,13 @@ std::string program_of(const std::filesystem::path& path) {
   return text;
 }
 
-/// Few lines of a manual's example name their control; what decides must be right.
+/// A few lines of an example from a manual are often not enough to name the control; but a decisive guess must be right.
 TEST(guess, of_the_golden_programs) {
   std::map<std::string, int> decided;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(KADR_ROOT "/tests/golden")) {
     if (entry.path().extension() != ".json" || entry.path().filename() == "schema.json") continue;
     const auto golden = nlohmann::json::parse(text_of(entry.path()));
-    if (!golden.contains("program")) continue;  // in its variants only
+    if (!golden.contains("program")) continue;  // only its variants have programs
     const std::string control = golden.at("control");
     const Guess guess = guess_control(golden.at("program").get<std::string>());
     EXPECT_EQ(guess.dialect, "") << entry.path() << guess.reason_en;
@@ -57,7 +57,7 @@ TEST(guess, of_the_examples) {
     for (const auto& entry : std::filesystem::directory_iterator(KADR_ROOT "/examples/" + std::string(control))) {
       const auto kind = entry.path().extension();
       if ((kind != ".nc" && kind != ".tap" && kind != ".ngc" && kind != ".nct") || entry.path().stem() == "factory_part")
-        continue;  // that one has a control of its own
+        continue;  // this folder has a control of its own
       ++programs;
       const Guess guess = guess_control(program_of(entry.path()), "/" + std::string(control) + "/" + entry.path().filename().string());
       EXPECT_EQ(guess.control, control) << entry.path() << guess.reason_en;
@@ -65,7 +65,8 @@ TEST(guess, of_the_examples) {
   EXPECT_GT(programs, 8);
 }
 
-// spec/gost 1: `%012`, or `%` and `O0001`, as on the controls like Fanuc's; 2: every block numbered; 3: signs, two digits a code.
+// spec/gost 1: `%012`, or `%` and `O0001` as on Fanuc-like controls. spec/gost 2: every block is numbered. spec/gost 3: numbers have
+// signs, and each code has two digits.
 TEST(guess, program_number_behind_percent_tells_no_control) {
   const auto control = [](const char* text) { return guess_control(text).control; };
   EXPECT_EQ(control("%\nO0001\nN001 G90 G17\nN002 G01 X10. F100\nN003 M30\n"), "gost");
@@ -123,7 +124,7 @@ TEST(guess, tells_what_it_found_and_where) {
   EXPECT_FALSE(weak.decisive);
 }
 
-// What the programs of a folder are together.
+// The common guess for the programs of one folder.
 TEST(guess, common_guess_of_a_folder) {
   const auto common = [](std::initializer_list<const char*> programs) {
     std::vector<Guess> guesses;
@@ -137,17 +138,17 @@ TEST(guess, common_guess_of_a_folder) {
   EXPECT_EQ(common({"G154 P3\n", "G154 P4\n", "G187 P1\n", "$H\nG0 X1\n"}), "haas");  // three of four
 }
 
-// A language that Kadr does not read goes over to neighbours that nothing speaks against.
+// A dialect that Kadr does not read is also assumed for neighbouring programs if nothing in them contradicts it.
 TEST(guess, neighbours_of_another_language) {
   const Guess fagor = guess_control("%00000\nN0 T1.1\nN10 M6\n"), lathe = guess_control("T0101\nG97 S100\nG0 X5 Z5\nG50 S90\n");
   const Guess weak = guess_control("N10 G0 X1 Y2\nN20 G1 Z-1\n");
-  EXPECT_EQ(common_guess({fagor, weak}).dialect, "");  // one alone tells nothing
+  EXPECT_EQ(common_guess({fagor, weak}).dialect, "");  // one program alone is not enough evidence
   const CommonGuess two = common_guess({fagor, fagor, weak});
   EXPECT_EQ(two.dialect, "fagor");
   EXPECT_TRUE(may_be(weak, two, true));
-  EXPECT_FALSE(may_be(weak, two, false));                                     // .txt beside .nc
+  EXPECT_FALSE(may_be(weak, two, false));                                     // a .txt file among .nc files
   EXPECT_TRUE(may_be(guess_control("N0 T2.2\nN10 G0 X1 Y2\n"), two, false));  // T2.2
-  EXPECT_FALSE(may_be(weak, common_guess({lathe, lathe, weak}), true));       // it has Y
+  EXPECT_FALSE(may_be(weak, common_guess({lathe, lathe, weak}), true));       // the program has Y
 }
 
 TEST(guess, patterns) {
@@ -188,7 +189,7 @@ TEST(guess, comments_and_names) {
   EXPECT_FALSE(is_named_like("/nc/haas.nc", "*/*haas*/*"));
 }
 
-/// "fanuc?", "grbl!" of a decisive guess, "unknown:lathe" of a language that Kadr does not read.
+/// Returns "fanuc?" for a weak guess, "grbl!" for a decisive one, "unknown:lathe" for a dialect that Kadr does not read.
 std::string told_of(const Guess& guess) {
   if (guess.control.empty()) return guess.dialect.empty() ? "unknown" : "unknown:" + guess.dialect;
   return guess.control + (guess.decisive ? "!" : "?");
@@ -198,7 +199,8 @@ struct Head {
   std::string expected, path, text;
 };
 
-/// A line a head: what it is taken for, the file's name, its lines with \n between them. Each stands for a row of [guess], or against one.
+/// Reads the heads of programs, one per line: the expected guess, the file's name, and the program's lines with \n between them. Each
+/// head tests a row of [guess] or a case where a row must not match.
 std::vector<Head> heads() {
   std::vector<Head> all;
   std::ifstream file(KADR_ROOT "/tests/config/guess_heads.tsv");
@@ -226,13 +228,13 @@ bool stands_in(const GuessMark& mark, const Head& head) {
     const GuessLine forms = guess_line(line);
     const bool in_comment = mark.place == MarkPlace::comment;
     const bool found = !(in_comment ? found_in_words(forms.comments, mark.pattern) : found_in(forms, mark.pattern)).empty();
-    EXPECT_TRUE(!found || (signs_needed(mark.pattern) & ~signs_of(forms.raw)) == 0) << mark.pattern;  // what is passed over is not there
+    EXPECT_TRUE(!found || (signs_needed(mark.pattern) & ~signs_of(forms.raw)) == 0) << mark.pattern;  // must not be skipped
     if (found) return true;
   }
   return false;
 }
 
-// A row that no head has is not tested.
+// A row of [guess] without a matching head would not be tested.
 TEST(guess, each_row_of_a_dialect_has_a_head) {
   const std::vector<Head> all = heads();
   for (const GuessRows& rows : dialect_rows())
@@ -241,8 +243,8 @@ TEST(guess, each_row_of_a_dialect_has_a_head) {
           << rows.control << ": " << mark.pattern;
 }
 
-// A trial: who reads it without a fault stands before who does not; where nobody does, it tells nothing, and no control comes up of which
-// nothing speaks.
+// After a trial, a control that reads the program without a fault ranks before one that does not. If no control does, the trial changes
+// nothing. A trial never adds a control for which there is no evidence.
 TEST(guess, trial) {
   Guess guess = guess_control("G0 X10 Z5\nG1 X20 F100\nM30\n");
   ASSERT_EQ(guess.control, "grbl");
@@ -252,10 +254,10 @@ TEST(guess, trial) {
   EXPECT_EQ(guess.control, "grbl");
   take_trial(guess, {{"grbl", 1}, {"mach3", 2}, {"nct", 0}});
   EXPECT_EQ(guess.control, "nct");
-  EXPECT_EQ(candidates_of(guess_control("G154 P3\nG0 X1.\n")), std::vector<std::string>());  // decisive
+  EXPECT_EQ(candidates_of(guess_control("G154 P3\nG0 X1.\n")), std::vector<std::string>());  // decisive: no candidates to try
 }
 
-// Named by --control these refuse a lathe's program: found.md A2. The NCT reads it: one parameter makes it a lathe (its 18.2).
+// Two controls refuse a lathe's program if --control names them. The NCT reads it, because one parameter makes it a lathe (its 18.2).
 TEST(guess, a_lathes_program_is_refused) {
   const Guess guess =
       guess_control("%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n");

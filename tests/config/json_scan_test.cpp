@@ -1,4 +1,4 @@
-// config/json_scan: what is no JSON is told in words, with its place.
+// config/json_scan: a text that is not JSON is refused with a message and the position of the fault.
 
 #include "config/json_scan.h"
 
@@ -84,7 +84,7 @@ TEST(json_scan, russian) {
   tell_in(Lang::en);
 }
 
-/// Of short texts of JSON's own characters: the same verdict as the parser's, but for keys that stand twice.
+/// Short texts of JSON's own characters get the same verdict as from the parser, except for duplicate keys.
 RC_GTEST_PROP(json_scan, as_the_parser, ()) {
   const std::vector<std::string> pieces = {"{",  "}",  "[", "]",    ":",    ",", "\"a\"", "\"b\"", "1",       "-",
                                            ".5", "e1", "0", "true", "null", " ", "\\",    "\"",    "\\u00e9", "ж"};

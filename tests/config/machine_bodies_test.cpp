@@ -60,11 +60,11 @@ TEST(machine_bodies, shapes_and_carriers) {
   EXPECT_EQ(cylinder.shape.top, -400);
   EXPECT_EQ(cylinder.shape.diameter, 320);
   EXPECT_EQ(mesh.on, "");
-  EXPECT_EQ(mesh.shape.file, (a_file().parent_path() / "meshes/bed.STL").string());  // beside the machine's file
+  EXPECT_EQ(mesh.shape.file, (a_file().parent_path() / "meshes/bed.STL").string());  // in the folder of the machine's file
   EXPECT_EQ(cover.shape.file, "/cover.3mf");
 }
 
-// Without [kinematics] X, Y, Z carry the tool.
+// Without [kinematics] the axes X, Y and Z move the tool.
 TEST(machine_bodies, without_chains) {
   EXPECT_TRUE(loaded(head + "[[bodies]]\nname = 'head'\non = 'Z'\nbox = [0, 0, 0, 1, 1, 1]\n"));
   const auto other = loaded(head + "[[bodies]]\nname = 'table'\non = 'C'\nbox = [0, 0, 0, 1, 1, 1]\n");

@@ -1,4 +1,4 @@
-// config/machine_codes: M functions of two controls by the tables [convert] of their files.
+// config/machine_codes: converts M functions between two controls by the tables [convert] of their files.
 
 #include "config/machine_codes.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::machine_codes_test {
 namespace {
 
-/// A control of one's own over another, with a table.
+/// Loads a user's control that extends another one and has a table [convert].
 ControlDef own(const std::string& id, const std::string& base, const std::string& table) {
   const std::string file = own_place("machine_codes_" + id + ".toml").string();
   std::ofstream(file) << "id = \"" << id << "\"\nname = { en = \"x\", ru = \"x\" }\nextends = \"" << base << "\"\n[convert]\n" << table;

@@ -50,7 +50,7 @@ TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\nplanner = 1\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
 }
 
-// A slip of the pen must not become a motion that never ends.
+// A typing error must not become a motion that never ends.
 TEST(machine_profile, numbers_beyond_every_machine) {
   for (const char* acceleration : {"0", "1e-300", "-500", "nan", "inf", "1e300", "'500'", "true"})
     EXPECT_EQ(refusal(std::string("id = 'a'\n[axes]\nX = { acceleration = ") + acceleration + " }"),

@@ -54,7 +54,7 @@ TEST(parameter_table, bits_stand_at_their_numbers_and_the_others_behind_the_eigh
   EXPECT_EQ(named("0421").bits, (std::vector<std::string>{"", "JRK", "", "", "", "", "", "", "ROL"}));
   EXPECT_EQ(named("0104").bits.at(8), "IND");
   EXPECT_EQ(named("CLRG").bits.at(39), "C39");
-  EXPECT_TRUE(named("1414").bits.empty());  // no name is known
+  EXPECT_TRUE(named("1414").bits.empty());  // the names of its bits are not known
 }
 
 TEST(parameter_table, ranges_and_initial_values) {

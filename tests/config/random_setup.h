@@ -1,5 +1,5 @@
 #pragma once
-// Made-up tables of a control, for the laws of state_json and of the state file.
+// Random tables of a control, for the properties of state_json and of the state file.
 
 #include <rapidcheck.h>
 
@@ -41,7 +41,7 @@ inline ParameterKey any_parameter() {
           *rc::gen::element<std::string>("", "0", "CLR")};
 }
 
-/// Offsets, work offsets, parameters, tool, place and form tables, variables.
+/// Returns random offsets, work offsets, parameters, tool, place and form tables, and variables.
 inline Setup any_tables() {
   Setup s;
   for (std::size_t n = few(); n > 0; --n)

@@ -1,4 +1,4 @@
-// config/rapid_way: of which control the axes of a rapid motion go apart, and by which parameter not.
+// config/rapid_way: which controls move each axis on its own at rapid, and which parameter changes that.
 
 #include "config/rapid_way.h"
 
@@ -26,7 +26,7 @@ TEST(rapid_way, by_parameter) {
   EXPECT_FALSE(apart("fanuc", "1401", "1"));
   EXPECT_FALSE(apart("fanuc", "1401", "LRP"));
   EXPECT_FALSE(apart("fanuc", "1401", "", 2));
-  EXPECT_TRUE(apart("fanuc", "1401", "", 1));  // another bit
+  EXPECT_TRUE(apart("fanuc", "1401", "", 1));  // a bit that has no effect here
   EXPECT_FALSE(apart("haas", "0335"));
   EXPECT_TRUE(apart("haas", "0335", "", 0));
   EXPECT_TRUE(apart("nct", "0421", "ROL"));

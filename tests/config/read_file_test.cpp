@@ -1,4 +1,4 @@
-// config/read_file: small files of ours, whole; nothing that would be waited for, or never end.
+// config/read_file: reads small files of ours whole. It refuses files that block or never end.
 
 #include "config/read_file.h"
 
@@ -45,7 +45,7 @@ TEST_F(read_file_of, bytes_as_they_are) {
 TEST_F(read_file_of, too_long) {
   const std::string name = folder_ / "f";
   std::ofstream(name) << "x";
-  fs::resize_file(name, (16U << 20) + 1);  // a hole: no disk is used
+  fs::resize_file(name, (16U << 20) + 1);  // a sparse file: it uses no disk space
   const std::string sentence = name + ": is longer than 16 MiB, the most that such a file may have";
   EXPECT_EQ(read_file(name).error(), sentence);
   EXPECT_EQ(load_setup(name).error(), sentence);

@@ -1,4 +1,5 @@
-// config/setup reads the set-up and the state of every golden case (JSON) and every case of our own (the text of tests/cases/reader.py).
+// config/setup reads the set-up and the state of every golden case (JSON)
+// and of every case of our own (in the text form of tests/cases/reader.py).
 
 #include "case_files.h"
 #include "config/setup.h"
@@ -13,7 +14,7 @@ using test::setups_of;
 void read_states(const Json& expect, const std::string& where) {
   if (expect.contains("state")) {
     Json state = expect["state"];
-    state.erase("frame");  // no table: it follows from the codes in force
+    state.erase("frame");  // not in a table: it follows from the codes in force
     const auto setup = parse_setup(state.dump());
     EXPECT_TRUE(setup) << where << ": " << setup.error();
   }

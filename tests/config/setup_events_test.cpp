@@ -1,4 +1,4 @@
-// config/setup_events: what the machine's logic does, and when. tests/golden/README.md, "Events".
+// config/setup_events: what the machine's logic does at an event, and when. tests/golden/README.md, "Events".
 
 #include <gtest/gtest.h>
 

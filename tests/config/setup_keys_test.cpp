@@ -1,5 +1,5 @@
-// config/setup_keys, config/setup_check: the table of keys. Each key is read with its example, by the controls that have it and by no
-// other; a mistyped one is refused.
+// config/setup_keys, config/setup_check: the table of keys. Each key is read with its example by the controls that have it and by no
+// other control; a mistyped key is refused.
 
 #include "config/setup_keys.h"
 
@@ -31,7 +31,7 @@ tl::expected<PlacedSetup, std::string> read(const Json& setup, const ControlDef*
   return read_setup({{"", setup.dump()}}, def, Lang::en);
 }
 
-/// A name that may stand for the `*` of a path.
+/// Returns a name that is allowed in place of the `*` of a path.
 std::string sample_name(SetupNames kind, const ControlDef* def) {
   switch (kind) {
     case SetupNames::axis:
@@ -54,7 +54,7 @@ std::string parent_of(std::string_view path) {
   return point == std::string_view::npos ? "" : std::string(path.substr(0, point));
 }
 
-/// A set-up that holds the row's example at its path, within the example of the key it stands below.
+/// Returns a set-up that contains the row's example at its path, inside the example of its top-level key.
 Json setup_with(const SetupKey& row, const ControlDef* def) {
   const std::string top(row.path.substr(0, row.path.find('.')));
   Json setup = {{top, Json::parse(setup_key(top)->example)}};
@@ -76,7 +76,7 @@ Json setup_with(const SetupKey& row, const ControlDef* def) {
     if (parts.back() == "count") when["code"] = "M90";
     setup["events"][0]["when"] = when;
   }
-  // of all controls: names of other controls in the example of a table
+  // The example of a table must use names of this control.
   if (def != nullptr && top == "parameters" && !def->parameters.empty()) {
     const ParameterRow& parameter = def->parameters.front();
     setup = {{top, {{(parameter.number >= 0 ? "N" : "") + parameter.name, parameter.initial}}}};
@@ -115,7 +115,7 @@ TEST(setup_keys, parameters_are_shown_by_names_of_the_control) {
   }
 }
 
-/// What each of the built-in controls has, by its manual: work offsets by code or zeros by number, correctors, variables, …
+/// What each built-in control has according to its manual: work offsets by code, work offsets by number, correctors, variables, …
 TEST(setup_keys, what_the_controls_have) {
   using H = SetupNeeds;
   const std::map<std::string, std::set<H>> expected = {
@@ -139,13 +139,13 @@ TEST(setup_keys, what_the_controls_have) {
     std::set<H> there;
     for (int needs = 0; needs <= static_cast<int>(H::machine_axes); ++needs)
       if (has(def, static_cast<H>(needs))) there.insert(static_cast<H>(needs));
-    const std::string& known = expected.contains(def.id) || def.lineage.empty() ? def.id : def.lineage.front();  // as what it extends
+    const std::string& known = expected.contains(def.id) || def.lineage.empty() ? def.id : def.lineage.front();  // as its base
     ASSERT_TRUE(expected.contains(known)) << def.id;
     EXPECT_EQ(there, expected.at(known)) << def.id;
   }
 }
 
-/// Beyond the ends of each range a number is refused, at them it is read.
+/// A number outside its range is refused; the ends of the range are accepted.
 TEST(setup_keys, ranges) {
   for (const SetupKey& row : setup_keys()) {
     if (row.form != SetupForm::number && row.form != SetupForm::whole) continue;
@@ -166,7 +166,7 @@ TEST(setup_keys, ranges) {
   }
 }
 
-/// Every key of the set-up at any depth, as a way from its root.
+/// Appends the path from the root of every key of the set-up, at any depth, to `to`.
 void ways_of(const Json& value, std::vector<std::string> way, std::vector<std::vector<std::string>>& to) {
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -194,12 +194,12 @@ Json renamed(const Json& setup, const std::vector<std::string>& way, const std::
   return changed;
 }
 
-/// Another key, row or name that the control has there.
+/// Returns true if `name` is another key, row or name that the control has at this path.
 bool is_known_there(const std::vector<std::string>& way, const std::string& name, const ControlDef& def) {
   std::string path;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const SetupKey* const row = path.empty() ? nullptr : setup_key(path);
-    if (row != nullptr && row->form == SetupForm::tables) continue;  // "0"
+    if (row != nullptr && row->form == SetupForm::tables) continue;  // an index such as "0"
     const bool is_name = row != nullptr && row->names != SetupNames::fixed;
     path += (path.empty() ? "" : ".") + (is_name ? "*" : way[i]);
   }
@@ -211,7 +211,7 @@ bool is_known_there(const std::vector<std::string>& way, const std::string& name
   return SetupNamesOf(&def, def.axes, def.axes).allows(parent->names, name);
 }
 
-/// Any one letter of any key changed, left out or put in: refused, or another key that there is.
+/// Changes, removes or appends one letter of each key. The result must be refused or be another existing key.
 TEST(setup_keys, a_mistyped_key_never_passes) {
   std::size_t tried = 0;
   for (const ControlDef& def : controls())
@@ -258,7 +258,7 @@ TEST(setup_keys, one_laid_over_the_other) {
   EXPECT_EQ(both->stated, (std::set<std::string>{"offsets.1", "offsets.1.length", "offsets.1.radius"}));
 }
 
-/// null is a value of its own: an acceleration without limit, a vacant variable, a probe that meets nothing.
+/// null is a value of its own: an acceleration without limit, a vacant variable, a probe that touches nothing.
 TEST(setup_keys, null_is_kept) {
   const auto setup =
       read({{"machine", {{"*", {{"acceleration", nullptr}}}}}, {"variables", {{"#1", nullptr}}}, {"probe", {{"2", nullptr}}}}, nullptr);

@@ -1,4 +1,4 @@
-// config/setup: the state before the start; keys of tests/golden/README.md.
+// config/setup: the state before the start; the keys are those of tests/golden/README.md.
 
 #include "config/setup.h"
 
@@ -192,7 +192,7 @@ TEST(setup, clock_and_channels) {
   EXPECT_EQ(refusal(R"({"channels": {"0": {}}})"), "setup key 'channels.0' must be named by a whole number, 1 to 8");
 }
 
-/// The state in the set-up, such as an earlier run printed it; not what has no table.
+/// The set-up accepts the state that an earlier run printed, except the parts for which there is no table.
 TEST(setup, state_of_an_earlier_run) {
   const kadr::Setup s = read(R"({"shifts": {"G92": {"X": 60}}, "spindle": {"1": {"loop": "closed", "surface_speed": 100, "css_axis": 4,
     "master": null}, "2": {"master": 1}}})");

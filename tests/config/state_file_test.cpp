@@ -1,4 +1,4 @@
-// config/state_file: what survives power-off, and a kill. NCT 12.3, 23.1.4, 23.1.9, 24.1.
+// config/state_file: the state that survives power-off and a killed process. NCT 12.3, 23.1.4, 23.1.9, 24.1.
 
 #include "config/state_file.h"
 
@@ -48,7 +48,7 @@ class state_file : public testing::Test {
     return file ? "opened" : file.error();
   }
   Rows stored() { return open().load().value().rows; }
-  /// Exit status of a child process that does this.
+  /// Runs `work` in a child process and returns its exit status.
   static int in_child(const std::function<int()>& work) {
     const pid_t child = fork();
     if (child == 0) {
@@ -64,7 +64,7 @@ class state_file : public testing::Test {
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  /// Runs SQL on the file, which is not open.
+  /// Runs SQL on the file while Kadr does not have it open.
   void sql(const char* statements) {
     sqlite3* connection = nullptr;
     ASSERT_EQ(sqlite3_open(path_.c_str(), &connection), SQLITE_OK);
@@ -150,7 +150,7 @@ TEST_F(state_file, what_is_no_file_is_refused_without_waiting) {
   EXPECT_EQ(check_state(path_).error(), name() + " is a pipe, not a file");
 }
 
-// A program's own FOPEN may have made it: what is in it is not a state that began empty.
+// A program's own FOPEN may have created the file, so an empty file must not be read as an empty state.
 TEST_F(state_file, empty_file_is_none) {
   text("");
   EXPECT_EQ(refusal().substr(0, name().size() + 33), name() + " is empty: no state file of Kadr.");
@@ -158,7 +158,7 @@ TEST_F(state_file, empty_file_is_none) {
   EXPECT_FALSE(fs::exists(name() + "-wal"));
 }
 
-/// A log that is left of an earlier file would be laid over a new one.
+/// The log left from an earlier file would be applied to a new one.
 TEST_F(state_file, log_of_an_earlier_file) {
   std::ofstream(name() + "-wal") << "x";
   EXPECT_EQ(refusal(), name() + " cannot be made: the log of an earlier one, " + name() + "-wal, is still there; put it away first");
@@ -183,12 +183,12 @@ TEST_F(state_file, corrupt) {
     EXPECT_TRUE(is_refused()) << page;
     EXPECT_EQ(bytes(), wrong) << page;
     fs::remove(folder_ / "new.state");
-    if (page == 1) continue;  // of the control's name
+    if (page == 1) continue;  // a page of the control's name
     const auto found = recover_state(path_, folder_ / "new.state", "nct");
-    if (!found) continue;  // the first page of the rows
+    if (!found) continue;  // nothing can be recovered: this is the first page of the rows
     EXPECT_FALSE(found->faults.empty());
     const Rows kept = StateFile::open(folder_ / "new.state", "nct")->load().value().rows;
-    EXPECT_GE(kept.size(), 200U) << page;  // a page in the middle of the tree has many below it
+    EXPECT_GE(kept.size(), 200U) << page;  // a page in the middle of the tree has many pages below it
     for (const StateRow& row : kept) EXPECT_NE(std::find(all.begin(), all.end(), row), all.end());
   }
   text(sound.substr(0, size - 1024));
@@ -209,7 +209,7 @@ TEST_F(state_file, wrong_tables) {
   EXPECT_TRUE(is_refused());
 }
 
-/// Rows by other hands: a value changed, a row more, one less, one back from an earlier time.
+/// Rows changed from outside Kadr: a value changed, a row added, a row removed, a row restored from an earlier time.
 TEST_F(state_file, rows_of_others) {
   ASSERT_TRUE(open().save({{{variables, "#500", 1.0}, {variables, "#501", 2.0}}}));
   const std::string sound = bytes();
@@ -257,7 +257,7 @@ TEST_F(state_file, in_use_cannot_be_checked) {
   EXPECT_EQ(in_child(sentence), 0);
 }
 
-/// As Kadr wrote it before there were checksums.
+/// A file of the form that Kadr wrote before there were checksums.
 TEST_F(state_file, without_checksums) {
   sql("PRAGMA page_size = 1024; CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
       "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, PRIMARY KEY (kind, key)) WITHOUT ROWID;"
@@ -287,7 +287,8 @@ TEST_F(state_file, newer_versions) {
   EXPECT_EQ(refusal(), name() + " was written by a newer Kadr: its state version is 3, this one reads up to 2");
 }
 
-// A bit of each byte of a small file, one at a time: refused, or the very same values. (All bits take minutes.)
+// Flips one bit of each byte of a small file, one at a time. The file must
+// be refused or give exactly the same values. (All bits take minutes.)
 TEST_F(state_file, one_flipped_bit) {
   ASSERT_TRUE(open().save({{{variables, "#500", 1.5},
                             {variables, "#501", -0.1},
@@ -321,7 +322,7 @@ TEST_F(state_file, one_flipped_bit) {
   }
   EXPECT_GT(refused, 100);
   EXPECT_GT(same, 100);
-  EXPECT_GT(recovered, tried * 8 / 10) << tried;  // all but one row
+  EXPECT_GT(recovered, tried * 8 / 10) << tried;  // all rows but one
 }
 
 TEST_F(state_file, cut_off) {
@@ -334,7 +335,7 @@ TEST_F(state_file, cut_off) {
   }
 }
 
-/// In a child that may write no more than so many bytes to a file.
+/// Runs in a child process that may write only a limited number of bytes to a file.
 TEST_F(state_file, full_disk) {
   const int saves = in_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
@@ -356,7 +357,7 @@ TEST_F(state_file, full_disk) {
   EXPECT_EQ(stored(), (Rows{{variables, "#500", saves - 2.0}, {variables, "#501", saves - 2.0}}));
 }
 
-/// In a child without the rights of root.
+/// Runs in a child process without the rights of root.
 TEST_F(state_file, read_only) {
   ASSERT_TRUE(open().save({{{variables, "#500", 1.0}}}));
   const auto refused = [&] {
@@ -375,7 +376,7 @@ TEST_F(state_file, read_only) {
   fs::permissions(folder_, fs::perms(0755));
 }
 
-/// The state after the n-th block of the kill test: all rows tell n, and a few come and go.
+/// Returns the state after the n-th block of the kill test: all rows contain n, and a few rows appear and disappear.
 Rows after_block(int n) {
   Rows rows;
   for (int i = 0; i < 8; ++i) rows.push_back({variables, "#" + std::to_string(500 + i * 50), n * 1.0});
@@ -394,7 +395,7 @@ StateChanges block(int n) {
   return changes;
 }
 
-// A kill at any moment leaves the state of the last block whose save came back, or of the one that was being saved.
+// A kill at any moment leaves the state of the last block whose save has returned, or of the block that was being saved.
 TEST_F(state_file, killed_at_any_moment) {
   constexpr int kills = 50, longest_us = 40'000;
   auto* const done =
@@ -405,7 +406,7 @@ TEST_F(state_file, killed_at_any_moment) {
   random.seed(seed);
   int kept = 0;
   for (int kill_number = 0; kill_number < kills; ++kill_number) {
-    if (kill_number % 10 == 0) {  // the making of a new file is interrupted too
+    if (kill_number % 10 == 0) {  // the creation of a new file is interrupted too
       for (const auto& entry : fs::directory_iterator(folder_)) fs::remove(entry);
       kept = 0;
     }
@@ -423,7 +424,7 @@ TEST_F(state_file, killed_at_any_moment) {
     ASSERT_TRUE(WIFSIGNALED(status)) << "seed " << seed;
     const Rows rows = stored();
     const int acknowledged = *done;
-    kept = rows.empty() ? 0 : static_cast<int>(std::get<double>(rows[0].value) / 2);  // "#3901" is the first
+    kept = rows.empty() ? 0 : static_cast<int>(std::get<double>(rows[0].value) / 2);  // "#3901" is the first row
     ASSERT_EQ(rows, kept == 0 ? Rows{} : after_block(kept)) << "seed " << seed;
     ASSERT_GE(kept, acknowledged) << "seed " << seed;
     ASSERT_LE(kept, acknowledged + 1) << "seed " << seed;

@@ -1,4 +1,4 @@
-// config/state_json: the state after a run. tests/golden/README.md, `state`.
+// config/state_json: the state after a run, as in `state` of tests/golden/README.md.
 
 #include "config/state_json.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 TEST(state_json, empty) { EXPECT_EQ(state_json({}), R"({"tool":0})"); }
 
-// The forms that nct's cases 15-2, 10-14, 24-1, 12-17 expect.
+// The forms that cases 15-2, 10-14, 24-1 and 12-17 of nct expect.
 TEST(state_json, tables) {
   RunState state;
   kadr::Setup& t = state.tables;
@@ -44,7 +44,7 @@ TEST(state_json, shifts_plane_diameter) {
 
 TEST(state_json, spindles) {
   RunState state;
-  state.tables.spindles[1].rpm = 500;  // before the run
+  state.tables.spindles[1].rpm = 500;  // set before the run
   state.tables.spindles[1].ranges = {{50, 1000}};
   state.tables.spindles[2].name = "S2";
   state.spindles[1] = {"closed", 318.25, "cw", 100, 4, 0, 90.0};

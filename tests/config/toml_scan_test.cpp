@@ -1,4 +1,4 @@
-// config/toml_scan: limits of a TOML text, held before it is parsed.
+// config/toml_scan: the limits of a TOML text are checked before it is parsed.
 
 #include "config/toml_scan.h"
 

@@ -1,4 +1,4 @@
-// Tools files of our own form, and those of others.
+// Reads tools files in our own form and in those of other programs.
 
 #include "config/tool_library.h"
 
@@ -166,23 +166,23 @@ TEST(ToolFormats, LinuxcncTableOfALathe) {
   ASSERT_THAT(library->tools, SizeIs(4));
   EXPECT_EQ(library->tools[0].kind, ToolKind::turning);
   EXPECT_EQ(library->tools[0].corner, 0.4);
-  EXPECT_EQ(library->tools[1].kind, ToolKind::flat);  // a table without I and J says no insert
+  EXPECT_EQ(library->tools[1].kind, ToolKind::flat);  // a table without I and J does not describe an insert
   EXPECT_EQ(library->tools[2].angle, 0);
   EXPECT_EQ(library->tools[3].corner, 0);
   EXPECT_THAT(library->notes, SizeIs(2));
 }
 
-// The program in the same units measures its tools by it.
+// The sizes of the table are in the unit of the program, here inches.
 TEST(ToolFormats, LinuxcncTableOfAMachineInInches) {
   auto library = tools_of_linuxcnc("T1 P1 D+0.5\nT2 P2 D0.8 I+85 J+25 Q2\nT3 P3 D0.25 I0 J0 Q9\n", "tool.tbl");
   ASSERT_TRUE(library);
   take_unit(25.4, *library);
   EXPECT_DOUBLE_EQ(library->tools[0].diameter, 12.7);
-  EXPECT_EQ(library->tools[0].length, 100);  // assumed, mm
+  EXPECT_EQ(library->tools[0].length, 100);  // an assumed length, mm
   EXPECT_DOUBLE_EQ(library->tools[1].corner, 10.16);
   EXPECT_GE(library->tools[1].flutes, 3 * 10.16);
   EXPECT_DOUBLE_EQ(library->tools[2].corner, 3.175);
-  take_unit(25.4, *library);  // it is in mm now
+  take_unit(25.4, *library);  // the library is in mm now
   EXPECT_DOUBLE_EQ(library->tools[0].diameter, 12.7);
 }
 
@@ -205,7 +205,7 @@ TEST(ToolFormats, ATaperedMillOfFusionHasItsDiameterAtTheTip) {
   ASSERT_THAT(library->tools, SizeIs(2));
   EXPECT_EQ(library->tools[0].kind, ToolKind::taper);
   EXPECT_NEAR(library->tools[0].diameter - 2 * 15 * 0.17632698, 4, 1e-6);
-  EXPECT_THAT(tools_of_fusion(fusion("1"), "tools.json")->tools, SizeIs(1));  // left out, and said
+  EXPECT_THAT(tools_of_fusion(fusion("1"), "tools.json")->tools, SizeIs(1));  // the other tool is left out, with a message
 }
 
 TEST(ToolFormats, AreToldByNameAndText) {

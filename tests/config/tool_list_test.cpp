@@ -1,4 +1,4 @@
-// Tools as a list of JSON: the same tools as of a file, the same refusals.
+// Tools as a JSON list: they give the same tools as a file, and the same refusals.
 
 #include "config/tool_list.h"
 

@@ -1,5 +1,5 @@
-// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). A faulty block,
-// passed over, must be as if it had not been written: the blocks after it, which show all of the state, act the same.
+// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). If a faulty block is
+// skipped, the following blocks, which show the whole state, must act as if it had not been written.
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ const std::string shows_mach3 =
     "G92.3\nX7\nM3 M7\nM5 M9\nG15 G50 G69\n"
     "G0 X7 Y1\nG90 G2 X8 Y1 I0.5\nG83 X5 Y6 Z-3 R1 Q1\nX7\nG80\nG0 X1 Y2 Z3\n";
 
-/// What a faulty motion may leave to those behind it, stated anew.
+/// Restates the modes and the position that a faulty motion may leave to the blocks after it.
 const std::string anew = "G90 G91.1 G17 G21 G0 X0 Y0 Z0\n";
 
 TEST(alarm_on_mach3, leaves_everything_as_it_was) {
@@ -169,10 +169,10 @@ TEST(alarm_on_correctors, leaves_what_correctors_have_added) {
 TEST(alarm, emits_nothing_of_its_block) {
   const auto r = run("mach3", "F100\nG0 X1\nS1000 M3 T4 M6 M8 G2 X5 Y5 I50 J3\n");
   EXPECT_EQ(r.first_alarm(), "radius_mismatch");
-  EXPECT_EQ(r.actions.size(), 2u);  // the frame at the start, G0
+  EXPECT_EQ(r.actions.size(), 2u);  // the initial frame and G0
 }
 
-// One fault, one alarm: blocks behind it have the feed that was forgotten. With inverse time feed each is to have its own.
+// One fault gives one alarm: the blocks after it use the feed that was missing. With inverse-time feed each block needs its own.
 TEST(alarm, a_missing_feed_is_told_once) {
   for (const char* const control : {"grbl", "linuxcnc", "fanuc"}) {
     const auto once = run(control, "G21 G90\nG0 X0 Y0\nG1 X1\nY1\nX0\nG1 X5 F100\nX0\nM2\n", {}, OnAlarm::go_on);

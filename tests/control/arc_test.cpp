@@ -1,4 +1,4 @@
-// control/block/arc: centre, sweep and checks of one arc; against points sampled along it. RS274/NGC; 2С42 6.6.4.
+// control/block/arc: centre, sweep and checks of one arc, compared with points sampled along it. RS274/NGC; 2С42 6.6.4.
 
 #include "control/block/arc.h"
 
@@ -14,13 +14,13 @@ constexpr double tolerance = 0.01;  // mm
 
 struct Asked {
   Vec2 center, from, to;
-  double radius = 0, start = 0, sweep = 0;  // degrees, ccw positive
+  double radius = 0, start = 0, sweep = 0;  // degrees, counter-clockwise positive
   Turn turn = Turn::ccw;
 };
 
 Vec2 on_circle(Vec2 center, double radius, double deg) { return center + rotated({radius, 0}, deg); }
 
-/// An arc by its centre, radius and angles, from a hundredth of a degree to nearly a whole circle.
+/// Returns a random arc given by centre, radius and angles; its sweep is from a hundredth of a degree to nearly a whole circle.
 Asked random_arc() {
   Choices choose = choices(40);
   Asked a;
@@ -34,7 +34,7 @@ Asked random_arc() {
   return a;
 }
 
-/// The twin: walks from `from` about the centre in small steps, in the direction asked for, until it meets `to`.
+/// The reference: goes from `from` about the centre in small steps, in the requested direction, until it meets `to`.
 double sampled_turns(Vec2 from, Vec2 to, Vec2 center, Turn turn) {
   constexpr int steps = 36'000;
   double nearest = 1e300;
@@ -96,7 +96,7 @@ RC_GTEST_PROP(arc_around, agrees_with_the_sampled_twin, ()) {
 
 RC_GTEST_PROP(arc_around, exchanged_and_opposed_is_the_same_arc_reversed, ()) {
   Asked a = random_arc();
-  a.to = a.to + Vec2{*rc::gen::inRange(-5, 6) / 1000.0, 0};  // a spiral within the tolerance
+  a.to = a.to + Vec2{*rc::gen::inRange(-5, 6) / 1000.0, 0};  // makes it a spiral within the tolerance
   const auto there = arc_around(a.from, a.to, a.center, a.turn, tolerance);
   const auto back = arc_around(a.to, a.from, a.center, a.turn == Turn::cw ? Turn::ccw : Turn::cw, tolerance);
   RC_ASSERT(there.has_value());

@@ -1,4 +1,4 @@
-// Control::state_of(): the state of the block that an action belongs to, although the control is far ahead.
+// Control::state_of(): returns the state of the block that an action belongs to, although the control has already read far ahead.
 
 #include "control/state/block_states.h"
 
@@ -24,7 +24,7 @@ TEST(block_states, gives_the_state_of_the_last_block_not_after_the_one_asked_for
   EXPECT_EQ(states.of(6)->modal.feed, 100);
   EXPECT_EQ(states.of(7)->modal.feed, 200);
   EXPECT_EQ(states.of(1'000'000)->modal.feed, 200);
-  EXPECT_EQ(states.of(3), states.of(6));  // one value
+  EXPECT_EQ(states.of(3), states.of(6));  // the state is stored once
 }
 
 TEST(block_states, a_position_is_no_change) {
@@ -61,7 +61,7 @@ TEST(block_states, numbers_may_run_over) {
   EXPECT_EQ(states.of(block)->modal.feed, 1);
 }
 
-/// Modes after each block, by its number: handed over block by block.
+/// Returns the modes after each block, by the block's number. The control returns after each block.
 std::map<std::uint32_t, std::vector<std::string>> modes_by_block(const std::string& id, const std::string& program) {
   Control control(test::control(id), {}, Program{"p", text_source(program), {}}, RunLimits{});
   control.hand_over_each_block();
@@ -73,7 +73,7 @@ std::map<std::uint32_t, std::vector<std::string>> modes_by_block(const std::stri
   return modes;
 }
 
-/// Beside a twin that is asked after each block.
+/// Compares the states with those of a second control that is queried after each block.
 void same_as_block_by_block(const std::string& id, const std::string& program) {
   const auto expected = modes_by_block(id, program);
   Control control(test::control(id), {}, Program{"p", text_source(program), {}}, RunLimits{});

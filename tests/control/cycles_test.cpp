@@ -1,4 +1,4 @@
-// control/cycles: G73, G81–G89 give the motions of their written-out long form. Mach3 10.7.22–10.7.24, spec mach3 4.
+// control/cycles: G73 and G81–G89 give the motions of their long form written out. Mach3 10.7.22–10.7.24, spec mach3 4.
 
 #include <algorithm>
 
@@ -62,8 +62,8 @@ Drilling random_drilling(Choices& choose) {
 bool pecks(const Drilling& d) { return d.code == "G83" || d.code == "G73"; }
 bool dwells(const Drilling& d) { return d.code == "G82" || d.code == "G89"; }
 
-/// As a canned cycle: all words in the first block, then the holes only. With G91 R counts from where the tool stands and
-/// is given anew with each block, for it would count again.
+/// Writes the row as a canned cycle: all words in the first block, then the hole positions only. With G91, R counts from the current
+/// position of the tool. It is written in each block, because it would otherwise be added again.
 std::string short_form(const Drilling& d) {
   std::string text = d.preparation() + (d.absolute ? "G90 " : "G91 ") + (d.initial ? "G98 " : "G99 ") + d.code;
   const int level = d.absolute ? d.level : d.level - d.start;
@@ -88,7 +88,7 @@ std::string one_hole(const Drilling& d, int clear) {
   if (pecks(d))
     for (int at = d.level - d.peck; at > bottom; at -= d.peck) {
       text += down + Drilling::number(at) + "\n";
-      const Behaviour& b = control("mach3").behaviour;  // how far back: settings of the machine, INFERRED in controls/mach3.toml
+      const Behaviour& b = control("mach3").behaviour;  // retract distances: settings of the machine, INFERRED in controls/mach3.toml
       const int back = static_cast<int>(std::lround(b.return_chip_break * 1000)),
                 near = static_cast<int>(std::lround(b.return_near * 1000));
       text += rapid + Drilling::number(d.code == "G83" ? d.level : std::min(d.level, at + back)) + "\n";
@@ -99,7 +99,7 @@ std::string one_hole(const Drilling& d, int clear) {
   return text + (d.code == "G85" || d.code == "G89" ? down : rapid) + Drilling::number(clear) + "\n";
 }
 
-/// The same motion by motion, in absolute coordinates.
+/// Writes the same row motion by motion, in absolute coordinates.
 std::string long_form(const Drilling& d) {
   std::string text = d.preparation();
   const int clear = d.initial ? std::max(d.start, d.level) : d.level;
@@ -115,7 +115,7 @@ std::string long_form(const Drilling& d) {
   return text;
 }
 
-/// Motions that go somewhere, and dwells; to the nanometre, for increments are summed.
+/// Returns the motions that change the position, and the dwells, rounded to a nanometre because increments are summed.
 std::vector<std::string> steps_of(const std::string& program) {
   const auto r = run("mach3", program);
   std::vector<std::string> steps;

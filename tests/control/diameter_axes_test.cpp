@@ -1,4 +1,4 @@
-// [axes] diameter of a control file (docs/own-control.md): a word of such an axis is twice the way.
+// [axes] diameter of a control file (docs/own-control.md): a word of such an axis is twice the distance travelled.
 
 #include <gtest/gtest.h>
 

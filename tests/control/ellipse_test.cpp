@@ -1,4 +1,5 @@
-// Arcs under unequal scale factors (G51, Mach3 10.7.15): every piece lies on the ellipse, and close enough to it.
+// Arcs under unequal scale factors (G51, Mach3 10.7.15): every segment
+// has its ends on the ellipse and stays within the tolerance of it.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ std::vector<Motion> feeds_of(const std::string& program) {
   return feeds;
 }
 
-/// Half an ellipse, 20 by 5 mm, about the work zero.
+/// Half an ellipse, 20 by 5 mm, about the work origin.
 const std::string half = "G21 G90 F100\nG0 X20 Y0\nG51 X4 Y1\nG3 X-5 Y0 I-5 J0\nG50\nM2\n";
 
 TEST(ellipse, every_end_lies_on_it) {
@@ -30,7 +31,7 @@ TEST(ellipse, chords_stay_within_the_tolerance) {
   for (const Motion& m : feeds_of(half)) {
     const Vec2 to{m.to[0], m.to[1]};
     const Vec2 middle = 0.5 * (from + to);
-    // In the plane stretched to a circle of 20 mm the gap is at least that of the ellipse.
+    // In the plane scaled so that the ellipse becomes a circle of 20 mm, the gap is at least as large as at the ellipse.
     EXPECT_LE(20 - length(Vec2{middle.x, 4 * middle.y}), 4 * tol::ellipse_chord);
     from = to;
   }

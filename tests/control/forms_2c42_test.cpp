@@ -1,5 +1,5 @@
-// control on the 2С42: a subprogram is its body, a repetition its passes, a mirror twice none, and the carrier does not
-// matter: tape, code pages, ends of lines and of blocks. Spec s2c42 1, 3, 6, 9.
+// control on the 2С42: a subprogram equals its body, a repetition equals its passes written out, and mirroring twice changes nothing.
+// The medium does not matter: tape, code pages, ends of lines and blocks. Spec s2c42 1, 3, 6, 9.
 
 #include <iconv.h>
 
@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using Blocks = std::vector<std::string>;
 
-/// Lines and quarter arcs in increments, micrometres; as drawn, or mirrored in X.
+/// Lines and quarter arcs in increments, in micrometres; as drawn, or mirrored in X.
 struct Contour {
   Blocks plain, mirrored;
 };
@@ -35,7 +35,7 @@ Contour random_contour(Choices& choose) {
     const auto& q = quarters[choose.below(4)];
     const int r = choose.between(100, 9000);
     const bool cw = (q[0] == q[1]) == (choose.below(2) == 0);
-    const bool along_x = (q[0] == q[1]) != cw;  // the quarter leaves along X: its centre stands beside in Y
+    const bool along_x = (q[0] == q[1]) != cw;  // the quarter leaves along X: its centre is offset in Y
     const auto center = [&](int sign) {
       return along_x ? " I0 J" + std::to_string(q[1] * r) : " I" + std::to_string(sign * q[0] * r) + " J0";
     };
@@ -44,7 +44,7 @@ Contour random_contour(Choices& choose) {
   return c;
 }
 
-/// Numbered from N1, between '%' and M2.
+/// Returns the program with blocks numbered from N1, between '%' and M2.
 std::string main_program(const Blocks& blocks, const std::string& mark = "", const std::string& end = "\n") {
   std::string text = "%" + mark + end;
   std::size_t number = 0;
@@ -105,7 +105,7 @@ RC_GTEST_PROP(mirror, of_the_mirrored_contour_is_the_contour, ()) {
   for (std::size_t i = 0; i < plain.size(); ++i) {
     RC_ASSERT(plain[i].kind == twice[i].kind);
     RC_ASSERT(std::fabs(plain[i].turns - twice[i].turns) <= 1e-12);
-    RC_ASSERT(plain[i].turns == 0 || std::fabs(plain[i].turns - 0.25) <= 1e-12);  // the contour is what it was meant to be
+    RC_ASSERT(plain[i].turns == 0 || std::fabs(plain[i].turns - 0.25) <= 1e-12);  // the path is the intended one
     RC_ASSERT(length(Vec3{plain[i].to[0] - twice[i].to[0], plain[i].to[1] - twice[i].to[1], 0}) <= 1e-9);
     RC_ASSERT(length(plain[i].center - twice[i].center) <= 1e-9);
   }
@@ -125,7 +125,7 @@ RC_GTEST_PROP(mirror, in_both_axes_keeps_the_direction_of_arcs, ()) {
   }
 }
 
-// ---- carriers
+// ---- media
 
 std::string written(std::string text, const char* iconv_name) {
   std::string bytes(text.size(), '\0');
@@ -151,11 +151,11 @@ RC_GTEST_PROP(carrier, does_not_matter, ()) {
     RC_ASSERT(actions_of(main_program(blocks, " ПС", end)) == expected);
     RC_ASSERT(actions_of(main_program(blocks, " LF", end)) == expected);
   }
-  RC_ASSERT(actions_of(main_program(blocks, " ПС ", "")) == expected);  // one line
+  RC_ASSERT(actions_of(main_program(blocks, " ПС ", "")) == expected);  // all blocks on one line
   RC_ASSERT(actions_of(main_program(blocks, " LF ", "")) == expected);
   const std::string marked = main_program(blocks, " ПС");
   RC_ASSERT(actions_of("\xEF\xBB\xBF" + marked) == expected);
-  RC_ASSERT(actions_of(written(marked, "CP1251")) == expected);  // guessed
+  RC_ASSERT(actions_of(written(marked, "CP1251")) == expected);  // the encoding is guessed
   RC_ASSERT(actions_of(written(marked, "KOI8-R")) == expected);
   RC_ASSERT(actions_of(written(marked, "CP866")) == expected);
   RC_ASSERT(actions_of(encode_tape(main_program(blocks), 20).value()) == expected);

@@ -1,4 +1,4 @@
-// control/state/journal: what a block has written is brought back, nothing else is.
+// control/state/journal: undo restores what a block has written, and nothing else.
 
 #include "control/state/journal.h"
 
@@ -41,7 +41,7 @@ TEST(journal, undoes_the_last_change_first) {
   journal.undo();
   EXPECT_EQ(order, (std::vector<int>{5, 1}));
   EXPECT_EQ(cell, 0);
-  journal.undo();  // nothing is left
+  journal.undo();  // nothing remains to undo
   EXPECT_EQ(order.size(), 2U);
 }
 
@@ -69,7 +69,7 @@ TEST(journal_link, tells_the_first_time_of_a_block) {
   EXPECT_TRUE(link.is_first());
 }
 
-/// Beside a slow twin that copies everything at the start of a block.
+/// Compares with a slow reference that copies everything at the start of a block.
 RC_GTEST_PROP(journal, is_like_a_copy_of_all, ()) {
   Journal journal;
   std::array<double, 6> numbers{};

@@ -1,4 +1,5 @@
-// control/linuxcnc/modal_groups: the groups of controls/linuxcnc.toml by the numbers of spec/linuxcnc 3, and groups of a user's own.
+// control/linuxcnc/modal_groups: the groups of controls/linuxcnc.toml have
+// the numbers of spec/linuxcnc 3; a user's file may define groups of its own.
 
 #include "control/linuxcnc/modal_groups.h"
 
@@ -21,10 +22,10 @@ TEST(modal_groups, have_the_numbers_of_their_names) {
   }
   const CodeRow& spindle = def.codes[static_cast<std::size_t>(def.row_of('M', 30))];
   EXPECT_EQ(groups.number(spindle.group), 7U);
-  EXPECT_NE(groups.index_of_g(7), spindle.group);  // that of G40
+  EXPECT_NE(groups.index_of_g(7), spindle.group);  // the group of G40
 }
 
-/// A number beyond the last one was an index beyond the table of a block's codes.
+/// Regression: a group number greater than the last one became an index outside the table of a block's codes.
 TEST(modal_groups, of_other_names_are_0) {
   ControlDef def;
   for (const char* name : {"", "12", "99", "M11", "-1", "shop", "5x", "", "M7"}) def.groups.push_back({name, false, -1, {}});

@@ -1,5 +1,5 @@
-// control/block/motion_run: blocks that go on a run of plain motions do what they do the general way. Handed over block by block,
-// nothing goes on a run: that is the twin.
+// control/block/motion_run: blocks that extend a run of plain motions do the same as by the general path. A control that returns after
+// each block never extends a run: it is the reference.
 
 #include <random>
 
@@ -43,7 +43,7 @@ Given run_as(const std::string& id, const std::string& program, const Setup& set
   return given;
 }
 
-/// Mostly lines of one or two shapes; now and then one that changes what they mean.
+/// Writes mostly lines of one or two shapes; now and then a line that changes what they mean.
 std::string program_of(const std::string& id, std::mt19937& choose) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
   static const std::map<std::string, std::vector<std::string>> others = {
@@ -150,9 +150,9 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
       else if (c == 'F') text += feeds[below(3) == 0 ? below(std::size(feeds)) : 0];
       else if (c == 'Q') text += below(6) == 0 ? "G91 G94 " : "G90 G94 ";
       else if (c == 'p') text += below(6) == 0 ? "G18 " : "G17 ";
-      else if (c == 'c') text += "I" + std::to_string(below(9)) + " J-2.5 ";  // whole circles, where nothing else stands there
+      else if (c == 'c') text += "I" + std::to_string(below(9)) + " J-2.5 ";  // whole circles if the block has no end point
       else if (c == 'k') text += "J" + std::to_string(below(3)) + " K" + std::to_string(below(3)) + " ";
-      else if (c == 'h') text += "X" + std::to_string(2 * below(2)) + " I" + std::to_string(below(2)) + " ";  // half ones, now and then
+      else if (c == 'h') text += "X" + std::to_string(2 * below(2)) + " I" + std::to_string(below(2)) + " ";  // sometimes half circles
       else
         text += c + std::to_string(static_cast<int>(below(200)) - (id == "gost" && below(4) != 0 ? 0 : 100)) +
                 (!is_numbered && below(2) == 0 ? ".5 " : " ");
@@ -162,7 +162,7 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
   return text;
 }
 
-/// A loop of motions whose words are expressions, with what macros write between them.
+/// Returns a loop of motions whose words are expressions, with other macro statements between them.
 std::string loop_of(std::mt19937& choose) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
   static const char* const motions[] = {"X[#1*2]",     "G1 X[#1] Y#2 F100", "Y#3",       "Z[#1-#2]",     "G0 X[#1]",   "G2 I[#1+1] J0",

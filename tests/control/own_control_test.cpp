@@ -1,5 +1,5 @@
-// A user's own control: whatever the loader accepts runs through all rooms, whatever the program is. Each function over each of the five
-// controls, then random files (fuzz/own_control.h). A crash prints the file and the program that made it.
+// A user's own control: any file that the loader accepts runs in all rooms, whatever the program is. Each function is tried on each of
+// the five controls, then random files (fuzz/own_control.h). A crash prints the file and the program that caused it.
 #include "../../fuzz/own_control.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace kadr::fuzz::own_control_test {
 namespace {
 
-std::string in_hand;  // for the reader of a crash
+std::string in_hand;  // printed when a crash happens
 
 void show_and_end(int signal) {
   std::fputs(in_hand.c_str(), stderr);

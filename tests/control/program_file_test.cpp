@@ -1,4 +1,5 @@
-// Jumps by block number (nct 14.1, 14.4.4, 23.2.8): the index against reading on, which says what a jump means.
+// Jumps by block number (nct 14.1, 14.4.4, 23.2.8): the index is compared
+// with reading on block by block, which defines what a jump means.
 #include "control/flow/program_file.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ BlockReader reader_of(const std::string& text, const Grammar& grammar = nct_gram
   return {text_source(text), grammar, Encoding::utf8};
 }
 
-/// The search as the manual's sentence says it: block by block from `from`, then from the beginning up to it.
+/// Searches as the manual describes it: block by block from `from` to the end, then from the beginning to `from`.
 std::optional<Position> by_reading(BlockReader& reader, std::uint32_t number, Position from) {
   Block block;
   for (const bool again : {false, true}) {
@@ -44,7 +45,7 @@ std::optional<Position> by_reading(BlockReader& reader, std::uint32_t number, Po
   return std::nullopt;
 }
 
-/// Lines that a search must look at twice: numbers doubled, with zeros before them, in comments, skipped, damaged, data lines.
+/// Writes lines that are hard to search: duplicate numbers, leading zeros, numbers in comments, skipped and damaged blocks, data lines.
 std::string random_program(std::mt19937& random, std::size_t lines, int numbers) {
   const auto any = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   const auto n = [&] { return std::string(static_cast<std::size_t>(any(3)), '0') + std::to_string(any(numbers)); };
@@ -69,7 +70,7 @@ std::string random_program(std::mt19937& random, std::size_t lines, int numbers)
   return text;
 }
 
-/// Every place from which a jump may start.
+/// Returns every position from which a jump may start.
 std::vector<Position> places_of(BlockReader& reader) {
   std::vector<Position> places{{}};
   Block block;
@@ -101,7 +102,7 @@ TEST(BlockNumbers, FindsWhatReadingOnFinds) {
   EXPECT_GT(missing, 100);
 }
 
-// Several blocks in a line, which the NCT has not and a control that extends it may have.
+// Several blocks on a line: the NCT does not allow them, but a control that extends it may.
 TEST(BlockNumbers, TellsBlocksOfOneLineApart) {
   Grammar grammar = nct_grammar();
   grammar.end_of_block = EndOfBlock::line;
@@ -116,7 +117,7 @@ TEST(BlockNumbers, TellsBlocksOfOneLineApart) {
     for (std::uint32_t number = 1; number < 5; ++number) EXPECT_EQ(index.find(number, from), by_reading(slow, number, from));
 }
 
-// A file longer than what is searched by reading: the same answers before the index is there, and after.
+// In a file too long to be searched by reading, the answers are the same before the index exists and after.
 TEST(ProgramFile, FindsTheSameWithAndWithoutItsIndex) {
   std::mt19937 random(16);
   const std::string text = random_program(random, 6000, 3000);

@@ -1,4 +1,5 @@
-// control: what holds for every path: turned, mirrored, split, in inches, in increments, from another zero. Mach3 10.7; spec mach3 4.
+// control: properties of every path: rotated, mirrored, divided, in
+// inches, in increments, from another origin. Mach3 10.7; spec mach3 4.
 
 #include "control/random_path.h"
 #include "control/run_program.h"
@@ -15,13 +16,13 @@ MotionKind opposite(MotionKind kind) {
   return kind == MotionKind::arc_cw ? MotionKind::arc_ccw : kind == MotionKind::arc_ccw ? MotionKind::arc_cw : kind;
 }
 Vec3 point(const Axes& a) { return {a[0], a[1], a[2]}; }
-/// The centre in space, 0 off the arc's plane.
+/// Returns the centre in space; its coordinate normal to the arc's plane is 0.
 Vec3 center_of(const Motion& m) {
   Axes center{};
   center[m.first] = m.center.x, center[m.second] = m.center.y;
   return point(center);
 }
-/// `p` without its coordinate off the arc's plane.
+/// Returns `p` with its coordinate normal to the arc's plane set to 0.
 Vec3 in_plane(Vec3 p, const Motion& m) {
   const Axes all{p.x, p.y, p.z};
   Axes kept{};
@@ -36,7 +37,7 @@ std::vector<Motion> motions_of(const std::string& program, const Setup& setup = 
   return r.motions();
 }
 
-/// Each motion is the other's, its points moved by `moved`, its direction changed by `turned`.
+/// Checks that each motion equals the other, with points changed by `moved` and the arc direction by `turned`.
 template <class Moved, class Turned>
 void expect_same(const std::vector<Motion>& one, const std::vector<Motion>& other, Moved moved, Turned turned, double within = near) {
   RC_ASSERT(one.size() == other.size());
@@ -46,7 +47,7 @@ void expect_same(const std::vector<Motion>& one, const std::vector<Motion>& othe
     RC_ASSERT(std::fabs(one[i].turns - other[i].turns) <= within);
     if (!is_arc(one[i].kind)) continue;
     RC_ASSERT(one[i].first == other[i].first && one[i].second == other[i].second);
-    RC_ASSERT(same_point(in_plane(moved(center_of(one[i])), other[i]), center_of(other[i]), within * 1e3));  // by R: less sharp
+    RC_ASSERT(same_point(in_plane(moved(center_of(one[i])), other[i]), center_of(other[i]), within * 1e3));  // less exact by R
   }
 }
 const auto as_it_is = [](auto x) { return x; };
@@ -184,7 +185,7 @@ RC_GTEST_PROP(path, carried_out_twice_is_the_same_bit_by_bit, ()) {
   RC_ASSERT(exactly(run("mach3", program).actions) == exactly(run("mach3", program).actions));
 }
 
-// ---- the same for codes that bring motions of their own
+// ---- the same for codes that generate motions of their own
 
 TEST(circular_pocket, mirrored_turns_the_other_way) {
   const auto plain = motions_of("G21 F100\nG12 I5\n");
@@ -196,7 +197,7 @@ TEST(circular_pocket, mirrored_turns_the_other_way) {
   EXPECT_EQ(mirrored[1].to[0], -5);
 }
 
-TEST(circular_pocket, with_unequal_scales_is_an_alarm) {  // an arc becomes an ellipse: ellipse_test
+TEST(circular_pocket, with_unequal_scales_is_an_alarm) {  // an arc becomes an ellipse: see ellipse_test
   EXPECT_EQ(run("mach3", "G21 F100\nG51 X2 Y1\nG12 I5\n").first_alarm(), "not_together");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Random paths of lines, arcs and helices in the three planes, and how they are written as a Mach3 program.
+// Generates random paths of lines, arcs and helices in the three planes, and writes them as Mach3 programs.
 
 #include <cstdio>
 
@@ -8,7 +8,7 @@
 
 namespace kadr::test {
 
-/// One motion: to `to`, for arcs about `center`; both in mm.
+/// One motion to `to`; arcs are about `center`; both in mm.
 struct Piece {
   MotionKind kind = MotionKind::rapid;
   Plane plane = Plane::xy;
@@ -23,7 +23,7 @@ using Path = std::vector<Piece>;
 inline std::size_t first_axis(Plane plane) { return axes_of(plane).first; }
 inline std::size_t second_axis(Plane plane) { return axes_of(plane).second; }
 
-/// An arc or helix from `from`: centre and sweep at random, clear of half and whole circles where R is to be written.
+/// Returns an arc or helix from `from` with a random centre and sweep. The sweep avoids half and whole circles, where R is not usable.
 inline Piece random_arc(Choices& choose, const Axes& from, Plane plane) {
   Piece p;
   p.plane = plane;
@@ -44,7 +44,7 @@ inline Piece random_arc(Choices& choose, const Axes& from, Plane plane) {
   return p;
 }
 
-/// `planes`: 1 for XY only, 3 for all.
+/// `planes` is 1 for XY only, 3 for all.
 inline Path random_path(Choices& choose, std::size_t planes) {
   static constexpr Plane all[] = {Plane::xy, Plane::zx, Plane::yz};
   Path path;
@@ -66,12 +66,12 @@ inline Path random_path(Choices& choose, std::size_t planes) {
 
 enum class Dimensions { absolute, incremental, mixed };
 
-/// How a path is written.
+/// How a path is written as a program.
 struct Writing {
   Dimensions dimensions = Dimensions::absolute;
   double unit = 1;           // mm; 25.4 for inches
-  int digits = 12;           // after the point
-  bool radius_words = true;  // R where the path asks for it
+  int digits = 12;           // decimals
+  bool radius_words = true;  // writes R for the arcs of the path that request it
 };
 
 class Writer {

@@ -1,5 +1,5 @@
 #pragma once
-// For the tests of `control`: a program carried out, and its motions in a form that can be compared.
+// Helpers for the tests of `control`: execute a program, and turn its motions into a comparable form.
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@ inline const ControlDef& control(const std::string& id) {
   return *def;
 }
 
-/// What a run gave: all actions, the alarms (each passed over by go_on, if `checking`), and the state after it.
+/// The result of a run: all actions, the alarms (with `checking` each one is skipped by go_on), and the state after it.
 struct Run {
   std::vector<Action> actions;
   std::vector<AlarmReport> alarms;
   std::vector<std::size_t> actions_at_alarm;
   std::vector<AlarmReport> warnings;
   Ending ending;
-  std::string state;  // tables and switches as JSON, of a control that has any to show
+  std::string state;  // tables and switches as JSON, of a control that has some
 
   std::vector<Motion> motions() const {
     std::vector<Motion> all;
@@ -62,7 +62,7 @@ inline Run run(const std::string& id, const std::string& program, const Setup& s
   return result;
 }
 
-/// Bit by bit the same, wherever in the program the action comes from.
+/// Returns the action as text with bit-exact numbers, without its position in the program.
 inline std::string exactly(const Action& action) {
   char text[1200];
   int size = std::snprintf(text, sizeof text, "%zu:", action.what.index());
@@ -92,7 +92,7 @@ inline std::vector<std::string> exactly(const std::vector<Action>& actions) {
   return all;
 }
 
-/// Of a code that the control carries out itself, the machine is only told (nct 13.1).
+/// Returns true if the control executes the code itself and only reports it to the machine (nct 13.1).
 inline bool is_told(const Action& action) {
   const auto* const function = std::get_if<MachineFunction>(&action.what);
   return function != nullptr && function->by_control;
@@ -103,7 +103,7 @@ inline std::vector<Action> untold(std::vector<Action> actions) {
   return actions;
 }
 
-/// State that an alarm must not change, as one text: position, variables, codes in force.
+/// Returns the state that an alarm must not change as one text: position, variables, codes in force.
 inline std::string exactly(const Ending& e) {
   std::string text;
   char number[40];
@@ -114,7 +114,7 @@ inline std::string exactly(const Ending& e) {
   return text;
 }
 
-/// Length of a motion from `from`, arcs and helices included.
+/// Returns the length of a motion from `from`, arcs and helices included.
 inline double path_length(const Motion& m, const Axes& from) {
   const Vec3 way{m.to[0] - from[0], m.to[1] - from[1], m.to[2] - from[2]};
   if (m.turns == 0) return length(way);

@@ -1,6 +1,7 @@
 #pragma once
-// For the tests of alarms. A faulty block leaves everything as it was. Where the check goes on behind it, only the modes of its motion and
-// the place that it leads to remain (Interpreter::go_on), which later blocks are written for: once they are stated anew, nothing is left.
+// Helpers for the tests of alarms. A faulty block leaves everything as it was. If the check continues
+// after it, only the modes of its motion and its end position remain (Interpreter::go_on), because
+// later blocks rely on them. Once these are stated again, nothing of the faulty block remains.
 
 #include <algorithm>
 #include <string>
@@ -9,14 +10,14 @@
 
 namespace kadr::test {
 
-/// Some state to be lost, the faulty block, and blocks that show the state.
-///   anew  blocks between them that state the modes of motions and the place; they stand in the run without the faulty block too
+/// Blocks that build up state (`before`), blocks that show the state (`after`), and blocks between the faulty block and `after` that state
+/// the modes of motions and the position again (the third string); the run without the faulty block has all of them too.
 struct Scene {
   const char* control;
   std::string before, after, anew = {};
 };
 
-/// What the faulty block has left behind; empty: nothing.
+/// Returns what the faulty block has left behind; empty if nothing.
 inline std::string differences(const Scene& scene, const std::string& fault, const kadr::Setup& setup) {
   const std::string after = scene.anew + scene.after;
   const auto plain = run(scene.control, scene.before + after, setup);
@@ -26,7 +27,7 @@ inline std::string differences(const Scene& scene, const std::string& fault, con
   if (!plain.alarms.empty()) return "the scene itself: " + plain.first_alarm() + " in line " + std::to_string(plain.alarms[0].origin.line);
   if (faulty.alarms.empty()) return "no alarm";
   const auto faulty_line = static_cast<std::uint32_t>(std::count(scene.before.begin(), scene.before.end(), '\n') + 1);
-  for (const AlarmReport& r : faulty.alarms)  // once, or once a pass of a repetition
+  for (const AlarmReport& r : faulty.alarms)  // once, or once per pass of a repetition
     if (r.origin.line != faulty_line) return "and then: " + std::string(name_of(r.alarm.id)) + " in line " + std::to_string(r.origin.line);
   if (exactly(stopped.actions) != exactly(cut.actions)) return "actions of the faulty block";
   if (exactly(stopped.ending) != exactly(cut.ending)) return "state:\n  " + exactly(stopped.ending) + "\n  " + exactly(cut.ending);

@@ -1,5 +1,5 @@
-// Control::snapshot() and restore(): a run that is stopped between two blocks and goes on in a fresh control gives what the run gives that
-// was never stopped: the same trace, alarms, warnings and tables, byte for byte.
+// Control::snapshot() and restore(): a run is stopped between two blocks and continues in a fresh control. It gives what an
+// uninterrupted run gives: the same trace, alarms, warnings and tables, byte for byte.
 
 #include "control/state/snapshot.h"
 
@@ -24,7 +24,7 @@ using test::Folder, test::Work;
 constexpr std::size_t most_steps = 4000;  // calls of run()
 constexpr std::size_t most_alarms = 50;
 
-/// A control, the logic of its machine, and all that they have given.
+/// A control, the logic of its machine, and all their output.
 class Runner {
  public:
   Runner(const Work& work, bool each_block)
@@ -35,7 +35,7 @@ class Runner {
     if (each_block || !plc_.idle()) control_.hand_over_each_block();
     control_.set_waiting(Control::Waiting::pass);
   }
-  /// Goes on from a snapshot of `other`: what that has given so far counts as given.
+  /// Continues from a snapshot of `other`, including the output that `other` has produced so far.
   Runner(const Work& work, bool each_block, const Runner& other, const Snapshot& from) : Runner(work, each_block) {
     plc_ = other.plc_;
     actions_ = other.actions_;
@@ -47,7 +47,7 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// One call of run(); false: it is over.
+  /// Calls run() once. Returns false if the run is over.
   bool step() {
     if (over_) return false;
     const Control::State state = control_.run(batch_);
@@ -75,7 +75,7 @@ class Runner {
   std::optional<Snapshot> snapshot() const { return control_.snapshot(); }
   bool restored() const { return restored_; }
 
-  /// Everything, as text.
+  /// Returns all output as text.
   std::string all() const {
     char* text = nullptr;
     std::size_t size = 0;
@@ -122,7 +122,7 @@ struct Tally {
   std::size_t programs = 0, restored = 0, shown = 0;
 };
 
-/// Stops at random places and goes on from there: in the control itself, and in a fresh one.
+/// Stops at random moments and continues from there, in the same control and in a fresh one.
 void check(const Work& work, bool each_block, std::mt19937& choose, Tally& tally) {
   Runner whole(work, each_block);
   const std::size_t steps = whole.finish();
@@ -135,7 +135,7 @@ void check(const Work& work, bool each_block, std::mt19937& choose, Tally& tally
     while (done < at && stopped.step()) ++done;
     auto snapshot = stopped.snapshot();
     while (!snapshot && stopped.step()) ++done, snapshot = stopped.snapshot();
-    if (!snapshot || done > steps) continue;  // it ends in the middle of a block
+    if (!snapshot || done > steps) continue;  // the run ends in the middle of a block
     Runner fresh(work, each_block, stopped, *snapshot);
     ASSERT_TRUE(fresh.restored()) << work.where;
     stopped.finish(done);
@@ -183,14 +183,14 @@ TEST_P(SnapshotOfRandomPrograms, goes_on_the_same) {
 INSTANTIATE_TEST_SUITE_P(snapshot, SnapshotOfRandomPrograms, testing::Values("nct", "mach3", "gost", "correctors", "s2c42"),
                          [](const auto& control) { return std::string(control.param); });
 
-// ---- what is special
+// ---- special cases
 
 TEST(snapshot, of_the_middle_of_a_cycle) {
   const std::string program = "G81 X0 Y0 Z-5 R2 F100 L40\nG0 X7\nM30\n";
   Control control(test::control("mach3"), {}, Program{"p", text_source(program), {}}, RunLimits{});
   ActionBatch batch, rest, same;
   ASSERT_EQ(control.run(batch), Control::State::running);
-  ASSERT_TRUE(control.in_block());  // holes are left
+  ASSERT_TRUE(control.in_block());  // holes are pending
   const auto now = control.snapshot();
   ASSERT_TRUE(now);
   (void)control.run(rest);
@@ -221,7 +221,7 @@ TEST(snapshot, tables_that_did_not_change_are_shared) {
   EXPECT_EQ(all[0].content().tables, all[1].content().tables);
   EXPECT_EQ(all[0].content().variables, all[1].content().variables);
   EXPECT_EQ(all[1].content().tables, all[3].content().tables);
-  EXPECT_NE(all[1].content().variables, all[3].content().variables);  // work zeros are variables there
+  EXPECT_NE(all[1].content().variables, all[3].content().variables);  // work offsets are variables there
 }
 
 TEST(snapshot, a_called_file_that_is_gone_is_an_alarm) {

@@ -1,5 +1,5 @@
-/* Stands before each file of Grbl that is compiled for a computer instead of an AVR: there a double is a float, and the functions of
-   math.h are those of floats. Written for dev/grbl_oracle; nothing of Grbl is in it. */
+/* Included before each file of Grbl when it is compiled for a computer instead of an AVR. On the AVR a double is a float, and the functions
+   of math.h work on floats; these definitions reproduce that. Written for dev/grbl_oracle; it contains no code of Grbl. */
 #ifndef KADR_GRBL_PRELUDE
 #define KADR_GRBL_PRELUDE
 
@@ -21,7 +21,7 @@
 #define sqrt sqrtf
 #define trunc truncf
 
-/* What the headers of avr-libc would give. */
+/* Replaces what the headers of avr-libc define. */
 #define F_CPU 16000000UL
 #define ISR(name) void name(void)
 #define PROGMEM

@@ -1,4 +1,4 @@
-// kinematics/chain: axes → tool and back.
+// kinematics/chain: from axis positions to the tool and back.
 
 #include "kinematics/chain.h"
 

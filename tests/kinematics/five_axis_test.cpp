@@ -1,4 +1,4 @@
-// kinematics/five_axis: two rotary axes, there and back (NCT 25.1; spec/nct/25a, 25g).
+// kinematics/five_axis: two rotary axes, from positions to directions and back (NCT 25.1; spec/nct/25a, 25g).
 
 #include "kinematics/five_axis.h"
 
@@ -28,7 +28,7 @@ Vec3 leaned(Vec3 u, double degrees, Vec3 towards) {
   return std::cos(degrees * rad_per_deg) * u + std::sin(degrees * rad_per_deg) * towards;
 }
 
-/// All pairs of axes of 25a 3, both senses, inclined ones too.
+/// Returns machines with all pairs of axes of 25a 3 in both senses, inclined axes included.
 std::vector<FiveAxis> machines() {
   std::vector<FiveAxis> all;
   const std::pair<Vec3, Vec3> pairs[] = {
@@ -42,9 +42,9 @@ std::vector<FiveAxis> machines() {
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
-/// The same by rotation one after the other, point by point, in the machine's own order: no matrix is multiplied.
+/// The slow reference rotates the vector about one axis after the other, in the machine's own order, without multiplying matrices.
 Vec3 slow_direction(const FiveAxis& m, RotaryPair at) {
-  const auto turn = [](Vec3 v, Vec3 axis, double degrees) {  // Rodrigues
+  const auto turn = [](Vec3 v, Vec3 axis, double degrees) {  // Rodrigues' formula
     const double s = std::sin(degrees * rad_per_deg), c = std::cos(degrees * rad_per_deg);
     return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
   };
@@ -77,7 +77,8 @@ TEST(five_axis, as_turned_one_axis_after_the_other) {
     }
 }
 
-/// Issue 18: forward of inverse is the same on a million random directions; and one of the solutions is where it came from.
+/// Issue 18: for a million random directions, the forward transformation of the inverse gives the same direction, and one of the
+/// solutions equals the original positions.
 TEST(five_axis, forward_of_inverse_is_the_same) {
   std::mt19937 random(18);
   std::uniform_real_distribution<double> angle(-180, 180);
@@ -95,7 +96,7 @@ TEST(five_axis, forward_of_inverse_is_the_same) {
         const RotaryPair pair = found.pairs[static_cast<std::size_t>(n)];
         worst = std::max(worst, distance(m.direction(pair), wanted));
         const double off = std::hypot(std::remainder(pair.first - at.first, 360.), std::remainder(pair.second - at.second, 360.));
-        is_there = is_there || off < 1e-3;  // near a pole an angle is known no better
+        is_there = is_there || off < 1e-3;  // near a pole the angle is less exact
       }
       ASSERT_TRUE(is_there) << at.first << " " << at.second;
     }
@@ -110,13 +111,13 @@ TEST(five_axis, places_there_and_back) {
       const RotaryPair at{angle(random), angle(random)}, zero{angle(random), angle(random)};
       const Vec3 p{mm(random), mm(random), mm(random)};
       EXPECT_NEAR(distance(m.place_in_part(at, m.place_on_machine(at, p, zero), zero), p), 0, 1e-9);
-      EXPECT_NEAR(distance(m.place_on_machine(zero, p, zero), p), 0, 1e-9);  // where it was measured it is
+      EXPECT_NEAR(distance(m.place_on_machine(zero, p, zero), p), 0, 1e-9);  // measured in this position: the point does not move
       EXPECT_NEAR(distance(m.length_vector({}, {0, 0, 120}), {0, 0, 120}), 0, 1e-12);
     }
 }
 
 TEST(five_axis, what_no_position_reaches) {
-  const FiveAxis nutating = machine(MachineGroup::head_head, z, leaned(z, 30, x));  // leans the tool by 60° at most
+  const FiveAxis nutating = machine(MachineGroup::head_head, z, leaned(z, 30, x));  // tilts the tool by at most 60°
   EXPECT_EQ(nutating.solutions(x).count, 0);
   EXPECT_FALSE(nutating.chosen(x, {}));
   EXPECT_GT(nutating.solutions(unit({1, 0, 1})).count, 0);
@@ -169,7 +170,7 @@ RC_GTEST_PROP(five_axis, continued_goes_no_farther_than_the_other_pair, ()) {
   RC_ASSERT(std::fabs(found->second - from.second) <= 180 + 1e-9);
 }
 
-/// Of all positions of the axis that may move, by steps of a hundredth of a degree, none comes nearer.
+/// Checks all positions of the movable axis in steps of a hundredth of a degree: none comes nearer to the direction.
 TEST(five_axis, near_a_pole_the_free_axis_may_stand) {
   for (const FiveAxis& m : machines()) {
     const RotaryPair present{25, -40};

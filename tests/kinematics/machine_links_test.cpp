@@ -1,4 +1,4 @@
-// kinematics/machine_links: where the links of a machine are, and how far they can move.
+// kinematics/machine_links: the positions of a machine's links, and the bound of their travel.
 
 #include "kinematics/machine_links.h"
 
@@ -20,7 +20,7 @@ Axes some_axes(std::mt19937& random, double linear, double rotary) {
   return axes;
 }
 
-// law: the tool seen from the part is what MachineTree::forward says.
+// law: the tool as seen from the part is where MachineTree::forward puts it.
 TEST(machine_links, poses_are_those_of_the_tree) {
   std::mt19937 random(1);
   for (const char* machine : {"table-table", "head-table", "head-head", "nct-vmc"}) {
@@ -41,7 +41,7 @@ TEST(machine_links, poses_are_those_of_the_tree) {
 }
 
 TEST(machine_links, carriers) {
-  const MachineLinks links = links_of("table-table");  // X Z | Y A C
+  const MachineLinks links = links_of("table-table");  // link of X, Z | link of Y, A, C
   EXPECT_EQ(links.count(), 6U);
   EXPECT_EQ(links.tool(), 2U);
   EXPECT_EQ(links.part(), 5U);
@@ -54,7 +54,7 @@ TEST(machine_links, carriers) {
   EXPECT_FALSE(links.carries_tool(3));
 }
 
-// law: no place of a body moves farther than is said, at any part of the way, seen from any link that carries it.
+// law: at any fraction of a motion, no point of a body has moved farther than the bound, seen from any link that carries the body.
 TEST(machine_links, travel_is_a_bound) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> one(-1, 1);
@@ -74,7 +74,7 @@ TEST(machine_links, travel_is_a_bound) {
         links.poses(at, then);
         for (const Vec3 side : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}) {
           const Vec3 place = middle + radius * side;
-          // Seen from the other link, with its directions at the start.
+          // The displacement seen from the other link, in the directions that this link has at the start.
           const Vec3 moved = start[other].turn * (then[other].back(then[link].of(place)) - start[other].back(start[link].of(place)));
           EXPECT_LE(length(moved), s * (length(travel.together) + travel.besides) + 1e-9) << machine;
           if (travel.besides == 0) {

@@ -1,4 +1,4 @@
-// kinematics/machine_tree: chains of a machine's file, there and back, and what NCT 25.1 says of them.
+// kinematics/machine_tree: the chains of a machine file, forward and inverse, compared with the formulas of NCT 25.1.
 
 #include "kinematics/machine_tree.h"
 
@@ -43,7 +43,7 @@ Axes anywhere(std::mt19937& random) {
 
 void expect_near(Vec3 a, Vec3 b, double bound) { EXPECT_LT(length(a - b), bound) << a.x << ' ' << a.y << ' ' << a.z; }
 
-/// There, back and there again: the same place of the tool, with positions within the limits.
+/// Checks forward, inverse and forward again: the tool must be at the same position, and the axis positions within the limits.
 void goes_back(const MachineTree& tree, int times, double nearby) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> beside(-nearby, nearby);
@@ -64,13 +64,13 @@ TEST(machine_tree, built_in_machines_there_and_back) {
   for (const char* id : {"table-table", "head-head", "head-table"}) {
     const auto profile = load_machine(id);
     ASSERT_TRUE(profile) << profile.error();
-    MachineProfile free = *profile;  // limits are another test's
+    MachineProfile free = *profile;  // another test covers the limits
     for (auto& [name, axis] : free.axes) axis.least = -1e300, axis.most = 1e300;
     goes_back(MachineTree(free, {"X", "Y", "Z", "A", "B", "C"}), 2000, 180);
   }
 }
 
-// The standard kinds, by the formulas of the NCT: the same places and directions from two descriptions.
+// The standard machine types computed by the formulas of the NCT: both descriptions give the same positions and directions.
 TEST(machine_tree, the_same_as_the_parameters_of_the_nct) {
   const Vec3 one{20, -30, -400}, other{25, -26, -460};
   struct Kind {
@@ -103,7 +103,7 @@ TEST(machine_tree, the_same_as_the_parameters_of_the_nct) {
     }
 }
 
-// A quill behind the head, three rotary axes, a slanted slide: nothing that the parameters of the NCT could say.
+// A quill after the head, three rotary axes, a slanted slide: none of them can be described by the parameters of the NCT.
 TEST(machine_tree, any_serial_chain) {
   MachineProfile quill = machine({"X", "Y", "C", "A", "Z"}, {});
   quill.axes["C"] = rotary({0, 0, 1}, {0, 0, 100});
@@ -126,7 +126,7 @@ TEST(machine_tree, any_serial_chain) {
   slanted.axes["A"] = rotary({1, 0, 0}, {0, 0, -200});
   const MachineTree lathe(slanted, {"X", "Y", "Z", "A"});
   std::mt19937 random(5);
-  for (int i = 0; i < 500; ++i) {  // one rotary axis: the directions that it can make
+  for (int i = 0; i < 500; ++i) {  // one rotary axis: only directions that it can reach
     const Axes at = anywhere(random);
     Axes near = at;
     near[3] += 20;

@@ -1,4 +1,4 @@
-// kinematics/part_joints: with the joints that a page is told, the part is put back onto the machine where its tool really is.
+// kinematics/part_joints: the joints that a page receives put the part back onto the machine, so that the tool is where it really is.
 
 #include "kinematics/part_joints.h"
 
@@ -9,7 +9,7 @@
 namespace kadr::part_joints_test {
 namespace {
 
-/// J1(a1) · J2(a2) · … · place
+/// Returns J1(a1) · J2(a2) · … · place.
 Vec3 carried(const std::vector<PartJoint>& joints, Vec3 place, const std::vector<double>& positions) {
   for (std::size_t i = joints.size(); i-- > 0;) {
     const PartJoint& j = joints[i];
@@ -26,7 +26,7 @@ Vec3 carried_back(const std::vector<PartJoint>& joints, Vec3 place, const std::v
   return place;
 }
 
-/// Where a place of the part as it is drawn is on the machine.
+/// Returns the position on the machine of a point of the drawn part.
 Vec3 on_machine(const std::vector<PartJoint>& joints, Vec3 place, const Axes& axes) {
   std::vector<double> now, from;
   for (const PartJoint& j : joints) now.push_back(axes[std::size_t(j.axis)]), from.push_back(j.from);
@@ -39,7 +39,7 @@ AxisProfile axis(bool turns, Vec3 direction, Vec3 through, bool reversed) {
   return made;
 }
 
-/// Of the tool's tip, seen from the bed, but for the axes below the first that turns the part.
+/// The position of the tool tip seen from the bed, without the axes that come before the first joint that turns the part.
 TEST(part_joints, of_a_tree_put_the_tip_back) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> mm(-300, 300), degrees(-170, 170);
@@ -60,7 +60,7 @@ TEST(part_joints, of_a_tree_put_the_tip_back) {
         machine.chains.tool.push_back(name);
     const MachineTree tree(machine, names);
     const Axes axes{mm(random), mm(random), mm(random), degrees(random), degrees(random)};
-    MachineProfile headless = machine;  // the same, but the part is not turned and what carries the first joint stands still
+    MachineProfile headless = machine;  // the same, but the part is not rotated, and what carries its first joint does not move
     auto& chain = headless.chains.part;
     const auto first = std::find_if(chain.begin(), chain.end(), [&](const std::string& name) { return machine.axes.at(name).joint.turns; });
     chain.erase(first, chain.end());
@@ -69,7 +69,7 @@ TEST(part_joints, of_a_tree_put_the_tip_back) {
   }
 }
 
-/// The tip of a tool that stands upright is where the main axes are.
+/// The tip of an upright tool is at the position of the main axes.
 TEST(part_joints, of_a_part_space_put_the_tip_back) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> mm(-300, 300), degrees(-170, 170);

@@ -1,4 +1,4 @@
-// kinematics/part_space: work coordinates, part and machine in each state of spec/nct/25a 6.3.
+// kinematics/part_space: transforms between work coordinates, part and machine in each state of spec/nct/25a 6.3.
 
 #include "kinematics/part_space.h"
 
@@ -9,7 +9,7 @@
 namespace kadr::part_space_test {
 namespace {
 
-/// Any machine, any state, any numbers.
+/// Returns any machine in any state with random numbers.
 PartSpaceData any_data(std::mt19937& random) {
   std::uniform_real_distribution<double> angle(-180, 180), mm(-300, 300);
   const auto vector = [&] { return Vec3{mm(random), mm(random), mm(random)}; };
@@ -47,7 +47,7 @@ TEST(part_space, work_of_machine_is_the_same) {
   }
 }
 
-/// Where all is followed the tool really is where the program says.
+/// If the control follows all axes, the tool is really where the program puts it.
 TEST(part_space, a_led_tip_is_where_it_is_programmed) {
   std::mt19937 random(252);
   std::uniform_real_distribution<double> angle(-180, 180), mm(-300, 300);
@@ -66,7 +66,7 @@ TEST(part_space, a_led_tip_is_where_it_is_programmed) {
   }
 }
 
-/// The basic rotation about the tool's own axis turns the free axis by as much (25l, golden 25-70).
+/// A basic rotation about the tool's own axis turns the free axis by the same angle (25l, golden 25-70).
 TEST(part_space, the_basic_rotation_leans_the_tool) {
   PartSpaceData d;
   d.machine.group = MachineGroup::head_head;

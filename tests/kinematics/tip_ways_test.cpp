@@ -1,4 +1,4 @@
-// kinematics/tip_ways: the shank in a plane or on a cone, the cutting point (NCT 25.16, 25.17).
+// kinematics/tip_ways: the tool axis moves in a plane or on a cone; the cutting point (NCT 25.16, 25.17).
 
 #include "kinematics/tip_ways.h"
 
@@ -29,13 +29,13 @@ TEST(direction_way, stays_in_the_plane_of_its_ends) {
     const auto at = way.rotary(part, near);
     ASSERT_TRUE(at);
     EXPECT_NEAR(dot(cross(from, to), direction(space, *at)), 0, 1e-9);
-    EXPECT_LT(std::hypot(at->first - near.first, at->second - near.second), 5);  // one branch: no leap
+    EXPECT_LT(std::hypot(at->first - near.first, at->second - near.second), 5);  // the solution stays on one branch: no jump
     near = *at;
   }
   EXPECT_NEAR(length(direction(space, near) - to), 0, 1e-9);
 }
 
-/// Through the pole the tilting axis goes on to the other side, the free one stands.
+/// Through the pole the tilting axis continues to the other side, and the free axis does not move.
 TEST(direction_way, goes_through_a_pole_without_whirling) {
   const auto space = c_b_head();
   const RotaryPair start{30, 20};
@@ -62,7 +62,7 @@ TEST(direction_way, on_a_cone_turns_with_the_arc) {
   }
 }
 
-/// A ball end: its centre is its radius off the surface; a square end touches with its edge (25.17).
+/// The centre of a ball end is its radius away from the surface; a square end touches with its edge (25.17).
 TEST(contact, the_tip_of_each_tool) {
   const Vec3 t{0, 0, 1}, n = unit({1, 0, 1});
   EXPECT_NEAR(length(contact_to_tip(n, t, 5, 5) + 5.0 * t - 5.0 * n), 0, 1e-12);

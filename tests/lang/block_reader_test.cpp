@@ -1,4 +1,4 @@
-// lang/block/block_reader: the blocks of a program, from any place, in any encoding. Spec s2c42 1–2.
+// lang/block/block_reader: reads the blocks of a program from any position, in any encoding. Spec s2c42 1–2.
 
 #include "lang/block/block_reader.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// What is compared of a block.
+/// The parts of a block that the tests compare.
 struct Read {
   Position position;
   std::string words;
@@ -76,7 +76,7 @@ TEST(blocks, behind_a_faulty_one_go_on) {
             (Words{"", "X1", "address_twice: X", "Y2", "M2"}));
 }
 
-/// Whoever goes on after the fault may look for the word: it must not hold what another block has left there.
+/// A caller that continues after the fault may look the word up: its value must not be left over from an earlier block.
 TEST(blocks, of_a_word_that_cannot_be_read_hold_no_value_of_a_block_before) {
   BlockReader reader(text_source("G1 X25 F725\nG1 X4 F-20\n"), grammar_of("gost"), {});
   Block block;
@@ -95,9 +95,9 @@ TEST(blocks, of_a_line_too_long_are_an_alarm) {
   EXPECT_EQ(words_in(text, grammar_of("mach3")), (Words{"X1", "line_too_long:  ", "X2"}));
 }
 
-// ---- any place
+// ---- from any position
 
-/// A program of the 2С42 with comments, empty lines, look-alike letters, several blocks a line, and faults.
+/// Returns a random program of the 2С42 with comments, empty lines, look-alike letters, several blocks on a line, and faults.
 std::string random_program(Choices& choose) {
   static constexpr const char* pieces[] = {"X1000", "Y-20", "Z+R1", "G1", "М3", "(ХОД %)", "(Ход)", "X5 X6", "G0 F100", "I10 J10"};
   std::string text = "% ПС\n";
@@ -132,7 +132,7 @@ RC_GTEST_PROP(seek, to_the_place_of_a_block_gives_that_block_and_the_rest, ()) {
   }
 }
 
-// ---- any encoding
+// ---- in any encoding
 
 std::string written(std::string text, const char* iconv_name) {
   std::string bytes(text.size(), '\0');
@@ -163,7 +163,7 @@ RC_GTEST_PROP(encodings, give_the_same_blocks_and_alarms, ()) {
 }
 
 TEST(encodings, second_block_of_a_line_that_is_decoded_late) {
-  // The first block of the line has its high bytes in a comment only; the second has a look-alike letter.
+  // The first block of the line has its non-ASCII bytes in a comment only; the second block has a look-alike letter.
   const std::string text = "% LF\nN1 (ПРИВЕТ) X1000 LF N2 М3 LF\n";
   EXPECT_EQ(without_offsets(Reading(written(text, "CP1251"), grammar_of("s2c42"), Encoding::cp1251).all()),
             without_offsets(Reading(text, grammar_of("s2c42")).all()));

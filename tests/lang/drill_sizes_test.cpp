@@ -1,4 +1,4 @@
-// lang/text/drill_sizes: drills by number and letter, threads.
+// lang/text/drill_sizes: sizes of drills named by number or letter, and of threads.
 
 #include "lang/text/drill_sizes.h"
 
@@ -7,9 +7,9 @@
 namespace kadr::drill_sizes_test {
 namespace {
 
-constexpr double mm = 25.4;  // of an inch
+constexpr double mm = 25.4;  // per inch
 
-// Figures of ASME B94.11M, looked up in three tables of different origin.
+// Sizes of ASME B94.11M, compared with three independent tables.
 TEST(DrillSizes, ByNumberAndLetter) {
   EXPECT_DOUBLE_EQ(numbered_drill(1).value_or(0), 0.228 * mm);
   EXPECT_DOUBLE_EQ(numbered_drill(7).value_or(0), 0.201 * mm);

@@ -1,4 +1,4 @@
-// lang/text/encoding: which encoding a text has, and its bytes as UTF-8. Spec s2c42 1.
+// lang/text/encoding: finds the encoding of a text and converts its bytes to UTF-8. Spec s2c42 1.
 
 #include "lang/text/encoding.h"
 
@@ -10,7 +10,7 @@
 namespace kadr::encoding_test {
 namespace {
 
-/// The text as a file of that encoding holds it, by iconv itself.
+/// Returns the bytes of the text in an encoding, converted by iconv.
 std::string written(std::string text, const char* iconv_name) {
   std::string bytes(text.size(), '\0');
   const iconv_t converter = iconv_open(iconv_name, "UTF-8");
@@ -89,7 +89,7 @@ TEST(append_utf8, tape_loses_its_eighth_track) { EXPECT_EQ(read(punched("N1G1X80
 
 TEST(append_utf8, tape_row_of_odd_parity_is_named) {
   std::string text;
-  const Status status = append_utf8("N1", Encoding::iso7, text);  // '1' is 0x31: three holes; 'N' is 0x4E: four
+  const Status status = append_utf8("N1", Encoding::iso7, text);  // '1' is 0x31, three holes; 'N' is 0x4E, four holes
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().id, AlarmId::parity_error);
   EXPECT_EQ(status.error().args[0].number(), 2);
@@ -102,7 +102,7 @@ TEST(append_utf8, tape_leaves_out_nul_del_and_cr) {
 }
 
 TEST(append_utf8, tape_switches_to_russian_letters_and_back) {
-  // SO, С = KOI8-R 0xF3 without bit 8, SI; then a Latin s of the same code
+  // SO, С = KOI8-R 0xF3 without bit 8, SI; then a Latin s with the same code
   const std::string rows = {static_cast<char>(0x8E), static_cast<char>(with_even_parity(0x73)), 0x0F,
                             static_cast<char>(with_even_parity(0x73))};
   EXPECT_EQ(read(rows, Encoding::iso7), "Сs");

@@ -1,4 +1,4 @@
-// lang/expression/expression_rules: which row of operators, functions a text begins with.
+// lang/expression/expression_rules: finds the row of an operator, and the function with which a text begins.
 
 #include "lang/expression/expression_rules.h"
 
@@ -27,7 +27,7 @@ TEST(expression_rows, the_longer_text_is_meant) {
   EXPECT_EQ(found(rows, "\xD0\xA1"), "");
 }
 
-/// Beside a search through all of them.
+/// Compares find with a search through all rows.
 RC_GTEST_PROP(expression_rows, find_is_the_longest_of_all_that_fit, ()) {
   Choices choose = choices(80);
   constexpr const char* texts[] = {"A", "AB", "ABC", "B", "BA", "*", "**", "***", "<", "<=", "AND", "ANDA"};

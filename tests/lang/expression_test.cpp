@@ -1,4 +1,4 @@
-// lang/expression/expression: values by expression, spec mach3 1; sums with formal parameters, spec s2c42 3.
+// lang/expression/expression: values given by expressions, spec mach3 1; sums with formal parameters, spec s2c42 3.
 
 #include "lang/expression/expression.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// The value of the text, or "id: characters" of its alarm.
+/// The value of the text, or its alarm as "id: characters".
 struct Value {
   std::optional<double> number;
   std::string alarm;
@@ -137,9 +137,9 @@ TEST(assignments, wait_until_the_block_is_carried_out) {
   EXPECT_EQ(*evaluate(sample.block, sample.block.assignments[1].value, SampleVariables{}), 20);
 }
 
-// ---- the slow twin: works on the text itself, splitting it at its last operator of least binding
+// ---- the slow reference: it works on the text itself and splits it at the last operator that binds least
 
-using Twin = std::optional<double>;  // nothing: it has no value
+using Twin = std::optional<double>;  // nullopt: the text has no value
 Twin twin(std::string_view text);
 
 std::string_view trimmed(std::string_view text) {
@@ -172,7 +172,7 @@ Twin called(std::string_view name, double x) {
   return x;
 }
 
-/// An operator stands there between two values, not a sign and not half of `**`.
+/// Returns true if the operator at `at` is between two values: it is neither a sign nor half of `**`.
 bool splits_at(std::string_view text, std::size_t at, std::string_view op) {
   if (at == 0 || text.substr(at, op.size()) != op) return false;
   if (op == "*" && (text[at + 1] == '*' || text[at - 1] == '*')) return false;

@@ -1,4 +1,4 @@
-// lang/block/format: format descriptors. Spec gost 3, s2c42 2.
+// lang/block/format: format descriptors of words. Spec gost 3, s2c42 2.
 
 #include "lang/block/format.h"
 
@@ -55,7 +55,7 @@ TEST(word_format, both_signs_mean_signed) {
   EXPECT_FALSE(parsed("±33").drop_zeros);
 }
 
-// T*2 of the 2С42: two digits, and one before them that marks the tool in the spindle.
+// T*2 of the 2С42: two digits, and before them one that marks the tool in the spindle.
 TEST(word_format, star_is_a_digit_of_its_own) { EXPECT_EQ(parsed("*2").whole_digits, 3); }
 
 TEST(word_format, point_is_as_told) {
@@ -115,10 +115,10 @@ TEST(descriptor, of_2c42) {
   EXPECT_EQ(g.word('N').whole_digits, 5);
   EXPECT_EQ(g.word('K').whole_digits + g.word('K').fraction_digits, 7);
   EXPECT_EQ(g.word('R').whole_digits, 1);
-  EXPECT_FALSE(g.word('L').drop_zeros);  // L0801: zeros are not dropped
+  EXPECT_FALSE(g.word('L').drop_zeros);  // L0801: zeros must not be dropped
   EXPECT_TRUE(g.word('H').drop_zeros);
   EXPECT_FALSE(g.word('E').sign);
-  EXPECT_EQ(g.word('T').whole_digits, 3);  // T*2: one more marks the tool in the spindle
+  EXPECT_EQ(g.word('T').whole_digits, 3);  // T*2: the third digit marks the tool in the spindle
 }
 
 TEST(descriptor, blanks_are_free) {

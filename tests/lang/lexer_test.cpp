@@ -1,4 +1,4 @@
-// lang/block/lexer: the words of one block, each with its exact characters. Spec mach3 1, s2c42 1–3, gost 2–3, correctors 1.
+// lang/block/lexer: splits one block into words, each with its exact characters. Spec mach3 1, s2c42 1–3, gost 2–3, correctors 1.
 
 #include "lang/block/lexer.h"
 
@@ -12,8 +12,8 @@ using namespace test;
 
 struct Case {
   const char* text;
-  const char* words;   // values
-  const char* places;  // exact characters
+  const char* words;   // addresses and values
+  const char* places;  // the exact characters of each word
 };
 
 void expect_words(const Grammar& grammar, std::initializer_list<Case> cases) {
@@ -27,7 +27,7 @@ void expect_words(const Grammar& grammar, std::initializer_list<Case> cases) {
 
 struct Fault {
   const char* text;
-  const char* alarm;  // "id: the characters it stands at"
+  const char* alarm;  // "id: the characters that it points at"
 };
 
 void expect_alarms(const Grammar& grammar, std::initializer_list<Fault> faults) {
@@ -41,7 +41,7 @@ TEST(words, of_mach3_are_free) {
                                       {"g1x10y-2.5", "G1 X10 Y-2.5", "g1|x10|y-2.5|"},
                                       {"G01X+.5Y5.", "G1 X0.5 Y5", "G01|X+.5|Y5.|"},
                                       {"X - 3 Y\t+4", "X-3 Y4", "X - 3|Y\t+4|"},
-                                      {"X1 0 Y1 .5", "X10 Y1.5", "X1 0|Y1 .5|"},  // blanks mean nothing
+                                      {"X1 0 Y1 .5", "X10 Y1.5", "X1 0|Y1 .5|"},  // blanks have no meaning
                                       {"G38.2 Z-10", "G38.2 Z-10", "G38.2|Z-10|"},
                                       {"G0 G90 G17 X1", "G0 G90 G17 X1", "G0|G90|G17|X1|"},
                                       {"X#1 Y[2+3] Z-#2", "X? Y? Z?", "X#1|Y[2+3]|Z-#2|"},
@@ -89,7 +89,7 @@ TEST(words, after_an_alarm_are_those_before_it) {
 TEST(alarms_of_words, on_mach3) {
   expect_alarms(words_of("mach3"), {
                                        {"G1 X", "number_missing: X"},
-                                       {"G1 X Y2", "function_unknown: Y"},  // X takes a function: Y is none
+                                       {"G1 X Y2", "function_unknown: Y"},  // X accepts a function, but Y is not a function
                                        {"G1 X1..5", "number_damaged: ."},
                                        {"G1 X.", "number_damaged: X."},
                                        {"G1 E5", "address_unknown: E"},
@@ -100,7 +100,7 @@ TEST(alarms_of_words, on_mach3) {
                                        {"N5 N6", "address_twice: N6"},
                                        {"G1 X1 /2", "skip_position: /"},
                                        {"G1 (X1", "comment_not_closed: ("},
-                                       {"F-5", ""},  // a sign is read; the range is the control's matter
+                                       {"F-5", ""},  // the lexer accepts a sign; the control checks the range
                                        {"#1 5", "expression_syntax: #1 5"},
                                        {"X[1+2", "bracket_not_closed: ["},
                                        {"G1.05", "code_unknown: G1.05"},
@@ -122,9 +122,9 @@ TEST(alarms_of_words, on_2c42_by_digits_and_signs) {
                                        {"L+R1", "parameter_not_allowed: L+R"},
                                        {"TR1", "parameter_not_allowed: TR"},
                                        {"R2+50 R2+51", "address_twice: R2+51"},
-                                       {"R123456789", "too_many_digits: R123456789"},  // R1 and eight digits
+                                       {"R123456789", "too_many_digits: R123456789"},  // R1, then eight digits
                                        {"W5", "address_unknown: W"},
-                                       {"С5", "address_unknown: С"},  // Cyrillic: the Latin C is meant
+                                       {"С5", "address_unknown: С"},  // a Cyrillic С instead of the Latin C
                                        {"X1 (5%)", "comment_character: %"},
                                        {"X1 (5:)", "comment_character: :"},
                                    });
@@ -139,7 +139,7 @@ TEST(alarms_of_words, on_gost_by_the_format) {
 }
 
 TEST(look_alikes, are_understood_with_a_warning_at_the_letter) {
-  const Sample sample("N1 Х5000 М3", words_of("s2c42"));  // Cyrillic Х and М
+  const Sample sample("N1 Х5000 М3", words_of("s2c42"));  // Х and М are Cyrillic
   EXPECT_EQ(sample.alarm, "");
   EXPECT_EQ(shown(sample.block), "X5 M3");
   ASSERT_EQ(sample.block.warnings.size(), 2u);
@@ -193,14 +193,14 @@ TEST(comments, are_kept) {
 
 TEST(block_length, counts_characters_not_bytes) {
   const std::string comment = "(" + std::string(70, 'a') + ")";
-  EXPECT_EQ(Sample("N1 X5000" + comment, grammar_of("s2c42")).alarm, "");  // 80
+  EXPECT_EQ(Sample("N1 X5000" + comment, grammar_of("s2c42")).alarm, "");  // 80 characters
   EXPECT_TRUE(Sample("N1 X50000" + comment, grammar_of("s2c42")).alarm.starts_with("block_too_long: N1 X50000"));
   std::string russian = "N1 X5000(";
   for (int i = 0; i < 70; ++i) russian += "Ж";
   EXPECT_EQ(Sample(russian + ")", grammar_of("s2c42")).alarm, "");
 }
 
-// ---- read_number and its twins
+// ---- read_number and its reference versions
 
 RC_GTEST_PROP(read_number, gives_the_same_double_as_strtod, ()) {
   Choices choose = choices(80);

@@ -1,4 +1,4 @@
-// lang/text/line_reader: lines of a file of any length, through a window of 256 KiB.
+// lang/text/line_reader: reads lines of a file of any length through a window of 256 KiB.
 
 #include "lang/text/line_reader.h"
 
@@ -47,7 +47,7 @@ std::vector<std::string> texts_of(const std::string& text) {
   return texts;
 }
 
-/// The slow twin: the whole text at once, cut at each end of line.
+/// The slow reference: splits the whole text at once at each end of line.
 std::vector<Read> naive_split(const std::string& text) {
   std::vector<Read> lines;
   const bool has_lf = text.substr(0, window).find('\n') != std::string::npos;
@@ -120,7 +120,7 @@ TEST(line_reader, seek_to_the_beginning_passes_over_the_byte_order_mark_again) {
   EXPECT_EQ(all_lines(reader), (std::vector<Read>{{"N1", 3, 1, true, false}}));
 }
 
-/// Counts what is asked of the file.
+/// Counts the reads from the file.
 class CountingSource final : public ByteSource {
  public:
   CountingSource(std::string text, int& reads) : text_(std::move(text)), reads_(reads) {}
@@ -147,7 +147,7 @@ TEST(line_reader, loop_across_the_border_of_windows_is_read_few_times) {
   while (text.size() < 2 * window) text += "N10 G1 X100 Y100\n";  // 17 bytes
   int reads = 0;
   LineReader reader(std::make_unique<CountingSource>(text, reads));
-  const std::uint64_t begin = (window / 17 - 500) * 17;  // 500 lines before the border to 500 after it
+  const std::uint64_t begin = (window / 17 - 500) * 17;  // from 500 lines before the border to 500 lines after it
   for (int i = 0; i < 100; ++i) {
     reader.seek(begin, 1);
     Line line;
@@ -179,7 +179,7 @@ RC_GTEST_PROP(line_reader_against_the_naive_split, around_the_border_of_windows,
   for (const auto& p : *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("a", "bb", "\n", "\r\n"))) text += p;
   text += std::string(border / 4, 'q') + "\n";
   while (text.size() + 60000 < border) text += std::string(50000, 'p') + "\n";
-  text.resize(border, 'o');  // what follows stands around the border
+  text.resize(border, 'o');  // the following characters are around the border
   for (const auto& p : *rc::gen::container<std::vector<std::string>>(piece)) text += p;
   RC_ASSERT(lines_of(text) == naive_split(text));
 }
@@ -227,7 +227,7 @@ TEST_F(Files, pipe_is_kept_in_memory) {
   EXPECT_EQ(all_lines(reader).size(), 2u);
   reader.seek(0, 1);
   EXPECT_EQ(all_lines(reader).size(), 2u);
-  auto again = open_file(path);  // by the guess of the control, then for the run: no writer comes twice
+  auto again = open_file(path);  // the guess of the control reads it, then the run reads it again; the pipe has only one writer
   ASSERT_TRUE(again);
   LineReader second(std::move(again));
   EXPECT_EQ(all_lines(second).size(), 2u);

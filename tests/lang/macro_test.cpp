@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// With the axes X, Y, Z, as a machine without a set-up has them.
+/// Returns the grammar with the axes X, Y and Z, as of a machine without a set-up.
 const Grammar& nct() {
   static const ControlDef def = [] {
     ControlDef d = load_control("nct").value();
@@ -25,7 +25,7 @@ const Grammar& nct() {
   return def.grammar;
 }
 
-/// #1 … #33 of a test: some are vacant; any other number is an alarm.
+/// The variables #1 … #33 of a test, some of them vacant; any other number is an alarm.
 struct MacroVariables {
   std::map<int, double> values;
 
@@ -55,7 +55,7 @@ struct MacroVariables {
 
 const MacroVariables some_variables{{{1, 5}, {2, -2.5}, {3, 0}, {5, 3}, {7, 1e6}, {33, 0.25}}};
 
-/// Value of the expression after `#100=`, or the alarm as "id: characters".
+/// Returns the value of the expression after `#100=`, or the alarm as "id: characters".
 std::string assigned(const std::string& expression) {
   const Sample sample("#100=" + expression, nct());
   if (!sample.alarm.empty()) return sample.alarm;

@@ -1,4 +1,4 @@
-// lang/block/o_word_reader, named variables, the signs of a file (spec/linuxcnc 2, 4.2, 6.1).
+// lang/block/o_word_reader: O words, named variables, and the evidence of a file (spec/linuxcnc 2, 4.2, 6.1).
 
 #include "choices.h"
 #include "lang/block/o_word_reader.h"

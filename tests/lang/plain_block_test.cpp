@@ -1,4 +1,4 @@
-// lang/block/plain_block against lang/block/lexer: what is read quickly is what is read slowly.
+// lang/block/plain_block against lang/block/lexer: the fast reader gives the same words as the slow one.
 
 #include "lang/block/plain_block.h"
 
@@ -14,7 +14,7 @@ constexpr const char* controls[] = {"nct", "mach3", "s2c42", "gost", "correctors
 
 bool same(double a, double b) { return a == b ? std::signbit(a) == std::signbit(b) : a != a && b != b; }
 
-/// Where two words differ, or "".
+/// Returns where two words differ, "" if they are equal.
 std::string difference(const Word& a, const Word& b) {
   if (a.address != b.address || a.written != b.written) return "address";
   if (!same(a.value, b.value) || !same(a.second, b.second)) return "value";
@@ -40,7 +40,7 @@ std::string difference(const Block& a, const Block& b) {
   return "";
 }
 
-/// A piece of a line: mostly a word.
+/// Returns a piece of a line, mostly a word.
 std::string piece(Choices& choose) {
   constexpr const char* odd[] = {"(a)", "#1", "/", "%",    "[1]", ",C", "LF", "ПС", "=", ";", "I",
                                  "X",   "-",  ".", "\x7f", "é",   "g1", ":5", "IF", "0", "5 "};
@@ -81,7 +81,7 @@ TEST(plain_blocks, of_one_shape_have_the_same_addresses_and_codes) {
   EXPECT_NE(shape("G1 X1"), shape("G2 X1"));
   EXPECT_NE(shape("G54.1 P1"), shape("G54 P1"));
   EXPECT_NE(shape("X1"), shape("X1 Y1"));
-  EXPECT_FALSE(shape("G1 G40 G49 G90 G94 G97 X1"));  // more than fit in: none
+  EXPECT_FALSE(shape("G1 G40 G49 G90 G94 G97 X1"));  // more codes than a shape can hold: no shape
 }
 
 RC_GTEST_PROP(plain_blocks, are_what_the_lexer_reads, ()) {

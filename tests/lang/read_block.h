@@ -1,5 +1,5 @@
 #pragma once
-// For the tests of `lang`: the grammars of the built-in controls, one block of a text, and a block as one line of text.
+// Helpers for the tests of `lang`: the grammars of the built-in controls, one block of a text, and a block as one line of text.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ inline const Grammar& grammar_of(const std::string& control) {
   const auto found = read.find(control);
   return found != read.end() ? found->second : read.emplace(control, load_control(control).value().grammar).first->second;
 }
-/// The same where neither '%' nor block numbers are asked for: the words of short samples.
+/// Returns the grammar of the control without required '%' and block numbers, for the words of short samples.
 inline Grammar words_of(const std::string& control) {
   Grammar grammar = grammar_of(control);
   grammar.block_number_required = false;
@@ -31,7 +31,7 @@ inline std::string number_text(double number) {
   return text;
 }
 
-/// "G1 X10 Z?": each word and its value; ? is a value known only when the block is carried out.
+/// Returns each word and its value, such as "G1 X10 Z?"; ? is a value that is known only when the block is executed.
 inline std::string shown(const Block& block) {
   std::string text;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -42,14 +42,14 @@ inline std::string shown(const Block& block) {
   return text;
 }
 
-/// "G1|X 10|": the characters of each word.
+/// Returns the characters of each word, such as "G1|X 10|".
 inline std::string places(const Block& block) {
   std::string text;
   for (std::uint32_t i = 0; i < block.word_count; ++i) text += std::string(block.text_of(block.words[i].where)) + "|";
   return text;
 }
 
-/// The block of one line; its alarm as "id: characters".
+/// The block of one line; `alarm` is "id: characters".
 struct Sample {
   std::string text;
   Block block;
@@ -65,7 +65,7 @@ struct Sample {
   }
 };
 
-/// Variables of a test: #n is ten times n, R0 … R9 are as given.
+/// The variables of a test: #n is ten times n, and R0 … R9 have the given values.
 struct SampleVariables {
   std::map<int, double> parameters;
   bool known(double, double&) const { return false; }

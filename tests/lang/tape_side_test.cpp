@@ -1,4 +1,4 @@
-// lang/text/tape_side, lang/text/eia: which code a tape has, and how it lies. RS-244: odd parity in track 5.
+// lang/text/tape_side, lang/text/eia: finds the code of a tape and which way round it lies. RS-244: odd parity in track 5.
 
 #include "lang/text/tape_side.h"
 
@@ -23,12 +23,12 @@ TEST(eia, codes_of_the_standard_have_odd_parity) {
     if (*character == 0) continue;
     EXPECT_EQ(eia_row(static_cast<char32_t>(*character)), row);
   }
-  // figures, letters, . , / + - &, blank and tab, the two ends, brackets, those without a character
+  // figures; letters; , . / + - &; blank and tab; the two ends; brackets; those without a character
   EXPECT_EQ(codes, 10 + 26 + 6 + 2 + 2 + 2 + 4);
 }
 
 TEST(eia, rows_by_hand) {
-  // 3: tracks 1, 2 and the fifth; N: 1, 3, 7; X: 1, 2, 3, 5, 6
+  // 3 has holes in tracks 1, 2 and the parity track 5; N in 1, 3, 7; X in 1, 2, 3, 5, 6
   EXPECT_EQ(eia_row(U'3'), 0b0001'0011);
   EXPECT_EQ(eia_row(U'N'), 0b0100'0101);
   EXPECT_EQ(eia_row(U'x'), 0b0011'0111);

@@ -1,4 +1,4 @@
-// lang/text/tape: rows of a punched tape and text. Spec s2c42 1: plain ISO-646 with even parity in the eighth track.
+// lang/text/tape: converts between rows of a punched tape and text. Spec s2c42 1: plain ISO-646 with even parity in the eighth track.
 
 #include "lang/text/tape.h"
 
@@ -24,13 +24,13 @@ TEST(tape_parity, number_of_holes_is_even) {
 }
 
 TEST(tape_parity, codes_of_the_table) {
-  EXPECT_EQ(with_even_parity(045), 0245);   // %: three holes and the eighth
+  EXPECT_EQ(with_even_parity(045), 0245);   // %: three holes and the parity hole in track 8
   EXPECT_EQ(with_even_parity(012), 012);    // ПС: two holes
-  EXPECT_EQ(with_even_parity(0130), 0330);  // X: three
+  EXPECT_EQ(with_even_parity(0130), 0330);  // X: three holes
 }
 
 TEST(encode_tape, block_by_hand) {
-  EXPECT_EQ(encoded("%\nN1\n"), "\xA5\x0A\x4E\xB1\x0A");  // N 0x4E four holes, 1 0x31 three
+  EXPECT_EQ(encoded("%\nN1\n"), "\xA5\x0A\x4E\xB1\x0A");  // N is 0x4E, four holes; 1 is 0x31, three holes
 }
 
 TEST(encode_tape, leader_and_trailer_are_blank) { EXPECT_EQ(encode_tape("N3\n", 2).value(), std::string("\0\0\x4E\x33\x0A\0\0", 7)); }
@@ -53,7 +53,7 @@ TEST(encode_tape, every_end_of_line_is_one_line_feed) {
 }
 
 TEST(encode_tape, russian_letters_stand_between_so_and_si) {
-  // С 0xF3, ф 0xC6 of KOI8-R without bit 8: 0x73, 0x46
+  // С is 0xF3 and ф is 0xC6 in KOI8-R; without bit 8 they are 0x73 and 0x46
   EXPECT_EQ(encoded("(Сф)"), "\x28\x8E\xF3\xC6\x0F\xA9\x0A");
 }
 
@@ -74,7 +74,7 @@ TEST(decode_tape, blank_and_deleted_rows_and_cr_give_nothing) {
 }
 
 TEST(decode_tape, odd_row_is_a_question_mark_and_a_fault) {
-  const TapeText tape = decode_tape("N1\n");  // '1' has three holes
+  const TapeText tape = decode_tape("N1\n");  // '1' has three holes without parity
   EXPECT_EQ(tape.text, "N?\n");
   ASSERT_EQ(tape.faults.size(), 1u);
   EXPECT_EQ(tape.faults[0].row, 2u);
@@ -105,7 +105,7 @@ RC_GTEST_PROP(tape_round_trip, text_of_the_code_comes_back, ()) {
   std::string text;
   for (const auto& c : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(characters))) text += c;
   text += "\n";
-  // A mark at the end of a line is an end of block, not text: such lines are the business of other tests.
+  // A mark at the end of a line is an end of block, not text; other tests check such lines.
   for (const std::string mark : {"ПС", "LF"})
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark)) text.replace(at, mark.size(), "Г");
   const auto leader = *rc::gen::inRange<std::size_t>(0, 50);

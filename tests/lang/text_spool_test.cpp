@@ -1,4 +1,4 @@
-// lang/text/text_spool: a text that is made piece by piece is the same whether it stays in memory or not.
+// lang/text/text_spool: a text that is built piece by piece is the same whether it stays in memory or not.
 
 #include "lang/text/text_spool.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::text_spool_test {
 namespace {
 
-/// Lines of 1 to 40 characters, some of them two bytes long.
+/// Returns lines of 1 to 40 characters; some characters are two bytes long.
 std::string some_text(std::size_t lines) {
   std::string text;
   for (std::size_t i = 0; i < lines; ++i) {
@@ -34,7 +34,7 @@ std::string part_of(ByteSource& source, std::uint64_t at, std::size_t size) {
   return part;
 }
 
-// In memory, in the file and a rest in memory, all of it in the file: whole, and from any place on.
+// The text is in memory, partly in the file, or all in the file; it is read whole and from any position.
 TEST(TextSpool, IsTheTextWhereverItStands) {
   const std::string text = some_text(3000);
   for (const std::size_t in_memory :

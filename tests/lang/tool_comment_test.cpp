@@ -1,5 +1,5 @@
-// lang/text/tool_comment: what comments say of tools, as shops and CAM systems write them. The rules and most of the comments stand in
-// tests/lang/tool_comments.tsv.
+// lang/text/tool_comment: what comments say about tools, as shops and CAM systems
+// write them. The rules and most of the comments are in tests/lang/tool_comments.tsv.
 
 #include "lang/text/tool_comment.h"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double none = -1;
 
-constexpr double tolerance = 0.002;          // mm: the table has four decimals, of inches in part
-constexpr std::size_t rows_of_table = 650;   // and more; a table that is not found is no table that passes
+constexpr double tolerance = 0.002;          // mm: the table has four decimals, and some of its sizes are in inches
+constexpr std::size_t rows_of_table = 650;   // at least; an empty or missing table must not pass
 constexpr std::size_t columns_of_table = 7;  // unit, text, tool, diameter, corner, kind, from
 
 const char* name_of(ToolWord kind) {
@@ -30,7 +30,7 @@ std::vector<std::string> columns_of(const std::string& line) {
   return columns;
 }
 
-/// `*` is not judged, of `-` nothing may be read.
+/// `*` accepts any reading, `-` requires that nothing is read.
 testing::AssertionResult is_as_told(const char* what, std::optional<double> read, const std::string& told) {
   const bool same = told == "*" || (told == "-" ? !read : read && std::fabs(*read - std::stod(told)) <= tolerance);
   if (same) return testing::AssertionSuccess();
@@ -88,7 +88,7 @@ TEST(tool_comment, as_written_in_programs) {
       {"T3 МЕТЧИК М8", 3, 8, none},
       {"ИНСТРУМЕНТ 4 ФРЕЗА ДИАМ. 16", 4, 16, none},
       {"T5 BALL R3", 5, 6, 3},
-      {"T2 H2 D2", 2, none, none},  // numbers of offsets
+      {"T2 H2 D2", 2, none, none},  // the numbers are offset numbers
       {"T2 H2 D2 12MM DRILL", 2, 12, none},
       {"DEPTH 12", none, none, none},
       {"PART 8", none, none, none},
@@ -143,15 +143,15 @@ TEST(tool_comment, of_several_tools_the_first) {
   EXPECT_EQ(said.kind, ToolWord::mill);
 }
 
-// What other tables would not show: readings that look right and are wrong.
+// Readings that would look right and be wrong; other tables would not show them.
 TEST(tool_comment, rather_nothing_than_a_wrong_size) {
   const struct {
     const char* text;
     bool inch;
   } rows[] = {
       {"3/8 OR 1/2 ENDMILL", true},
-      {"SETUP 1/2 ENDMILL", true},  // the first of two
-      {"1/4 TAP DRILL", true},      // the drill for a quarter-inch tap
+      {"SETUP 1/2 ENDMILL", true},  // the first of two tools
+      {"1/4 TAP DRILL", true},      // the drill for a quarter-inch tap, not a quarter-inch drill
       {"DRILL AND TAP 1/4-20", true},
       {"8-32 TAP #29 DRILL", true},
       {"T3 TURN OD DIA 1.5", true},
@@ -160,7 +160,7 @@ TEST(tool_comment, rather_nothing_than_a_wrong_size) {
       {"DRILL A HOLE", true},
       {"C DRILL", true},  // a centre drill
       {"T1 DIA 0.5000 ENDMILL", false},
-      {"DRILL 10", false},  // the tenth drilling, maybe
+      {"DRILL 10", false},  // perhaps the tenth drilling operation
       {"DRILL HOLES DIA 6", false},
       {"12MM PLATE 10MM ENDMILL", false},
       {"M29 S500 TAP", false},

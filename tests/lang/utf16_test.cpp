@@ -1,4 +1,4 @@
-// lang/text/utf16: which text is UTF-16, and the view of it as UTF-8 from any place.
+// lang/text/utf16: recognises a UTF-16 text, and reads it as UTF-8 from any position.
 
 #include "lang/text/utf16.h"
 
@@ -62,7 +62,7 @@ TEST(utf16, other_texts_are_none) {
 TEST(utf16, what_is_said_holds_but_the_mark_is_in_the_file_itself) {
   SaidEncoding said;
   ASSERT_TRUE(read_encoding("UTF-16LE", said));
-  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), said), "€€");  // no program: nobody would guess it
+  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), said), "€€");  // not a program: only the declared encoding reveals it
   EXPECT_EQ(read(bytes_of(u"\uFEFF€", ByteOrder::big), said), "\xEF\xBB\xBF€");
   ASSERT_TRUE(read_encoding("utf-16", said));
   EXPECT_EQ(read(bytes_of(program, ByteOrder::big), said), program_utf8);
@@ -73,7 +73,7 @@ TEST(utf16, what_is_said_holds_but_the_mark_is_in_the_file_itself) {
   EXPECT_EQ(text.encoding, Encoding::cp1251);
 }
 
-// U+1F600 is D83D DE00; halves alone and an odd byte at the end are U+FFFD.
+// U+1F600 is D83D DE00; lone surrogates and an odd byte at the end become U+FFFD.
 TEST(utf16, pairs_and_what_is_damaged) {
   const auto text = [](std::u16string_view units, std::size_t cut = 0) {
     const std::string bytes = bytes_of(units, ByteOrder::big);
@@ -96,7 +96,8 @@ TEST(utf16, a_character_that_is_cut_waits_for_the_next_piece) {
   EXPECT_EQ(to, "A");
 }
 
-// Longer than several pieces of 32 KiB, of one, two, three and four bytes; read from every kind of place.
+// The text is longer than several pieces of 32 KiB, with characters of
+// one, two, three and four bytes; it is read from every kind of position.
 TEST(utf16, any_place_is_read_as_from_the_beginning) {
   std::u16string units;
   for (int i = 0; i < 9000; ++i) units += i % 3 == 0 ? u"N1 X10\n" : i % 3 == 1 ? u"(Ж№)\n" : u"(\xD83D\xDE00)\n";

@@ -1,4 +1,4 @@
-// lang/text/written_letters: what becomes of letters that a text cannot hold, and bytes that are read again as the text.
+// lang/text/written_letters: replaces letters that an encoding cannot express; the bytes read back as the text.
 
 #include "lang/text/written_letters.h"
 
@@ -49,7 +49,7 @@ TEST(WrittenLetters, WhatABytesCodeHasNot) {
   EXPECT_FALSE(bytes_of("G1 (A:5)", letters("eia"))) << "EIA has no :";
 }
 
-/// Of a few characters of every kind.
+/// Generates texts of a few characters of each kind.
 rc::Gen<std::string> texts() {
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
                           "A", "z", "5", " ", "(", ")", ".", "Ж", "ъ", "Ё", "ё", "Я", "«", "°", "№", "日", "é")),

@@ -1,4 +1,4 @@
-// machine/plc: which commands the events of a set-up give, and what they do to a control. tests/golden/README.md, "Events".
+// machine/plc: the commands that the events of a set-up give, and their effect on a control. tests/golden/README.md, "Events".
 
 #include "machine/plc.h"
 
@@ -16,7 +16,7 @@ std::vector<SetupEvent> events(const std::string& json) {
   return setup ? setup->events : std::vector<SetupEvent>();
 }
 
-/// A command in short, so that lists of them can be compared.
+/// Returns a command as a short text, so that lists of commands can be compared.
 std::string name_of(const PlcCommand& command) {
   if (const auto* s = std::get_if<SetSignal>(&command)) return s->name + "=" + std::to_string(int(s->value));
   if (const auto* s = std::get_if<SetSkip>(&command)) return "skip " + std::to_string(s->number) + (s->on ? " on" : " off");
@@ -58,7 +58,7 @@ TEST(plc, blocks) {
   EXPECT_EQ(names_of(plc.block(block(30), true)), "CP_MINT=0");
   EXPECT_EQ(names_of(plc.block(block(30, true), false)), "CP_NOWT=1");
   EXPECT_EQ(names_of(plc.block(block(31), false)), "");
-  EXPECT_EQ(names_of(plc.block(Origin(), false)), "");  // no number
+  EXPECT_EQ(names_of(plc.block(Origin(), false)), "");  // no block number
 }
 
 TEST(plc, every_code_that_the_machine_is_told) {
@@ -141,9 +141,9 @@ TEST(plc, axes_are_coupled_and_released) {
   EXPECT_EQ(names_of(plc.action(action(MachineFunction{40}))), "V off");
 }
 
-// ---- on controls
+// ---- with controls
 
-/// Two channels of one machine, run block by block.
+/// Two channels of one machine, executed block by block.
 struct Machine {
   explicit Machine(const std::string& program, const Setup& setup = {}) {
     static const ControlDef def = load_control("nct").value();
@@ -201,7 +201,7 @@ TEST(plc, power_off_ends_the_program) {
   EXPECT_EQ(machine.variable(0, "#501"), -1);
 }
 
-/// Start, carried out, end; the end only when the actions have been handed over.
+/// A block starts, is executed, and ends; it ends only when its actions have been passed on.
 TEST(plc, order_of_blocks_and_actions) {
   Machine machine("N1 G1 X1 F100\nN2 #100=1\nN3 M8\n");
   std::string seen;

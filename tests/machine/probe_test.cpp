@@ -1,4 +1,4 @@
-// machine/probe: a round tip in a round hole. Mach3 10.7.12.3; the slow twin steps along the line.
+// machine/probe: a round tip in a round hole. Mach3 10.7.12.3. The slow reference steps along the line.
 
 #include "machine/probe.h"
 
@@ -10,7 +10,7 @@
 namespace kadr::probe_test {
 namespace {
 
-const ProbeHole hole{2, 50, 20, 40, 0, 30};  // tip 2, centre X50 Y20, diameter 40, top 0, depth 30
+const ProbeHole hole{2, 50, 20, 40, 0, 30};  // tip diameter 2, centre X50 Y20, diameter 40, top 0, depth 30
 
 Vec3 touch(Vec3 from, Vec3 to) {
   const auto part = first_touch(hole, from, to);
@@ -39,7 +39,7 @@ TEST(probe, rim) {
 TEST(probe, free_ways) {
   EXPECT_FALSE(first_touch(hole, {50, 20, 10}, {50, 20, -20}));
   EXPECT_FALSE(first_touch(hole, {0, 0, 5}, {200, 100, 5}));
-  EXPECT_FALSE(first_touch(hole, {68, 20, -5}, {50, 20, -5}));  // away from the wall it touches
+  EXPECT_FALSE(first_touch(hole, {68, 20, -5}, {50, 20, -5}));  // moves away from the wall that it touches
   EXPECT_FALSE(first_touch(hole, {100, 20, 2}, {100, 20, 20}));
 }
 

@@ -1,4 +1,4 @@
-// machine/rendezvous: who waits for whom. NCT 14.5.
+// machine/rendezvous: which channel waits for which. NCT 14.5.
 
 #include "machine/rendezvous.h"
 
@@ -17,7 +17,7 @@ constexpr std::uint32_t set(std::initializer_list<int> channels) {
   return bits;
 }
 
-/// The manual's example: channel 1 first at M501, channel 3 first at M502.
+/// The manual's example: channel 1 arrives first at M501, channel 3 arrives first at M502.
 TEST(rendezvous, three_channels) {
   Rendezvous r;
   r.arrive(1, 501, set({1, 2}), 1);
@@ -59,10 +59,11 @@ TEST(rendezvous, one_outside_the_set_goes_with_those_in_it) {
   EXPECT_EQ(r.next()->channels, (std::vector<std::uint8_t>{3, 1, 2}));
 }
 
-/// Channels 1 to 8 come in any order; each waits for some set with itself in it. Sets are complete exactly when all of them have come.
+/// Channels 1 to 8 arrive in any order; each waits for a set that contains
+/// itself. A set is complete exactly when all its channels have arrived.
 RC_GTEST_PROP(rendezvous, meets_when_the_last_has_come, ()) {
   Rendezvous r;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> key(9);  // of each channel: code, set
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> key(9);  // for each channel: code, set
   std::vector<bool> waits(9, false);
   const auto complete = [&](int channel) {
     const std::uint32_t all = key[static_cast<std::size_t>(channel)].second;

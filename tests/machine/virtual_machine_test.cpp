@@ -1,4 +1,4 @@
-// machine/virtual_machine: axis limits, and the position after frame changes.
+// machine/virtual_machine: axis limits, and the position after changes of the frame.
 
 #include "machine/virtual_machine.h"
 
@@ -82,7 +82,7 @@ TEST(virtual_machine, an_arc_in_a_turned_frame_counts_in_machine_axes) {  // nct
   Motion up = arc(arc_ccw, {0, 0, 95}, {0, 0, 89}, 1, Plane::zx);
   up.machine = {95, 0, 0};
   EXPECT_TRUE(m.take(action(up)));
-  up.center.x = 101;  // of Z: up to 107
+  up.center.x = 101;  // in Z: up to 107
   const Status refused = m.take(action(up));
   ASSERT_FALSE(refused);
   EXPECT_NEAR(refused.error().args[1].number(), 107, 1e-9);
@@ -105,7 +105,7 @@ TEST(virtual_machine, polar_interpolation_may_pass_a_limit_between_its_ends) {
 }
 
 TEST(virtual_machine, probe_motion_ends_in_a_turned_frame) {
-  FrameTurn quarter;  // about Z: X towards Y
+  FrameTurn quarter;  // about Z, from X towards Y
   quarter.rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
   Motion motion = straight(probe, {100, 0, 0}, 60);
   motion.machine = {5, 107, 3};
@@ -185,10 +185,10 @@ TEST(virtual_machine, axes_that_do_not_come_into_position) {  // nct 4.1.1
   EXPECT_TRUE(m.has_limits());
   Motion x = straight(rapid, {10, 0, 0}), y = straight(rapid, {10, 10, 0}), back = straight(feed, {0, 0, 0}, 100);
   EXPECT_TRUE(m.take(action(x)));
-  EXPECT_TRUE(m.in_position());  // not asked for
+  EXPECT_TRUE(m.in_position());  // not requested
   y.in_position = back.in_position = true;
   EXPECT_TRUE(m.take(action(y)));
-  EXPECT_TRUE(m.in_position());  // X does not move, Y is near enough
+  EXPECT_TRUE(m.in_position());  // X does not move, and Y is close enough
   EXPECT_TRUE(m.take(action(back)));
   ASSERT_FALSE(m.in_position());
   EXPECT_EQ(m.in_position().error().id, AlarmId::position_error);

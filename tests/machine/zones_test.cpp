@@ -1,4 +1,4 @@
-// machine/zones: where the axes must not go. NCT 22. The slow twin of the geometry is the sampled path.
+// machine/zones: zones that the axes must not enter. NCT 22. The slow reference of the geometry is the sampled path.
 
 #include "machine/zones.h"
 
@@ -28,7 +28,7 @@ Extents no_ends() {
   return ends;
 }
 
-/// A set-up with bits of N1001: "E" EXT, "S" STE, "C" CBM.
+/// Returns a set-up with bits of N1001: "E" EXT, "S" STE, "C" CBM.
 kadr::Setup bits(std::string_view set) {
   kadr::Setup setup;
   for (const auto& [letter, bit] : {std::pair{'E', "0"}, {'S', "1"}, {'C', "2"}})
@@ -43,7 +43,7 @@ ZoneChange cube(double least, double most, bool outside) {
   return zone;
 }
 
-/// Name of the alarm that a motion between two machine positions gives; with its first argument.
+/// Returns the name and the first argument of the alarm that a motion between two machine positions gives.
 std::string checked(const Zones& zones, Vec3 from, Vec3 to) {
   const Axes start{from.x, from.y, from.z};
   const Status status = zones.check({start, start}, straight(feed, to));
@@ -62,8 +62,8 @@ TEST(zones, outside_forbidden_before_the_motion) {
   const Zones zones = zones_of(bits("C"), cube(0, 100, true));
   EXPECT_EQ(checked(zones, {50, 50, 50}, {150, 50, 50}), "zone2_positive X");
   EXPECT_EQ(checked(zones, {50, 50, 50}, {50, -1, 50}), "zone2_negative Y");
-  EXPECT_EQ(checked(zones, {50, 50, 50}, {100, 0, 100}), "");                   // the limits themselves
-  EXPECT_EQ(checked(zones, {150, 50, 50}, {120, 50, 50}), "zone2_positive X");  // inwards, but not inside
+  EXPECT_EQ(checked(zones, {50, 50, 50}, {100, 0, 100}), "");                   // exactly at the limits
+  EXPECT_EQ(checked(zones, {150, 50, 50}, {120, 50, 50}), "zone2_positive X");  // towards the zone, but not into it
   EXPECT_EQ(checked(zones, {150, 50, 50}, {90, 50, 50}), "");
 }
 
@@ -90,7 +90,7 @@ TEST(zones, of_two_reached_at_once_the_first_axis_is_named) {
   const Zones zones = zones_of({}, cube(0, 100, true));
   for (const double bit : {-1e-13, 0.0, 1e-13}) {
     EXPECT_EQ(checked(zones, {50, 50 + bit, 50}, {150, 150 + bit, 50}), "zone2_reached_positive X");
-    EXPECT_EQ(checked(zones, {150, 150 + bit, 50}, {151, 151, 50}), "zone2_reached_positive X");  // from beyond both
+    EXPECT_EQ(checked(zones, {150, 150 + bit, 50}, {151, 151, 50}), "zone2_reached_positive X");  // starts beyond both limits
   }
 }
 
@@ -130,7 +130,7 @@ TEST(zones, without_depth) {  // 22.2
   flat.outside_forbidden = true;
   EXPECT_EQ(checked(zones_of(bits("C"), flat), {0, 0, 0}, {20, 10, 10}), "zone2_positive X");
   EXPECT_EQ(checked(zones_of(bits("C"), flat), {0, 0, 0}, {10, 10, 10}), "zone2_positive X");
-  flat.most[0] = 50;  // only Y and Z without: a line is allowed
+  flat.most[0] = 50;  // only Y and Z have no depth: a line is allowed
   EXPECT_EQ(checked(zones_of(bits("C"), flat), {10, 10, 10}, {20, 10, 10}), "");
 }
 
@@ -153,11 +153,11 @@ TEST(zones, of_the_parameters) {
   Zones zones(names, roles, no_ends(), setup);
   EXPECT_TRUE(zones.in_force());
   EXPECT_EQ(checked(zones, {}, {201, 0, 0}), "zone2_positive X");
-  EXPECT_EQ(checked(zones, {}, {200, 999, 0}), "");  // Y takes no part
+  EXPECT_EQ(checked(zones, {}, {200, 999, 0}), "");  // Y is not checked
   EXPECT_EQ(checked(zones, {}, {0, 0, -6}), "zone2_negative Z");
   zones.change(cube(-1000, 1000, true));  // G22: the parameters' limits are ignored
   EXPECT_EQ(checked(zones, {}, {201, 0, 0}), "");
-  zones.change({});  // G23: they are back
+  zones.change({});  // G23: they are in force again
   EXPECT_EQ(checked(zones, {}, {201, 0, 0}), "zone2_positive X");
   zones.suspend(2, true);
   EXPECT_EQ(checked(zones, {}, {201, 0, 0}), "");
@@ -176,8 +176,8 @@ TEST(zones, zone_3_begins_with_its_faces) {  // 22.3
   EXPECT_EQ(checked(zones, {150, 50, 0}, {100, 50, 0}), "zone3_inside");
   EXPECT_EQ(checked(zones, {150, 50, 0}, {100.001, 50, 0}), "");
   EXPECT_EQ(checked(zones, {150, 100, 0}, {-50, 100, 0}), "zone3_entry");
-  EXPECT_EQ(checked(zones, {200, 0, 0}, {0, 200, 0}), "zone3_entry");      // its edge
-  EXPECT_EQ(checked(zones, {150, 50, 0}, {-50, 50, 1e6}), "zone3_entry");  // Z takes no part
+  EXPECT_EQ(checked(zones, {200, 0, 0}, {0, 200, 0}), "zone3_entry");      // touches its edge
+  EXPECT_EQ(checked(zones, {150, 50, 0}, {-50, 50, 1e6}), "zone3_entry");  // Z is not checked
   zones.suspend(3, true);
   EXPECT_EQ(checked(zones, {150, 50, 0}, {50, 50, 0}), "");
   setup.parameters.erase({"1001", "", "2"});
@@ -205,7 +205,7 @@ TEST(zones, arcs) {
   for (const char* const set : {"", "C"}) {
     const Status status = Zones(names, roles, ends, bits(set)).check(start, over);
     ASSERT_FALSE(status);
-    EXPECT_EQ(status.error().id, AlarmId::zone1_reached_positive);  // the end point is inside: CBM lets it start
+    EXPECT_EQ(status.error().id, AlarmId::zone1_reached_positive);  // the end is within the limits: CBM lets it start
     EXPECT_EQ(status.error().args[1].number(), 104);
   }
   const Zones zones = zones_of(bits("C"), cube(-1, 1, false));
@@ -215,7 +215,7 @@ TEST(zones, arcs) {
   EXPECT_EQ(zones.check({{5, 0, 0}, {5, 0, 0}}, through).error().id, AlarmId::zone2_entry);
   const Motion past = arc(arc_ccw, {5, 0, 0}, {3, 0, 0}, 1);  // touches the face X1
   EXPECT_TRUE(zones.check({{5, 0, 0}, {5, 0, 0}}, past));
-  Motion above = through;  // in a plane of the face
+  Motion above = through;  // lies in a plane of the face
   above.to[2] = above.machine[2] = 1;
   EXPECT_TRUE(zones.check({{5, 0, 1}, {5, 0, 1}}, above));
 }
@@ -225,7 +225,7 @@ TEST(zones, a_cheap_answer_where_none_is_in_force) {
   EXPECT_TRUE(Zones(names, roles, no_ends(), {}).check({}, straight(feed, {1e9, 0, 0})));
 }
 
-/// First sample inside the box, of so many; nothing: none is.
+/// Returns the first of `steps` samples that is inside the box; nullopt if none is.
 std::optional<double> sampled(const ZoneBox& box, const MachinePath& path, int steps) {
   for (int i = 0; i <= steps; ++i)
     if (box.holds(path.at(double(i) / steps))) return double(i) / steps;
@@ -269,7 +269,7 @@ RC_GTEST_PROP(zones, an_axis_passes_a_value_where_its_sampled_twin_does, ()) {
       break;
     }
   }
-  if (part && !passed) RC_ASSERT(std::abs(path.at(*part)[axis] - value) < 1e-3);  // between two samples
+  if (part && !passed) RC_ASSERT(std::abs(path.at(*part)[axis] - value) < 1e-3);  // the crossing is between two samples
   if (part) RC_ASSERT(path.at(*part)[axis] >= value - 1e-6);
 }
 

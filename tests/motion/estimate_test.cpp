@@ -1,4 +1,4 @@
-// motion/time/estimate: seconds from programmed feeds.
+// motion/time/estimate: estimates the seconds of a program from its programmed feeds.
 
 #include "motion/time/estimate.h"
 
@@ -74,12 +74,12 @@ TEST(estimate, split) {
   estimate.other({{}, Dwell{2.5}});
   estimate.other({{}, ToolChange{3}});
   estimate.other({{}, Spindle{SpindleDir::cw, 500}});
-  estimate.other({{}, Spindle{SpindleDir::cw, 600}});  // turns already
+  estimate.other({{}, Spindle{SpindleDir::cw, 600}});  // it turns already
   EXPECT_DOUBLE_EQ(estimate.split().dwell, 2.5);
   EXPECT_DOUBLE_EQ(estimate.split().tool_change, 12);
 }
 
-// 04-27, 04-28: a quarter helix, the feed along its arc or along the helix.
+// 04-27, 04-28: a quarter helix; the feed is along its arc or along the helix.
 TEST(estimate, feed_of_a_helix) {
   Motion m = arc(arc_ccw, {0, 100, 20}, {}, 0.25);
   m.feed = 150;
@@ -104,7 +104,7 @@ TEST(estimate, feed_of_all_axes_alike) {  // 04-8: Z100 C45 F120
   EXPECT_NEAR(seconds(m), 54.82928, 1e-5);
 }
 
-// nct 4.4: the lead counts along the axis with the longer way; overrides do not count.
+// nct 4.4: the lead is along the axis with the longer travel; overrides have no effect.
 TEST(estimate, threads) {
   MotionDetail detail;
   detail.lead = 2;
@@ -117,7 +117,7 @@ TEST(estimate, threads) {
   const MotionTime cone = time_of(m, 100, setup);
   EXPECT_DOUBLE_EQ(cone.seconds, 6);
   EXPECT_DOUBLE_EQ(cone.feed_most, 2 * 100 * std::hypot(20, 10) / 20);
-  EXPECT_EQ(time_of(m, 0, setup).seconds, 0);  // the spindle stands: counted apart
+  EXPECT_EQ(time_of(m, 0, setup).seconds, 0);  // the spindle is stopped: counted separately
 }
 
 TEST(estimate, tapping_has_its_own_override) {
@@ -164,10 +164,10 @@ TEST(estimate, each_spindle_for_itself) {
   Motion m = straight(feed, {100, 0, 0}, 0.1);
   m.unit = FeedUnit::mm_per_rev;
   const Axes from{};
-  EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 60);  // of spindle 1
+  EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 60);  // per revolution of spindle 1
 }
 
-// nct 11.5: a feed per revolution under G96, by the speed that the control made of it where it was commanded.
+// nct 11.5: a feed per revolution under G96 uses the spindle speed that the control computed for the commanded position.
 TEST(estimate, surface_speed) {
   TimeEstimate estimate(roles, rates_of(MachineProfile{}, kadr::Setup{}, names));
   estimate.other({{}, Speed{120, true, 1, 0, 500}});

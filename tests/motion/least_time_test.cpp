@@ -1,4 +1,4 @@
-// The least time along a path whose answer is known, and paths that have none.
+// The least-time solver on a path with a known answer, and on paths that have no solution.
 
 #include "motion/least_time/least_time.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::least_time_test {
 namespace {
 
-/// A straight line of one axis, cells growing from both ends.
+/// Returns a straight line of one axis; its cells grow from both ends.
 TimedPath line(double length, double speed, double acceleration, double jerk) {
   TimedPath path;
   path.axes = 1;
@@ -58,8 +58,8 @@ TEST_P(ALine, TakesTheTimeOfTheClosedForm) {
   LeastTime solver;
   ASSERT_TRUE(solver.solve(path, {}));
   const double exact = closed_form(length, {speed, 1000, 20000}), found = seconds(path, solver);
-  EXPECT_GE(found, exact * (1 - 1e-9));  // nothing is faster
-  EXPECT_LE(found, exact * 1.026);       // the limits' margins (0.9 %), and the cells
+  EXPECT_GE(found, exact * (1 - 1e-9));  // nothing can be faster
+  EXPECT_LE(found, exact * 1.026);       // margins of the limits (0.9 %), and the effect of the cells
 }
 
 INSTANTIATE_TEST_SUITE_P(Lines, ALine,
@@ -91,7 +91,7 @@ TEST(LeastTime, WithoutALimitThatCanBeKeptThereIsNone) {
   EXPECT_FALSE(solver.solve(path, {}));
 }
 
-// From any speed in the middle of a solution to its end it takes no longer than the solution did.
+// From any speed in the middle of a solution, the rest takes no longer than in that solution.
 TEST(LeastTime, GoesOnFromAnEarlierSolution) {
   const TimedPath path = line(60, 100, 1000, 20000);
   LeastTime solver;

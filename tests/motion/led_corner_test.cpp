@@ -1,5 +1,5 @@
-// motion/least_time/led_corner: what a rounding of the axes does to tip and direction, against the machine's forward transformation.
-// NCT 25.14.
+// motion/least_time/led_corner: the effect that rounding a corner of the axes has on tip and direction, checked with the machine's
+// forward transformation. NCT 25.14.
 
 #include "motion/least_time/led_corner.h"
 
@@ -41,7 +41,7 @@ Corner corner(const PartSpace& space, const std::array<Axes, 3>& work) {
   return c;
 }
 
-/// The axes at the corner, moved into it.
+/// Returns the axis positions at the corner, moved into its inside by `by`.
 Axes rounded(const Corner& c, double by) {
   double turn = 0;
   for (std::size_t a = 0; a < 5; ++a) turn += std::pow(c.behind.along[a] - c.before.along[a], 2);
@@ -51,10 +51,10 @@ Axes rounded(const Corner& c, double by) {
 }
 
 struct Off {
-  double tip = 1e9, direction = 0;  // mm; degrees
+  double tip = 1e9, direction = 0;  // deviation of the tip in mm, of the direction in degrees
 };
 
-/// From the nearest place of the programmed way, by small steps, and the direction programmed there.
+/// Returns the deviation from the nearest point of the programmed path, found in small steps, and from the direction programmed there.
 Off off_way(const PartSpace& space, const Corner& c, const Pose& pose) {
   Off off;
   for (std::size_t piece = 0; piece < 2; ++piece)
@@ -91,7 +91,7 @@ TEST(led_corner, tip_and_direction_stay_within) {
   }
 }
 
-/// A sharp turn of the axes of which the tip feels hardly anything may be rounded more than the tip's tolerance.
+/// A sharp corner of the axes that hardly moves the tip may be rounded by more than the tip's tolerance.
 TEST(led_corner, what_the_tip_does_not_feel_may_be_rounded_more) {
   const PartSpace space = head();
   std::array<Axes, 3> work{};
@@ -99,10 +99,10 @@ TEST(led_corner, what_the_tip_does_not_feel_may_be_rounded_more) {
   work[1] = {1, 0, 0, 0, 30};
   work[2] = {2, 0, 0, 0, 30.05};
   const Corner c = corner(space, work);
-  EXPECT_GT(led_tolerance(c.before, c.behind, tolerance, rotary), 1.5 * tolerance);  // then the direction counts
+  EXPECT_GT(led_tolerance(c.before, c.behind, tolerance, rotary), 1.5 * tolerance);  // here the direction limits the rounding
 }
 
-/// With rotary axes that stand it is an ordinary corner.
+/// If the rotary axes do not move, it is an ordinary corner.
 TEST(led_corner, of_the_tip_alone_is_its_tolerance) {
   const PartSpace space = head();
   std::array<Axes, 3> work{};

@@ -1,4 +1,4 @@
-// What limits a cell, where the answer is plain; and the lines that lose most time by it.
+// What limits a cell, in cases where the answer is obvious; and the lines that lose most time by their limits.
 
 #include "motion/look_ahead/limited_by.h"
 
@@ -17,18 +17,18 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// X is half as fast as the others to speed up.
+/// X has half the acceleration of the other axes.
 const MotionLimits limits{{200, 200, 200}, {500, 1000, 1000}, {20000, 20000, 20000}};
 
 struct Seen {
-  double from = 0, seconds = 0;  // s since the start
+  double from = 0, seconds = 0;  // both in seconds; `from` since the start
   LimitedBy by;
 };
 
 class Drive {
  public:
   Drive() : planner_(limits, [this](const TimedCells& cells) { take(cells); }) { planner_.begin(Point{}.data()); }
-  Drive(const Drive&) = delete;  // the planner calls it back
+  Drive(const Drive&) = delete;  // the planner keeps a reference to it
   Drive& operator=(const Drive&) = delete;
   Drive& line(const Point& to, double feed, double tolerance = 0.01, bool on_curve = false) {
     planner_.line_to(to.data(), feed, tolerance, on_curve, tag);
@@ -45,7 +45,7 @@ class Drive {
     return Limit::pause;
   }
   double seconds() const { return all.back().from + all.back().seconds; }
-  /// Time by limit.
+  /// Returns the time spent at each limit.
   std::map<Limit, double> shares() const {
     std::map<Limit, double> sum;
     for (const Seen& seen : all) sum[seen.by.limit] += seen.seconds;
@@ -75,7 +75,7 @@ class Drive {
   Planner planner_;
 };
 
-// Along X: 25 ms of jerk, 500 mm/s² for 175 ms more to 100 mm/s, and the same back.
+// Along X: 25 ms limited by jerk, then 175 ms at 500 mm/s² up to 100 mm/s, and the same back to rest.
 TEST(LimitedBy, ALongLineItsFeedInTheMiddleJerkAndAccelerationAtItsEnds) {
   Drive run;
   run.line({200, 0, 0}, 100).stop();
@@ -95,7 +95,7 @@ TEST(LimitedBy, OfTwoAxesTheOneThatIsNearest) {
 
 TEST(LimitedBy, ARapidTheSpeedOfItsAxis) {
   Drive run;
-  run.line({0, 400, 300}, 250).stop();  // 200 mm/s of Y
+  run.line({0, 400, 300}, 250).stop();  // Y reaches its 200 mm/s
   EXPECT_EQ(run.at(run.seconds() / 2), Limit::axis_speed);
   EXPECT_EQ(run.axis_of(Limit::axis_speed), 1);
 }
@@ -116,12 +116,12 @@ void circle(Drive& run, double radius, double feed) {
   run.stop();
 }
 
-// √(500·10) = 71 mm/s where X turns the way.
+// √(500·10) = 71 mm/s where X reverses.
 TEST(LimitedBy, ACircleTooFastForItsAxesTheCurve) {
   Drive run;
   circle(run, 10, 150);
   auto shares = run.shares();
-  EXPECT_GT(shares[Limit::curve], 0.4 * run.seconds());  // the rest of it X and Y take turns in speeding up and slowing down
+  EXPECT_GT(shares[Limit::curve], 0.4 * run.seconds());  // in the remaining time X and Y accelerate and brake by turns
   EXPECT_GT(shares[Limit::curve] + shares[Limit::jerk] + shares[Limit::acceleration], 0.95 * run.seconds());
   EXPECT_EQ(shares[Limit::corner], 0);
 }
@@ -146,7 +146,7 @@ TEST(LimitedBy, WithoutToleranceNoCornerIsRounded) {
   EXPECT_EQ(run.shares().count(Limit::corner), 0U);
 }
 
-// Speeding up takes 100 / 500 + 0.025 s and half the way of it at full speed: so much is lost, twice.
+// Acceleration takes 100 / 500 + 0.025 s, and its distance takes half of this time at full speed. So half is lost, at both ends.
 TEST(LostTime, OfALineBothItsRamps) {
   Drive run;
   run.line({200, 0, 0}, 100).stop();
@@ -187,7 +187,7 @@ TEST(LostTime, AFullTableKeepsTheWorst) {
   };
   for (std::uint32_t line = 1; line <= 10'000; ++line) lost.take(cells_of(line, line % 1000 == 0 ? 1 + line * 1e-4 : 1e-3));
   const auto worst = lost.worst(8);
-  ASSERT_EQ(worst.size(), 8U);  // half of the table at least
+  ASSERT_EQ(worst.size(), 8U);  // at least half of the table
   for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(worst[i].line, 10'000 - 1000 * i);
 }
 

@@ -1,4 +1,4 @@
-// motion/look_ahead/look_ahead: what goes in comes out in order, with the times of nct 4.1, 6 and 7.
+// motion/look_ahead/look_ahead: the actions come out in the order in which they went in, with the times of nct 4.1, 6 and 7.
 
 #include "motion/look_ahead/look_ahead.h"
 
@@ -27,14 +27,14 @@ struct Timed {
   MotionTime time;
 };
 
-/// Programmed times and the look-ahead in a row.
+/// Sends a program through the estimate of the programmed times, and then through the look-ahead.
 std::vector<Timed> run(const std::vector<Action>& program, const SpeedRules& rules) {
   kadr::Setup setup;
   setup.machine["*"].rapid = 6000;
   const Rates rates = rates_of(MachineProfile{}, setup, names);
   TimeEstimate estimate(roles, rates);
   std::vector<Timed> out;
-  ToolPosition at;  // after what has come out
+  ToolPosition at;  // the position after the actions that have come out
   LookAhead look_ahead(roles, rules, rates.rapid, [&](const Step& step, double longer) {
     out.push_back({step.action, step.time});
     EXPECT_EQ(step.from.work, at.work) << "it is handed on with where the tool stood";
@@ -46,7 +46,7 @@ std::vector<Timed> run(const std::vector<Action>& program, const SpeedRules& rul
   look_ahead.finish();
   double sum = 0;
   for (const Timed& t : out) sum += t.time.seconds;
-  EXPECT_NEAR(estimate.split().cutting + estimate.split().rapid, sum, 1e-9 * (1 + sum));  // pauses are none of its business
+  EXPECT_NEAR(estimate.split().cutting + estimate.split().rapid, sum, 1e-9 * (1 + sum));  // it does not count pauses
   return out;
 }
 
@@ -96,8 +96,8 @@ SpeedRules any_rules() {
   return rules;
 }
 
-/// NCT 25.14: the tip goes 10 mm while the head leans by 90°, 100 mm above it: X goes by up to 1 + 100·(π/2)/10 mm a mm of the tip. From
-/// rest to rest in 2·√(L·u/A).
+/// NCT 25.14: the tip moves 10 mm while the head, 100 mm above the tip, tilts by 90°. X moves by up to 1 + 100·(π/2)/10 mm per mm of
+/// the tip. From rest to rest this takes 2·√(L·u/A).
 TEST(look_ahead, the_axes_limit_a_tip_that_is_led) {
   PartSpaceData d;
   d.machine.group = MachineGroup::head_head;
@@ -125,7 +125,7 @@ TEST(look_ahead, the_axes_limit_a_tip_that_is_led) {
   const double u = 1 + 100 * std::numbers::pi / 2 / 10;
   EXPECT_NEAR(seconds_of(from, linear(1000)), 2 * std::sqrt(10 * u / 1000), 0.01);
   SpeedRules slow = linear(1e9);
-  slow.most_feed = axes_filled(50);  // mm/s of the axes
+  slow.most_feed = axes_filled(50);  // mm/s, for each axis
   EXPECT_NEAR(seconds_of(from, slow), 10 / (50 / u), 0.05);
 }
 
@@ -174,7 +174,7 @@ RC_GTEST_PROP(look_ahead, backwards_it_takes_the_same_time, ()) {
   RC_ASSERT(std::abs(one - (other - way_there)) < 1e-9 * (1 + one));
 }
 
-/// The curvature of short lines (N0402, N0403) counts by their lengths: without those two.
+/// The curvature of short lines (N0402, N0403) depends on their lengths, so both are switched off.
 RC_GTEST_PROP(look_ahead, a_line_cut_in_two_takes_the_same_time, ()) {
   SpeedRules rules = any_rules();
   rules.build_up = {};
@@ -194,7 +194,7 @@ RC_GTEST_PROP(look_ahead, a_line_cut_in_two_takes_the_same_time, ()) {
   RC_ASSERT(std::abs(seconds(run(program, rules)) - whole) < 1e-9 * (1 + whole));
 }
 
-/// More motions than it holds: the speed is as if it held them all, for the machine stops within the newer half.
+/// More motions than the window can hold give the speed of an unlimited window, because the machine can stop within the newer half.
 TEST(look_ahead, goes_on_past_its_window) {
   std::vector<Action> program;
   for (int i = 1; i <= 20'000; ++i) program.push_back(act(straight(feed, {0.1 * i, 0, 0}, 6000)));
@@ -215,7 +215,7 @@ TEST(look_ahead, stops_for_functions_and_exact_stop) {
 TEST(look_ahead, rapid_motions_from_rest_to_rest) {
   const std::vector<Action> program = {act(straight(rapid, {100, 50, 0})), act(straight(rapid, {100, 50, 100}))};
   const std::vector<Timed> out = run(program, linear(1000));
-  EXPECT_NEAR(out[0].time.seconds, 1.1, 1e-12);  // X leads: 100 mm/s, 1000 mm/s²
+  EXPECT_NEAR(out[0].time.seconds, 1.1, 1e-12);  // X limits: 100 mm/s, 1000 mm/s²
   EXPECT_NEAR(out[0].time.feed_most, 6000 * std::sqrt(1.25), 1e-8);
   EXPECT_NEAR(out[1].time.seconds, 1.1, 1e-12);
 }
@@ -225,14 +225,14 @@ TEST(look_ahead, rapid_motions_overlap) {
   rules.overlaps_rapids = true;
   rules.overlap_from = 0.25;
   const Action up = act(straight(rapid, {0, 0, 100})), over = act(straight(rapid, {100, 0, 100}));
-  EXPECT_NEAR(run({up, over}, rules)[0].time.seconds, 1.1 - 0.075, 1e-9);  // three quarters of its 0.1 s are left
+  EXPECT_NEAR(run({up, over}, rules)[0].time.seconds, 1.1 - 0.075, 1e-9);  // three quarters of its 0.1 s remain
   EXPECT_NEAR(run({up, over}, rules)[1].time.seconds, 1.1, 1e-12);
   EXPECT_NEAR(run({act(exact(straight(rapid, {0, 0, 100}))), over}, rules)[0].time.seconds, 1.1, 1e-12);
-  EXPECT_NEAR(run({up, act(straight(rapid, {100, 0, 0}))}, rules)[0].time.seconds, 1.1, 1e-12);  // Z moves in both
+  EXPECT_NEAR(run({up, act(straight(rapid, {100, 0, 0}))}, rules)[0].time.seconds, 1.1, 1e-12);  // Z moves in both motions
   EXPECT_NEAR(run({up, act(straight(feed, {100, 0, 100}, 600))}, rules)[0].time.seconds, 1.1, 1e-12);
 }
 
-/// A circle of radius 10 as chords: the speed is that of the circle, √(a·r).
+/// A circle of radius 10 mm as chords: the speed is that on the circle, √(a·r).
 TEST(look_ahead, short_lines_have_the_curvature_of_their_circle) {
   std::vector<Action> program = {act(straight(rapid, {10, 0, 0}))};
   for (int i = 1; i <= 360; ++i) {
@@ -243,10 +243,10 @@ TEST(look_ahead, short_lines_have_the_curvature_of_their_circle) {
   rules.normal = axes_filled(250);
   const std::vector<Timed> out = run(program, rules);
   const double per_axis = 3000 / std::sqrt(std::cos(rad_per_deg * 0.5) * std::cos(rad_per_deg * 0.5));
-  EXPECT_NEAR(*out[180].time.feed_end, per_axis, 1);  // on an axis: the whole normal acceleration
+  EXPECT_NEAR(*out[180].time.feed_end, per_axis, 1);  // where the path is parallel to an axis: one axis has the whole normal acceleration
   rules.normal = axes_filled(unlimited);
   rules.line_step = axes_filled(250);
-  EXPECT_NEAR(*run(program, rules)[1].time.feed_end, 3000, 30);  // the step from nothing to F²/r
+  EXPECT_NEAR(*run(program, rules)[1].time.feed_end, 3000, 30);  // the acceleration jumps from zero to F²/r
 }
 
 TEST(look_ahead, inner_arcs_and_corners_are_slower) {
@@ -270,8 +270,8 @@ TEST(look_ahead, inner_arcs_and_corners_are_slower) {
   in.tool_radius = out.tool_radius = 6;
   in.corner_speed = out.corner_speed = CornerSpeed::inner_slower;
   const std::vector<Timed> left = run({act(in), act(out)}, rules);
-  EXPECT_NEAR(left[0].time.seconds, 5 + 2, 1e-9);  // 50 mm, and 10 at half the feed
-  EXPECT_NEAR(left[1].time.seconds, 4 + 4, 1e-9);  // 20 at half the feed, 40
+  EXPECT_NEAR(left[0].time.seconds, 5 + 2, 1e-9);  // 50 mm, and 10 mm at half the feed
+  EXPECT_NEAR(left[1].time.seconds, 4 + 4, 1e-9);  // 20 mm at half the feed, 40 mm at the full feed
   in.side = out.side = -1;
   EXPECT_NEAR(run({act(in), act(out)}, rules)[0].time.seconds, 6, 1e-9);
 }

@@ -1,4 +1,4 @@
-// motion/time/pace: the time of a motion in polar interpolation, shared by its pieces. NCT 4.5.
+// motion/time/pace: shares the time of a motion in polar interpolation among its segments. NCT 4.5.
 
 #include "motion/time/pace.h"
 
@@ -42,7 +42,7 @@ TEST(pace, the_pieces_take_the_time_of_the_whole) {
   EXPECT_NEAR(sum, minutes(curve, {1000, most}), 1e-3 * sum);
 }
 
-// 11.5: from x = 100 to 20 at 200 m/min the spindle turns five times as fast; within 31.8 mm at 1000 rev/min.
+// 11.5: from x = 100 to 20 at 200 m/min the spindle becomes five times as fast; at x below 31.8 mm it stays at 1000 rev/min.
 TEST(pace, a_feed_a_turn_goes_with_a_spindle_of_constant_surface_speed) {
   Motion motion = test::straight(MotionKind::feed, {20, 0}, 0.2);
   motion.unit = FeedUnit::mm_per_rev;

@@ -1,4 +1,4 @@
-// The planner of least time ends where it is asked to, and where it has no plan: then it hands out nothing more.
+// The least-time planner stops when it is requested to, and where it has no plan; after that it emits nothing more.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using test::Point;
 
 const MotionLimits limits = test::three_axes(200, 1000, 20000);
 
-/// What it handed out.
+/// What the planner has emitted.
 struct Handed {
   std::size_t times = 0, cells = 0;
   double seconds = 0;
@@ -34,7 +34,7 @@ TEST(PlannerEnd, AskedToStopItHandsOutNothing) {
   EXPECT_EQ(planner.ended(), PlanEnd::stopped);
 }
 
-// Asked by whoever looks at the first of many windows.
+// The stop is requested by the receiver of the first of many windows.
 TEST(PlannerEnd, AskedToStopOnTheWayItHandsOutNothingMore) {
   std::atomic<bool> flag{false};
   Handed handed;
@@ -72,7 +72,7 @@ TEST(PlannerEnd, WhatIsNoPlanIsNotHandedOut) {
   EXPECT_NEAR(handed.seconds, 0.2 + 0.05 + 0.05, 1e-9);  // nct 7.0: L/F + F/a + a/j
 }
 
-// 1 nm at 1 nm/s takes a second; a cell of a hundredth of a millimetre at that feed would take three hours.
+// 1 nm at 1 nm/s takes one second; a cell of a hundredth of a millimetre at this feed would take three hours.
 TEST(PlannerEnd, AShortSlowPieceSlowsNotWhatIsBesideIt) {
   Handed handed;
   Planner planner(limits, [&](const TimedCells& cells) { handed.seconds += cells.seconds(); });

@@ -1,5 +1,6 @@
-// Random paths: every one is planned within the limits and the tolerance, and smoothing side by side with the rest gives the same bits.
-// KADR_PATHS: so many (docs/planner.md: what was seen in more); KADR_FIRST_PATH: from which seed on.
+// Random paths: each is planned within the limits and the tolerance, and smoothing in a
+// parallel thread gives the same bits as smoothing in sequence. KADR_PATHS sets the number
+// of paths (docs/planner.md has the results of longer runs), KADR_FIRST_PATH the first seed.
 
 #include <gtest/gtest.h>
 
@@ -21,11 +22,11 @@ namespace {
 using test::Piece;
 using test::Point;
 
-/// Its own numbers, the same with every library.
+/// Random numbers that are the same with every library.
 class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
-  /// from … to − 1
+  /// Returns a number in from … to − 1.
   int in(int from, int to) { return from + static_cast<int>(engine_() % static_cast<std::uint32_t>(to - from)); }
   bool one_in(int of) { return in(0, of) == 0; }
 
@@ -33,7 +34,8 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// Lines of 0.01 to 40 mm, straight on or with corners of all sizes; one tolerance and feed, or others with each line.
+/// Returns lines of 0.01 to 40 mm, in one direction or with corners of all sizes.
+/// Tolerance and feed are the same for all lines or differ from line to line.
 std::vector<Piece> random_path(std::uint32_t seed) {
   constexpr double pi = 3.14159265358979323846;
   constexpr std::array<double, 3> tolerances = {0.005, 0.02, 0.1};
@@ -87,13 +89,13 @@ TEST(PlannerRandomPaths, KeepLimitsAndTolerance) {
   }
 }
 
-/// All numbers of the cells, and after how many pieces they came out.
+/// All numbers of the cells, and the number of input segments after which each window came out.
 struct Recorded {
   std::vector<double> numbers;
   std::vector<std::size_t> when;
 };
 
-/// A wave of short lines with a sharp corner now and then; the axes stand between some.
+/// Records a wave of short lines with a sharp corner now and then; the axes stop between some lines.
 template <class Look>
 Recorded recorded(bool side_by_side, const Look& look) {
   constexpr std::size_t pieces = 9000, to_corner = 97, to_stop = 4300;
@@ -125,7 +127,7 @@ TEST(PlannerSideBySide, GivesTheSameBits) {
   ASSERT_GE(alone.when.size(), 8U);
   ASSERT_EQ(alone.numbers.size(), beside.numbers.size());
   EXPECT_EQ(std::memcmp(alone.numbers.data(), beside.numbers.data(), alone.numbers.size() * sizeof(double)), 0);
-  EXPECT_EQ(recorded(true, nothing).when, beside.when);  // and when they come out does not depend on which is quicker
+  EXPECT_EQ(recorded(true, nothing).when, beside.when);  // the moment of output does not depend on which thread is faster
 }
 
 TEST(PlannerSideBySide, GoesOnFromWhatItRemembers) {
@@ -139,7 +141,7 @@ TEST(PlannerSideBySide, GoesOnFromWhatItRemembers) {
   EXPECT_EQ(std::memcmp(straight.numbers.data(), shaken.numbers.data(), straight.numbers.size() * sizeof(double)), 0);
 }
 
-TEST(PlannerSideBySide, IsLeftInTheMiddle) {  // what works beside it ends before what it works with
+TEST(PlannerSideBySide, IsLeftInTheMiddle) {  // the parallel thread ends before the objects that it uses
   const MotionLimits limits = test::three_axes(200, 1000, 20000);
   for (int pieces = 1020; pieces < 1040; ++pieces) {
     Planner planner(limits, [](const TimedCells&) {});

@@ -1,5 +1,6 @@
-// The planner of least time where the path turns back: by any way, anywhere, within any tolerance, on any machine. Standing at each corner
-// is allowed too, and its time has a closed form (nct 7.0): no plan may take longer, nor less than the way at the feed.
+// The least-time planner where the path reverses: after any distance, at any position, within
+// any tolerance, on any machine. Stopping at each corner is allowed too, and its time has a
+// closed form (nct 7.0). No plan may take longer than that, nor less than the path at its feed.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -27,7 +28,7 @@ constexpr Machine machines[] = {{100, 400, 8000}, {200, 1000, 20000}, {500, 5000
 constexpr double tolerances[] = {0.001, 0.01, 0.02, 0.1, 0.5};
 constexpr double steps[] = {1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.0149, 0.02, 0.1, 1, 10};
 
-/// Of all pieces, each from rest to rest; and their way at the feed.
+/// The sum of times with each segment from rest to rest, and the time of the path at its feed.
 struct Bounds {
   double longest = 0, shortest = 0;
 };
@@ -40,7 +41,7 @@ Bounds bounds(const Machine& machine, const std::vector<Piece>& pieces) {
       squares += (piece.to[a] - from[a]) * (piece.to[a] - from[a]);
       largest = std::max(largest, std::fabs(piece.to[a] - from[a]));
     }
-    const double way = std::sqrt(squares), faster = way / largest;  // along the path than the axis that moves most
+    const double way = std::sqrt(squares), faster = way / largest;  // speed along the path divided by the speed of the axis that moves most
     std::vector<TimeLaw> laws;
     rest_to_rest(way, {std::min(piece.feed, machine.speed * faster), machine.acceleration * faster, machine.jerk * faster}, laws);
     for (const TimeLaw& law : laws) sum.longest += law.seconds;
@@ -50,16 +51,16 @@ Bounds bounds(const Machine& machine, const std::vector<Piece>& pieces) {
   return sum;
 }
 
-constexpr double accurate = 1.02;  // the solver's own margins of acceleration and jerk take 1 %
+constexpr double accurate = 1.02;  // the solver keeps margins of 1 % to the limits of acceleration and jerk
 
-/// Empty, or what is wrong with the plan. `slower`: times that it may take of standing at each corner.
+/// Returns what is wrong with the plan, empty if nothing. The plan may take `slower` times as long as stopping at each corner.
 std::string fault_of(const Machine& machine, const std::vector<Piece>& pieces, double slower = accurate) {
   const PlannedRun run = test::planned_run(test::three_axes(machine.speed, machine.acceleration, machine.jerk), pieces);
   const Bounds bound = bounds(machine, pieces);
   const std::string times = std::to_string(run.seconds) + " s, at rest at each corner " + std::to_string(bound.longest);
   if (run.failures > 0) return "no speed was found";
   if (!(run.seconds <= slower * bound.longest + 1e-3)) return "too slow: " + times;
-  if (!(run.seconds >= 0.999 * bound.shortest - 0.1)) return "too fast: " + times;  // corners are cut by the tolerance
+  if (!(run.seconds >= 0.999 * bound.shortest - 0.1)) return "too fast: " + times;  // because corners are cut within the tolerance
   for (std::size_t a = 0; a < 3; ++a)
     if (!(std::fabs(run.end[a] - pieces.back().to[a]) < 1e-9)) return "ends elsewhere";
   if (run.speed > machine.speed * 1.002 || run.acceleration > machine.acceleration * 1.002 || run.jerk > machine.jerk * 1.01)
@@ -67,14 +68,14 @@ std::string fault_of(const Machine& machine, const std::vector<Piece>& pieces, d
   return {};
 }
 
-/// Pieces along X, from place to place.
+/// Returns segments along X through these positions.
 std::vector<Piece> along_x(const std::vector<double>& places, double feed, double tolerance) {
   std::vector<Piece> pieces;
   for (const double x : places) pieces.push_back({{x, 0, 0}, feed, tolerance});
   return pieces;
 }
 
-// mach3: `G90 G1 F600 X10`, `X9.999` took for ever: one cell, from where it turns back to the end.
+// mach3: `G90 G1 F600 X10`, `X9.999` took extremely long: one cell reached from the reversal to the end.
 TEST(PlannerReversal, OfAnyWayAtTheStartInTheMiddleAndAtTheEnd) {
   for (const double d : steps)
     for (const double feed : {10.0, 100.0})
@@ -84,7 +85,7 @@ TEST(PlannerReversal, OfAnyWayAtTheStartInTheMiddleAndAtTheEnd) {
           EXPECT_EQ(fault_of(machine, along_x(places, feed, 0.02)), "") << d << ", " << places.size() << " places at " << feed;
 }
 
-// Where it turns back it is followed exactly: the tolerance changes nothing.
+// At a reversal the path is followed exactly: the tolerance changes nothing.
 TEST(PlannerReversal, WithinAnyTolerance) {
   for (const double tolerance : tolerances)
     for (const double d : {1e-5, 0.001, 0.01})
@@ -102,7 +103,7 @@ TEST(PlannerReversal, ZigzagsOfOneStep) {
     }
 }
 
-// More of them than the planner looks at together.
+// More reversals than one window of the planner holds.
 TEST(PlannerReversal, ManyInARow) {
   std::vector<double> places;
   for (int i = 0; i < 1500; ++i) places.push_back(i % 2 == 0 ? 1 : 1 - 1e-3 * (1 + i % 7));
@@ -136,7 +137,8 @@ TEST(PlannerReversal, BehindATinyCircle) {
 
 double random_step() { return std::pow(10, *rc::gen::inRange(-500, 101) * 0.01); }
 
-/// On and back by any way, each piece turned by `bend` radians, or elsewhere.
+/// Returns a path that goes forward and back by random distances; each
+/// segment is rotated by `bend` radians, or goes in another direction.
 std::vector<Piece> random_zigzag(double tolerance, const std::function<double()>& bend) {
   std::vector<Piece> pieces;
   Point at{};
@@ -162,7 +164,8 @@ RC_GTEST_PROP(PlannerReversalProperty, NoPlanTakesLongerThanStandingAtEachCorner
   if (!fault.empty()) RC_FAIL(fault);
 }
 
-// Corners are rounded, nearly back too, if the tolerance allows it: to stand in them may be quicker (1.5 times was seen in 4,000 programs).
+// Corners are rounded if the tolerance allows it, also where the path almost reverses.
+// Stopping at them may be faster (a factor of 1.5 was seen in 4,000 programs).
 constexpr double rounded = 2;
 RC_GTEST_PROP(PlannerReversalProperty, NearlyBack, ()) {
   const Machine machine = random_machine();

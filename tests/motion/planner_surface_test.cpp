@@ -1,5 +1,5 @@
-// Surfaces of thousands of short lines, as load/gen_load.py writes them: looked at everywhere, by a search for the nearest point that knows
-// nothing of how the path was rounded.
+// Surfaces of thousands of short lines, as load/gen_load.py writes them. Every sample is checked by a search for the nearest point that
+// does not use how the path was rounded.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ constexpr double tolerance = 0.01;
 struct Surface {
   const char* name;
   double step;      // mm
-  double decimals;  // of the words
+  double decimals;  // decimals of the words
   double feed;      // mm/s
   int lines = 12000;
 };
@@ -40,7 +40,7 @@ std::vector<Point> points_of(const Surface& surface) {
   return points;
 }
 
-/// Distance to the nearest of the pieces around the last nearest one.
+/// Finds the distance to the nearest segment among those around the previous nearest one.
 class Nearest {
  public:
   explicit Nearest(const std::vector<Point>& points) : points_(points) {}

@@ -1,4 +1,4 @@
-// The planner of least time: what it hands out obeys every limit, follows the path within the tolerance, and is as fast as can be shown.
+// The least-time planner: its output obeys every limit, follows the path within the tolerance, and is as fast as can be proved.
 
 #include "motion/least_time/planner.h"
 
@@ -42,7 +42,7 @@ double furthest(const PlannedRun& run, const std::vector<Piece>& pieces, const P
 }
 
 void expect_within_limits(const PlannedRun& run) {
-  constexpr double over = 1.001;  // of differences of doubles
+  constexpr double over = 1.001;  // allows for the rounding of differences of doubles
   EXPECT_LE(run.speed, speed * over);
   EXPECT_LE(run.acceleration, acceleration * over);
   EXPECT_LE(run.jerk, jerk * over);
@@ -66,8 +66,8 @@ TEST(Planner, WithoutToleranceItStopsAtEachCorner) {
   EXPECT_LT(furthest(run, {{{40, 0, 0}, 0, 0}, {{40, 25, 0}, 0, 0}}), 1e-9);
 }
 
-// Back on the same line without standing: one change of speed from +v to −v takes 2 v/a + a/j, two ramps 2 (v/a + a/j); at 100 mm/s it
-// saves 0.05 s of 1.1 s, and the way that is gone meanwhile is the same.
+// A reversal on the same line without a stop: one change of speed from +v to −v takes 2 v/a + a/j, two ramps take 2 (v/a + a/j). At 100
+// mm/s this saves 0.05 s of 1.1 s; the distance travelled meanwhile is the same.
 TEST(Planner, TurningBackTakesOneChangeOfSpeed) {
   const PlannedRun run = planned({{{40, 0, 0}, 100, 0.01}, {{0, 0, 0}, 100, 0.01}});
   EXPECT_LT(run.seconds, 1.06);
@@ -98,7 +98,8 @@ TEST(Planner, MoreToleranceIsNotSlower) {
   }
 }
 
-// A circle of short lines at a feed that its acceleration allows: as long as the way takes, but for the start and the end.
+// A circle of short lines at a feed that its acceleration allows: it takes
+// the time of the path at its feed, apart from the start and the end.
 TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
   std::vector<Piece> circle;
   constexpr int pieces = 2000;
@@ -114,7 +115,7 @@ TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
   expect_within_limits(run);
 }
 
-// 200 m at 0.5 mm/s: as few cells as of any other line, not one for each 0.01 s.
+// 200 m at 0.5 mm/s: the plan has as few cells as for any other line, not one for each 0.01 s.
 TEST(Planner, AVeryLongSlowLineTakesFewCells) {
   std::size_t cells = 0;
   double seconds = 0;
@@ -139,7 +140,7 @@ TEST(Planner, AWindowMuchShorterThanThePathCostsNoTime) {
   expect_within_limits(run);
 }
 
-/// Of one tolerance, or of several.
+/// Random segments with one tolerance, or with several.
 std::vector<Piece> random_pieces(bool mixed) {
   std::vector<Piece> pieces;
   Point at{};
@@ -162,14 +163,15 @@ RC_GTEST_PROP(PlannerProperty, ObeysEveryLimitAndFollowsThePath, ()) {
   RC_ASSERT(run.failures == 0U);
   RC_ASSERT(run.speed <= speed * over);
   RC_ASSERT(run.acceleration <= acceleration * over);
-  RC_ASSERT(run.jerk <= jerk * 1.01);  // looked at in places only: docs/planner.md
+  RC_ASSERT(run.jerk <= jerk * 1.01);  // the jerk is checked at sampled positions only: docs/planner.md
   double most = 0;
   for (const Piece& piece : pieces) most = std::max(most, piece.tolerance);
-  RC_ASSERT(furthest(run, pieces) <= most * 1.005);  // looked at in places only
+  RC_ASSERT(furthest(run, pieces) <= most * 1.005);  // checked at sampled positions only
   for (std::size_t a = 0; a < 3; ++a) RC_ASSERT(std::fabs(run.end[a] - pieces.back().to[a]) < 1e-9);
 }
 
-// Not bit by bit: the cells lie elsewhere, and of several good speeds another may be found; tiny paths differ most.
+// The plans are not equal bit by bit: the cells are at other positions,
+// and another of several good speeds may be found. Tiny paths differ most.
 constexpr double some = 0.07;  // s
 
 RC_GTEST_PROP(PlannerProperty, ASplitLineTakesTheSameTime, ()) {

@@ -1,5 +1,5 @@
-// The servo clock: positions from planned cells under feed hold and override. What comes out obeys every limit, stays on the path, and
-// ends where the path ends.
+// The servo clock: positions from planned cells under feed hold and override. The
+// output obeys every limit, stays on the path, and ends at the end of the path.
 
 #include "motion/play/playback.h"
 
@@ -25,7 +25,7 @@ struct Piece {
   double feed, tolerance;
 };
 
-/// What the planner makes of it, in one.
+/// Returns the whole plan as one set of cells.
 TimedCells planned(const std::vector<Piece>& pieces) {
   TimedCells all;
   all.axes = axes;
@@ -42,7 +42,7 @@ TimedCells planned(const std::vector<Piece>& pieces) {
   return all;
 }
 
-/// An override from an instant on.
+/// An override that is in force from one instant on.
 struct Change {
   std::size_t instant;
   double share;
@@ -50,7 +50,7 @@ struct Change {
 
 struct Played {
   std::vector<Point> points;
-  double speed = 0, acceleration = 0, jerk = 0;  // greatest of any axis, by differences
+  double speed = 0, acceleration = 0, jerk = 0;  // greatest of any axis, from differences of the samples
   std::uint64_t starved = 0;
 };
 
@@ -64,7 +64,7 @@ void measure(Played& run) {
     }
 }
 
-constexpr std::size_t too_many = 2'000'000;  // instants: it does not come to its end
+constexpr std::size_t too_many = 2'000'000;  // instants; the run does not reach its end
 
 Played played(const TimedCells& cells, const std::vector<Change>& changes, std::size_t at_a_time = 1, std::size_t ring = 1 << 16) {
   Playback playback(limits(), rate, ring);
@@ -83,7 +83,7 @@ Played played(const TimedCells& cells, const std::vector<Change>& changes, std::
   return run;
 }
 
-/// The way from the nearest place of the plan, looked at every 0.1 ms.
+/// Returns the deviation from the nearest point of the plan, sampled every 0.1 ms.
 double off_plan(const Played& run, const TimedCells& plan) {
   std::vector<Point> places;
   for (std::size_t k = 0; k < plan.laws.size(); ++k) {
@@ -91,7 +91,7 @@ double off_plan(const Played& run, const TimedCells& plan) {
     for (int i = 0; i <= count; ++i) plan.position(k, plan.laws[k].way(plan.laws[k].seconds * i / count), places.emplace_back().data());
   }
   double worst = 0;
-  std::size_t near = 0;  // goes on along the path, never back
+  std::size_t near = 0;  // searches forward along the path, never back
   for (const Point& p : run.points) {
     const auto away = [&](std::size_t i) { return std::hypot(p[0] - places[i][0], p[1] - places[i][1], p[2] - places[i][2]); };
     constexpr std::size_t ahead = 40;
@@ -134,7 +134,7 @@ TEST(Playback, HalfTheOverrideTakesTwiceAsLong) {
   EXPECT_NEAR(static_cast<double>(played(plan, {{0, 0.5}}).points.size()), 2 * static_cast<double>(played(plan, {}).points.size()), 3);
 }
 
-// 100 mm/s: with 1000 mm/s² and 20,000 mm/s³ it cannot stand before 0.15 s; a smooth ramp needs somewhat more.
+// From 100 mm/s, with 1000 mm/s² and 20,000 mm/s³, it cannot stop before 0.15 s; a smooth ramp needs slightly more.
 TEST(Playback, AFeedHoldStopsAndAResumeGoesOn) {
   const TimedCells plan = planned({{{100, 0, 0}, 100, 0}});
   const Played run = played(plan, {{500, 0}, {2000, 1}});
@@ -146,7 +146,7 @@ TEST(Playback, AFeedHoldStopsAndAResumeGoesOn) {
   EXPECT_NEAR(static_cast<double>(run.points.size()), 1150 + 1500 + 110, 110);
 }
 
-/// A star, whose speed never stays: all along the plan uses all of the jerk of one axis or another.
+/// Returns a star. Its speed is never constant: everywhere along the plan one axis uses all of its jerk.
 std::vector<Piece> star() {
   std::vector<Piece> pieces;
   Point at{};
@@ -159,7 +159,7 @@ std::vector<Piece> star() {
   return pieces;
 }
 
-// One ramp for the whole change would have to be so slow that it takes up to 1.5 s.
+// A single ramp for the whole change would have to be so slow that it takes up to 1.5 s.
 TEST(Playback, AFeedHoldStandsSoonWhereThePlanUsesAllOfTheJerk) {
   constexpr std::size_t soon = 700;  // instants
   const TimedCells plan = planned(star());
@@ -179,8 +179,8 @@ TEST(Playback, AnOverrideDoesNotLengthenAPauseAFeedHoldDoes) {
   EXPECT_NEAR(static_cast<double>(played(pause, {{100, 0}, {300, 1}}).points.size()), 701, 12);
 }
 
-// Where a cell ends the plan's jerk jumps, here from +19,700 to −10,000 mm/s³ a moment after an instant: a ramp that is allowed at the
-// instants only has 24,300 there.
+// At the end of a cell the jerk of the plan jumps, here from +19,700 to −10,000 mm/s³ shortly after an instant. A ramp that is checked
+// at the instants only has 24,300 mm/s³ there.
 TEST(Playback, ARampKeepsTheJerkWhereThePlansOwnJumps) {
   const TimedCells plan = planned({{{0.037301733035709911, -0.0072512559279498297, 0}, 35, 0.01},
                                    {{0.11112567225939744, -0.035376440327297157, 0}, 41, 0.1},
@@ -191,7 +191,7 @@ TEST(Playback, ARampKeepsTheJerkWhereThePlansOwnJumps) {
   EXPECT_LE(played(plan, {{3, 0.8}}).jerk, jerk * 1.01);
 }
 
-// So few cells are known that no whole ramp fits into them: it goes step by step.
+// So few cells are known that a whole ramp does not fit into them: the speed changes in small steps.
 TEST(Playback, ATinyRingSlowsButNeverStops) {
   const TimedCells plan = planned(corner);
   const Played run = played(plan, {{50, 0}, {300, 1}}, 1, 24);
@@ -199,7 +199,7 @@ TEST(Playback, ATinyRingSlowsButNeverStops) {
   EXPECT_EQ(run.starved, 0U);
   EXPECT_NEAR(run.points.back()[1], 25, 1e-12);
   EXPECT_LE(run.acceleration, acceleration * 1.001);
-  EXPECT_LE(run.jerk, jerk * 1.005);  // the plan's own, between the places that it is looked at
+  EXPECT_LE(run.jerk, jerk * 1.005);  // the jerk of the plan itself, between the sampled positions
 }
 
 TEST(Playback, WhereNoSwitchActsNothingChanges) {
@@ -223,8 +223,8 @@ TEST(Playback, TheOverrideActsWhereAFeedHoldDoesNot) {
   EXPECT_EQ(played(plan, {{0, 0.3}, {100, 0}}).points, played(plan, {{0, 0.3}}).points);
 }
 
-// 10 mm, a wait for the spindle, 20 mm in step with it: 37 degrees each mm, the rate unchanged all along. What held up the first is
-// made good by the wait.
+// 10 mm, a wait for the spindle, then 20 mm synchronous with it: 37 degrees per
+// mm, at a constant rate. A delay during the first 10 mm is made up by the wait.
 TEST(Playback, TheAxesWaitForTheSpindlesAngle) {
   constexpr double rate_of_spindle = -1850, waits = 0.02;  // degrees/s, s
   TimedCells plan;
@@ -235,7 +235,7 @@ TEST(Playback, TheAxesWaitForTheSpindlesAngle) {
     plan.path.insert(plan.path.end(), {from, 1, 0, 0, 0, 0});
     plan.spindle.push_back({angle, rate_of_spindle, 0, awaited, false});
   };
-  const double way = jerk * 0.1 * 0.1 * 0.1 / 6, fast = jerk * 0.1 * 0.1 / 2;  // of a ramp of 0.1 s
+  const double way = jerk * 0.1 * 0.1 * 0.1 / 6, fast = jerk * 0.1 * 0.1 / 2;  // distance and speed of a ramp of 0.1 s
   add(TimeLaw::of_jerk(0.1, 0, 0, jerk / 2), 0, 0, false, true);
   add(TimeLaw::of_jerk(0.1, fast / 2, jerk * 0.05, -jerk / 2), way / 2, rate_of_spindle * 0.1, false, true);
   add(TimeLaw::of_jerk(waits, 0, 0, 0), 10, rate_of_spindle * 0.2, true, false);
@@ -304,8 +304,8 @@ void obeys(const Played& run, const TimedCells& plan, const Point& end) {
   RC_ASSERT(run.starved == 0U);
   RC_ASSERT(run.speed <= speed * 1.002);
   RC_ASSERT(run.acceleration <= std::max(acceleration, planned_run.acceleration) * 1.002);
-  RC_ASSERT(run.jerk <= jerk * 1.02);       // the plan's own, looked at in places only: docs/planner.md
-  RC_ASSERT(off_plan(run, plan) <= 0.011);  // half of what 200 mm/s go in 0.1 ms
+  RC_ASSERT(run.jerk <= jerk * 1.02);       // the jerk of the plan itself, which is checked at sampled positions only: docs/planner.md
+  RC_ASSERT(off_plan(run, plan) <= 0.011);  // half of the distance travelled in 0.1 ms at 200 mm/s
   for (std::size_t a = 0; a < axes; ++a) RC_ASSERT(std::fabs(run.points.back()[a] - end[a]) < 1e-9);
 }
 
@@ -315,7 +315,7 @@ RC_GTEST_PROP(PlaybackProperty, UnderOverridesItObeysEveryLimitAndStaysOnThePath
   obeys(played(plan, random_changes()), plan, pieces.back().to);
 }
 
-// The planner is slower than the clock, or the ring small.
+// The planner is slower than the clock, or the ring buffer is small.
 RC_GTEST_PROP(PlaybackProperty, ItBrakesWhenCellsComeTooLate, ()) {
   const std::vector<Piece> pieces = random_pieces();
   const TimedCells plan = planned(pieces);
@@ -323,7 +323,7 @@ RC_GTEST_PROP(PlaybackProperty, ItBrakesWhenCellsComeTooLate, ()) {
   Played run;
   std::size_t offered = 0;
   double sent = 0;
-  const double pace = *rc::gen::element(0.3, 0.8);  // seconds of plan that come in a second
+  const double pace = *rc::gen::element(0.3, 0.8);  // seconds of plan that arrive per second
   while (!playback.done() && run.points.size() < too_many) {
     TimedCells some{axes, {}, {}, {}};
     const double due = 1.5 + pace * static_cast<double>(run.points.size()) / rate;

@@ -1,4 +1,4 @@
-// motion/time/polar_feed: the feed near the rotation centre. NCT 4.5; golden case 04-50.
+// motion/time/polar_feed: limits the feed near the rotation centre. NCT 4.5; golden case 04-50.
 
 #include "motion/time/polar_feed.h"
 
@@ -15,7 +15,7 @@ using enum MotionKind;
 
 const AxisRoles roles = AxisRoles::of({"X", "C"}, 2);
 
-/// A motion on the polar surface; the axes' start follows from the flat one.
+/// A motion on the polar surface; the start of the axes follows from the start in the plane.
 struct Polar {
   Axes from{};
   Motion motion;
@@ -37,7 +37,7 @@ Polar polar(MotionKind kind, Vec2 from, Vec2 to) {
   return p;
 }
 
-// 04-50: at radius 1 the path is tangential: 3600 · π/180 · 1.
+// 04-50: at radius 1 the path is tangential; the feed is 3600 · π/180 · 1.
 TEST(polar_feed, at_the_nearest_point) {
   const Polar p = polar(feed, {50, 1}, {-50, 1});
   const Curve curve = p.curve();
@@ -48,8 +48,8 @@ TEST(polar_feed, at_the_nearest_point) {
   EXPECT_EQ(minutes(curve, {1000, 0}), 0.1);
 }
 
-// By hand: on a line at distance d the rotary axis turns d·F/r² rad/min. Where r² ≥ d·F/most it is free; inside it turns at its
-// limit: through the angle between the two bounds.
+// By hand: on a line at distance d from the centre the rotary axis turns at d·F/r² rad/min. Where r² ≥ d·F/most the feed is not
+// limited. Closer to the centre the axis turns at its limit through the angle between the two bounds.
 TEST(polar_feed, time_by_formula) {
   for (const double distance : {5.0, 1.0, 1e-3, 1e-6}) {
     const Polar p = polar(feed, {50, distance}, {-50, distance});
@@ -92,7 +92,7 @@ TEST(polar_feed, rapid_goes_as_fast_as_the_slower_axis) {
   const Polar out = polar(rapid, {10, 0}, {60, 0});
   EXPECT_NEAR(rapid_minutes(out.curve(), roles, {10000, 3600}), 50 / 10000.0, 1e-12);
   const Polar past = polar(rapid, {50, 1}, {-50, 1});
-  const double turns_only = 2 * std::atan(50) / rad_per_deg / 360;  // a rotary axis that slow decides nearly all along
+  const double turns_only = 2 * std::atan(50) / rad_per_deg / 360;  // such a slow rotary axis limits nearly all of the line
   const double time = rapid_minutes(past.curve(), roles, {1e9, 360});
   EXPECT_NEAR(time, turns_only, 1e-6);
 }

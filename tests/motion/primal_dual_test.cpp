@@ -1,4 +1,4 @@
-// The quick solver of least time beside the sure one, and the closed form.
+// The fast least-time solver, compared with the safe one and with the closed form.
 
 #include "motion/least_time/primal_dual.h"
 
@@ -26,7 +26,7 @@ double seconds(const TimedPath& path, const std::vector<CellSpeeds>& speeds) {
   return sum;
 }
 
-/// Cells that grow from both ends; each axis a sine of its own along the path, of some size.
+/// Returns cells that grow from both ends; along the path each axis follows a sine of its own size.
 TimedPath waves(double length, std::size_t axes, double most, double amplitude, double wave) {
   TimedPath path;
   path.axes = axes;
@@ -87,7 +87,7 @@ RC_GTEST_PROP(PrimalDualProperty, IsAsQuickAsTheSureSolver, ()) {
   }
 }
 
-// Where the path turns back the axes stand for an instant: b is 0, b′ changes its sign.
+// Where the path reverses, the axes stop for an instant: b is 0, and b′ changes its sign.
 TEST(PrimalDual, TurnsBackInMotion) {
   TimedPath path = waves(40, 1, 1e4, 0, 1);
   const std::size_t half = path.cells() / 2;
@@ -118,7 +118,7 @@ TEST(PrimalDual, WithoutALimitThatCanBeKeptThereIsNone) {
   EXPECT_FALSE(PathTimer().solve(path, {}));
 }
 
-// Asked to stop it hands out nothing, and says so.
+// If it is requested to stop, the solver returns no solution and reports this.
 TEST(PrimalDual, StopsWhenAsked) {
   const std::atomic<bool> stop{true};
   EXPECT_FALSE(PathTimer().solve(waves(100, 3, 1e4, 0.3, 1), {}, StopToken(stop)));

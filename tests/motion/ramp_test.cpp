@@ -1,4 +1,4 @@
-// motion/look_ahead/ramp: closed forms against a slow integration. NCT 7.0.
+// motion/look_ahead/ramp: closed forms compared with a slow integration. NCT 7.0.
 
 #include "motion/look_ahead/ramp.h"
 
@@ -17,7 +17,7 @@ double within(double low, double high) { return low + (high - low) * *rc::gen::i
 
 Acceleration any_acceleration() { return {within(10, 5000), *rc::gen::element(0.0, 0.01, 0.05, 0.2), *rc::gen::arbitrary<bool>()}; }
 
-/// The acceleration as 7.0 draws it: up to the peak within T, or as far as the change of speed allows.
+/// Returns the acceleration as 7.0 draws it: it reaches its peak within T, or as far as the change of speed allows.
 double drawn(double t, double change, const Acceleration& a) {
   if (a.build_up == 0) return a.most;
   const double jerk = a.most / a.build_up;
@@ -40,7 +40,7 @@ RC_GTEST_PROP(ramp, is_the_integral_of_the_drawn_acceleration, ()) {
     v += gain;
     if (i % 1000 != 500) continue;
     RC_ASSERT(std::abs(ramp.speed_at((i + 1) * dt) - v) < 1e-4 * 300);
-    RC_ASSERT(std::abs(ramp.seconds_at(s) - (i + 1) * dt) * v < 1e-4 * ramp.length());  // where it is slow, s says little
+    RC_ASSERT(std::abs(ramp.seconds_at(s) - (i + 1) * dt) * v < 1e-4 * ramp.length());  // at low speed the time is less exact
   }
   RC_ASSERT(std::abs(v - to) < 1e-4 * 300);
   RC_ASSERT(std::abs(s - ramp.length()) < 1e-4 * (1 + s));

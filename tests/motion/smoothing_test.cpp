@@ -1,4 +1,4 @@
-// motion/least_time/smoothing: what becomes of straight pieces under G5.1. NCT 4.7, 4.7.1.
+// motion/least_time/smoothing: smooths straight segments under G5.1. NCT 4.7, 4.7.1.
 
 #include "motion/least_time/smoothing.h"
 
@@ -30,7 +30,7 @@ std::vector<Out> smoothed(const SmoothingRules& rules, std::uint8_t mode, const 
   return out;
 }
 
-/// Points of a circle, a chord every 6 degrees: 1 mm long, 0.0137 mm off the circle in its middle.
+/// Returns points of a circle, one every 6 degrees; each chord is 1 mm long and at its middle 0.0137 mm off the circle.
 std::vector<Axes> circle() {
   std::vector<Axes> points;
   constexpr double radius = 10, step = 6;
@@ -65,7 +65,8 @@ TEST(smoothing, q2_goes_through_the_points_along_the_circle) {
   }
 }
 
-// 4.7: N3104 most, N3105 least, N3100 longest, N3101 shortest, N3102 angle: each of them leaves the pieces straight.
+// 4.7: N3104 greatest and N3105 least deviation, N3100 greatest and N3101
+// least length, N3102 angle: each of them leaves the segments straight.
 TEST(smoothing, what_is_beyond_the_parameters_is_straight) {
   const std::vector<Axes> points = circle();
   SmoothingRules tight = rules(0.004), least = rules(0.05), longer = rules(0.05), shorter = rules(0.05);
@@ -76,7 +77,7 @@ TEST(smoothing, what_is_beyond_the_parameters_is_straight) {
     const std::vector<Out> out = smoothed(r, 2, points);
     EXPECT_GE(out.size(), points.size() - 1);
     for (std::size_t i = 1; i + 2 < points.size(); ++i) EXPECT_TRUE(passes(out, points[i]));
-    EXPECT_LE(out.size(), points.size() + 40);  // the two at the ends may bend less
+    EXPECT_LE(out.size(), points.size() + 40);  // the two segments at the ends may bend less
   }
 }
 
@@ -86,12 +87,12 @@ TEST(smoothing, q3_rounds_the_corners_between_smoothed_pieces) {
   ASSERT_EQ(out.size(), 5U);
   EXPECT_EQ(out[0].tolerance, own);
   EXPECT_EQ(out[1].tolerance, 0.05);
-  EXPECT_EQ(out[2].tolerance, own);  // beside the corner of 79 degrees neither piece is smoothed
+  EXPECT_EQ(out[2].tolerance, own);  // neither segment at the corner of 79 degrees is smoothed
   EXPECT_EQ(out[3].tolerance, own);
   EXPECT_EQ(out[4].tolerance, own);
 }
 
-// N3107: shorter ones whatever the angle, at most 2 · N3106.
+// N3107: segments shorter than this are smoothed at any angle; it is at most 2 · N3106.
 TEST(smoothing, q3_smooths_kinks_of_short_pieces) {
   SmoothingRules kinks = rules(0.05, 10);
   kinks.always_below = 0.1;

@@ -1,4 +1,4 @@
-// motion/look_ahead/speed_plan: no limit is broken, and how a path is cut into pieces does not matter. NCT 7.0.2.
+// motion/look_ahead/speed_plan: no limit is exceeded, and the division of a path into segments does not matter. NCT 7.0.2.
 
 #include "motion/look_ahead/speed_plan.h"
 
@@ -33,7 +33,7 @@ double seconds(std::vector<PathPiece> pieces) {
   return sum;
 }
 
-/// A path run backwards: where it could begin with a speed it may end with it.
+/// Reverses a path: the speed that was allowed at the start of a segment is now allowed at its end.
 std::vector<PathPiece> reversed(std::vector<PathPiece> pieces) {
   for (std::size_t k = 0; k < pieces.size(); ++k) pieces[k].enter = k + 1 < pieces.size() ? pieces[k + 1].enter : 1e9;
   std::reverse(pieces.begin(), pieces.end());
@@ -86,7 +86,7 @@ RC_GTEST_PROP(speed_plan, bell_shaped_takes_longer, ()) {
   RC_ASSERT(seconds(pieces) <= smooth * (1 + 1e-9));
 }
 
-/// Limits that are equal but for rounding, as those of one figure along its sides: which of them is the lower decides nothing.
+/// Limits that are equal except for rounding, as along the sides of a figure: it must not matter which of them is lower.
 RC_GTEST_PROP(speed_plan, rounding_decides_nothing, ()) {
   const std::vector<PathPiece> even = any_path(true);
   std::vector<PathPiece> planned = even, noisy = even;
@@ -109,7 +109,7 @@ TEST(speed_plan, slows_down_before_the_slower_piece) {
   std::vector<PathPiece> pieces = {{100, 100, 1e9, {1000}}, {100, 50, 1e9, {1000}}};
   SpeedPlan().make(pieces, 0);
   EXPECT_DOUBLE_EQ(pieces[0].end, 50);
-  EXPECT_NEAR(pieces[0].seconds, 0.1 + (100 - 5 - 3.75) / 100 + 0.05, 1e-12);  // up 5 mm; down (100² − 50²)/2000
+  EXPECT_NEAR(pieces[0].seconds, 0.1 + (100 - 5 - 3.75) / 100 + 0.05, 1e-12);  // 5 mm to accelerate; (100² − 50²)/2000 mm to brake
   EXPECT_NEAR(pieces[1].seconds, 0.05 + (100 - 1.25) / 50, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The record of speeds keeps bounded columns, and in them what was reached.
+// The record of speeds keeps a bounded number of columns, each with the highest speeds reached in it.
 
 #include "motion/time/speed_record.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 const MotionLimits limits{{200, 200}, {1000, 500}, {20000, 20000}};
 
-/// A straight line along Y from rest to rest, at 100 mm/s.
+/// Returns a straight line along Y from rest to rest, at 100 mm/s.
 TimedCells line(double length, Spent::On on = Spent::On::cutting) {
   TimedCells cells{2, {}, {}, {}};
   rest_to_rest(length, {100, 500, 20000}, cells.laws);
@@ -69,7 +69,7 @@ TEST(SpeedRecord, ALongPauseFits) {
   EXPECT_EQ(record.columns().front().on, Spent::On::dwell);
 }
 
-// Rapid motion in the same column does not hide the speed of the cutting.
+// Rapid motion in the same column does not hide the speed of cutting.
 TEST(SpeedRecord, CuttingComesBeforeRapid) {
   SpeedRecord record(limits, 2);
   record.take(line(400, Spent::On::rapid));

@@ -1,4 +1,4 @@
-// motion/look_ahead/speed_rules: what a set-up limits, and that what it does not say is off. NCT 6, 7.
+// motion/look_ahead/speed_rules: reads the limits of a set-up; whatever the set-up does not contain is off. NCT 6, 7.
 
 #include "motion/look_ahead/speed_rules.h"
 

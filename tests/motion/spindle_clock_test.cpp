@@ -10,7 +10,7 @@ namespace {
 Action act(const Spindle& spindle) { return {{}, spindle}; }
 Action act(const Speed& speed) { return {{}, speed}; }
 
-/// For a time in which the axes stand.
+/// Returns a time in which the axes do not move.
 TimeLaw still(double seconds) { return {seconds, 0, true, 0, 0, 0}; }
 
 TEST(spindle_clock, turns_by_its_commands) {
@@ -18,13 +18,13 @@ TEST(spindle_clock, turns_by_its_commands) {
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
   EXPECT_EQ(clock.turn(clock.per_second(), still(0.5)).at(0.5, 0), 180);
   clock.take(act(Spindle{SpindleDir::ccw, 60, 1, {}, {}}));
-  clock.take(act(Spindle{SpindleDir::cw, 999, 2, {}, {}}));  // another one
+  clock.take(act(Spindle{SpindleDir::cw, 999, 2, {}, {}}));  // a different spindle
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), -180);
   clock.take(act(Spindle{SpindleDir::orient, 0, 1, {}, {}}));
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), 0);
 }
 
-// S while the axes move: what was planned before goes at the old speed.
+// A new S while the axes move: motions that were planned before keep the old speed.
 TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
@@ -37,7 +37,7 @@ TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
   EXPECT_EQ(behind.angle, 360);
 }
 
-// 4.4: the zero pulse, then Q; the ramp begins after the pulse.
+// 4.4: waits for the zero pulse, then for the angle Q; the ramp begins after the pulse.
 TEST(spindle_clock, waits_for_the_pulse_and_the_angle) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
@@ -49,7 +49,7 @@ TEST(spindle_clock, waits_for_the_pulse_and_the_angle) {
   EXPECT_NEAR(clock.seconds_to(90, 0), 1, 1e-12);
 }
 
-// 11.5: 200 m/min; at the centre the last speed, near it no more than a spindle can.
+// 11.5: at 200 m/min; at the centre the last speed remains; near it the speed is at most what a spindle can turn.
 TEST(spindle_turning, by_the_speed_at_the_surface) {
   SpindleTurning turning;
   turning.rpm = 500;
@@ -64,7 +64,7 @@ TEST(spindle_turning, by_the_speed_at_the_surface) {
   EXPECT_EQ(turning.at({50}), 0);
 }
 
-// 11.4: the main spindle of a channel may be another one; each goes on turning.
+// 11.4: the main spindle of a channel can change; each spindle continues to turn.
 TEST(spindle_clock, another_one_leads) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));

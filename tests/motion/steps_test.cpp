@@ -1,5 +1,5 @@
-// motion/time/steps: each step stands where all actions before have led, and is told when it happens. The slow twin folds all actions from
-// the start again.
+// motion/time/steps: each step is at the position where all previous actions have led, with the time at which it happens. The slow
+// reference adds up all actions from the start for each step.
 
 #include "motion/time/steps.h"
 

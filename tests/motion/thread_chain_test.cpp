@@ -1,5 +1,5 @@
-// Threads in step with the spindle: NCT 4.4. What is handed out obeys every limit, and between the ramps the axes are where the
-// spindle says.
+// Threads synchronous with the spindle: NCT 4.4. The output obeys every
+// limit, and between the ramps the axes are where the spindle requires.
 
 #include "motion/least_time/thread_chain.h"
 
@@ -25,7 +25,7 @@ ThreadChain chain_of(const std::vector<Leg>& legs) {
   return chain;
 }
 
-/// The value of a cell's polynomial or one of its derivatives by the time; it is gone along evenly.
+/// Returns a cell's polynomial or one of its derivatives by time, at constant speed.
 double value(const TimedCells& cells, std::size_t cell, std::size_t axis, double t, int derivative) {
   const double* const c = cells.path.data() + (cell * cells.axes + axis) * TimedCells::terms;
   const double v = cells.laws[cell].v, s = v * t;
@@ -56,7 +56,7 @@ void expect_smooth(const TimedCells& cells) {
         EXPECT_NEAR(value(cells, k, a, cells.laws[k].seconds, d), value(cells, k + 1, a, 0, d), rounding[static_cast<std::size_t>(d)]);
 }
 
-// By hand: 10 mm/s at 1000 mm/s² and 20,000 mm/s³: 10 < a²/j = 50, so T = 2·√(v/j) = 44.7 ms; its way v·T/2.
+// By hand: 10 mm/s at 1000 mm/s² and 20,000 mm/s³. 10 < a²/j = 50, so T = 2·√(v/j) = 44.7 ms, and its distance is v·T/2.
 TEST(thread_chain, one_thread) {
   const ThreadChain chain = chain_of({{0, -20, 2}});
   const double ramp = 2 * std::sqrt(10.0 / jerk);
@@ -73,7 +73,7 @@ TEST(thread_chain, one_thread) {
   expect_smooth(cells);
 }
 
-// A cone after a cylinder, the same lead: the leading axis is not disturbed.
+// A cone after a cylinder with the same lead: the leading axis is not disturbed.
 TEST(thread_chain, the_leading_axis_goes_on_evenly) {
   const ThreadChain chain = chain_of({{0, -20, 2}, {5, -40, 2}});
   const TimedCells cells = chain.cells();
@@ -85,7 +85,7 @@ TEST(thread_chain, the_leading_axis_goes_on_evenly) {
   }
 }
 
-// The spindle asks for 400 mm/s: the axis goes as fast as it can.
+// The spindle requires 400 mm/s: the axis moves as fast as it can.
 TEST(thread_chain, faster_than_the_axis) { expect_within_limits(chain_of({{0, -100, 0.25}}).cells()); }
 
 RC_GTEST_PROP(thread_chain, limits_and_ends, ()) {

@@ -1,4 +1,4 @@
-// out/text/alarm_print: alarms for people, JSON, SARIF 2.1.0.
+// out/text/alarm_print: prints alarms as text, as JSON and as SARIF 2.1.0.
 
 #include "out/text/alarm_print.h"
 
@@ -57,7 +57,7 @@ TEST(alarm_print, long_lines_are_clipped_around_the_place) {
   EXPECT_LT(text.size(), 300U);
   EXPECT_TRUE(text.starts_with("  …aaa"));
   EXPECT_EQ(text.substr(end - 3, 3), "…");
-  // One column for the ellipsis: three bytes of text, one of blanks.
+  // The ellipsis is one column: three bytes in the text line, one blank in the line of the mark.
   EXPECT_EQ(text.find("^~") - end - 1, text.find("XX") - 2);
 }
 
@@ -74,7 +74,7 @@ TEST(alarm_print, json) {
   EXPECT_EQ(nlohmann::json::parse(findings_json({})).size(), 0U);
 }
 
-// What SARIF 2.1.0 requires of a log: 3.13, 3.14, 3.18, 3.19, 3.27.
+// The elements that SARIF 2.1.0 requires of a log: 3.13, 3.14, 3.18, 3.19, 3.27.
 TEST(alarm_print, sarif) {
   AlarmReport other = report();
   other.alarm = warning(AlarmId::look_alike_letter, {0, 2}, "С", "C");

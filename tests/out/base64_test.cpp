@@ -1,4 +1,4 @@
-// Base64 by RFC 4648: its own examples, and back.
+// Base64 by RFC 4648: the examples of the RFC, and decoding.
 
 #include "out/text/base64.h"
 

@@ -1,4 +1,4 @@
-// out/text/code_page, out/text/control_page, out/text/variable_text: what kadr explain says of a row.
+// out/text/code_page, out/text/control_page, out/text/variable_text: the explanation of a table row in kadr explain.
 
 #include "out/text/code_page.h"
 
@@ -24,7 +24,7 @@ class Explained : public testing::Test {
 TEST_F(Explained, alarms_by_the_controls_number) {
   EXPECT_THAT(of("2012"), StartsWith("2012 radius_mismatch: Radius difference error in circle\n  Ошибка разности радиуса в окружности\n"));
   EXPECT_THAT(of("2012", Lang::ru), StartsWith("2012 radius_mismatch: Ошибка разности радиуса в окружности\n  Radius difference"));
-  EXPECT_THAT(of("2121"), HasSubstr("terminator_wrong"));  // all that have it
+  EXPECT_THAT(of("2121"), HasSubstr("terminator_wrong"));  // lists all alarms with this number
   EXPECT_THAT(of("2121"), HasSubstr("bracket_not_closed"));
   EXPECT_EQ(of("radius_mismatch") + of("radius_too_small"), of("2012"));
   EXPECT_EQ(of("9999"), "nothing");

@@ -1,4 +1,4 @@
-// What blocks take away, in words, JSON and CSV.
+// Prints the material that blocks remove as text, JSON and CSV.
 
 #include "out/text/cut_load_text.h"
 

@@ -1,4 +1,4 @@
-// out/text/line_words: what the words of a line mean.
+// out/text/line_words: explains the words of a line.
 
 #include "out/text/line_words.h"
 

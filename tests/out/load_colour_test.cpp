@@ -1,4 +1,4 @@
-// Removal rate as colour.
+// Removal rates as colours.
 
 #include "out/picture/load_colour.h"
 
@@ -9,8 +9,8 @@ namespace {
 
 TEST(load_colour, from_blue_to_red) {
   const SweepRates rates = {0, 5, 10, 20};
-  EXPECT_EQ(greatest_rate({0, 1, 2, -1}, rates), 10);  // the heaviest sweep has left no surface
-  EXPECT_EQ(greatest_rate({-1, 9}, rates), 0);         // the blank; a sweep that no rate is told of
+  EXPECT_EQ(greatest_rate({0, 1, 2, -1}, rates), 10);  // the sweep with the highest rate has left no surface
+  EXPECT_EQ(greatest_rate({-1, 9}, rates), 0);         // the blank, and a sweep without a known rate
   const std::uint32_t none = load_colour(0, rates, 10), light = load_colour(1, rates, 1000), heavy = load_colour(2, rates, 10);
   EXPECT_EQ(load_colour(9, rates, 10), none);
   EXPECT_EQ(load_colour(-1, rates, 10), none);
@@ -19,7 +19,7 @@ TEST(load_colour, from_blue_to_red) {
   EXPECT_EQ(load_colour(3, rates, 10), heavy);
 }
 
-/// Counts circles by their numbers.
+/// A canvas that records the numbers of the drawn marks.
 class Counted : public Canvas {
  public:
   void fill(const Area&, Colour) override {}

@@ -1,4 +1,4 @@
-// Part programs: the words of each control, and the same path when the control's interpreter reads them.
+// Part programs: the words of each control, and the same path when the control's interpreter reads the program.
 
 #include "out/program/part_program.h"
 
@@ -43,7 +43,7 @@ TEST(PartProgram, PointsAndCentresFromTheStart) {
 
 TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M6"), std::string::npos); }
 
-/// Without a point it would be thousandths of it (spec/haas 1.2), in inches hundredths (spec/fanuc 1.3).
+/// Without a point the feed would be in thousandths (spec/haas 1.2), in inches in hundredths (spec/fanuc 1.3).
 TEST(PartProgram, FeedsKeepTheirPointWhereTheControlCountsIncrements) {
   EXPECT_NE(program_of("haas").find(" F240.\n"), std::string::npos);
   EXPECT_NE(program_of("fanuc").find(" F240.\n"), std::string::npos);

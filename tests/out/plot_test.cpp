@@ -1,4 +1,4 @@
-// out/picture/plot: bounded memory, extents, several work systems, both file forms.
+// out/picture/plot: bounded memory, extents, several work coordinate systems, both file formats.
 
 #include "out/picture/plot.h"
 
@@ -28,7 +28,7 @@ const std::vector<std::string> names = {"X", "Y", "Z"};
 
 const AxisRoles roles = AxisRoles::of(names, 0);
 
-/// Gives actions to a plot, from where the tool stands.
+/// Draws actions that begin at `start`.
 void draw(Plot& plot, const std::vector<Action>& actions, const AxisRoles& of = roles, const ToolPosition& start = {}) {
   Steps steps(of, start);
   for (const Action& a : actions) steps.give(a, [&](const Step& step) { plot.consume(step); });
@@ -78,7 +78,7 @@ RC_GTEST_PROP(plot_path, never_holds_more_than_it_may, ()) {
     RC_ASSERT(path.points().size() <= most);
   }
   RC_ASSERT(path.tolerance() > 0);
-  RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);  // extents stay right
+  RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);  // the extents are still exact
 }
 
 TEST(plot, the_box_is_that_of_the_arcs_not_of_their_chords) {

@@ -1,4 +1,4 @@
-// out/text/quick_fix: what it makes of a line, and that the alarm is gone then.
+// out/text/quick_fix: the correction of a line; after it the alarm is gone.
 
 #include "out/text/quick_fix.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::quick_fix_test {
 namespace {
 
-/// The first report of an id in a program, past all faults.
+/// Returns the first report of an alarm id in a program; the run continues after all faults.
 std::optional<AlarmReport> first(const std::string& control, const std::string& text, AlarmId id) {
   const auto def = std::make_shared<const ControlDef>(load_control(control).value());
   auto session = Session::open({def, load_machine("generic").value(), {}, {"quick_fix_test", text_source(text), Encoding::utf8}, {}});
@@ -33,7 +33,7 @@ std::optional<AlarmReport> first(const std::string& control, const std::string& 
 
 std::string fixed(std::string line, const QuickFix& fix) { return line.replace(fix.from - 1, fix.to - fix.from, fix.insert); }
 
-/// The only line with the fault, mended; the fault must be gone then.
+/// Returns the only line, which has the fault, after the correction; the fault must be gone then.
 std::string mended(const std::string& control, const std::string& line, AlarmId id) {
   const auto report = first(control, line + "\nM30\n", id);
   if (!report) return "no such alarm";
@@ -71,7 +71,7 @@ TEST(QuickFix, WritesLatinLetters) {
   EXPECT_EQ(fix->text, "Заменить на латинскую X");
 }
 
-/// The line of a program that the advice stands at, mended; the advice must be gone then.
+/// Returns the line with the advice after the correction; the advice must be gone then.
 std::string mended_in(const std::string& control, std::string text, AlarmId id) {
   const auto report = first(control, text, id);
   if (!report) return "no such advice";

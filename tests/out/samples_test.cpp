@@ -15,7 +15,7 @@ namespace {
 
 constexpr double speed = 100;  // mm/s
 
-/// Along X at an even speed, in so many cells of one duration.
+/// Returns motion along X at a constant speed in `count` cells of equal duration.
 TimedCells even(std::size_t count, double seconds) {
   TimedCells cells;
   cells.axes = 1;
@@ -52,14 +52,14 @@ TEST(samples, the_spindle_is_the_last_column) {
   EXPECT_EQ(samples_of(cells, {1000, {}, true}), "t,X,spindle\n0.000000,0.000000000,90.000000000\n0.001000,0.100000000,90.360000000\n");
 }
 
-// More cells at once than are kept, all together shorter than what should be ahead.
+// More cells at once than are kept; together they are shorter than the required look-ahead.
 TEST(samples, of_many_tiny_cells) {
   const std::string text = samples_of(even(40000, 1e-5), {});
   EXPECT_NEAR(static_cast<double>(std::count(text.begin(), text.end(), '\n')), 1 + 401, 1);  // the sum of 40,000 durations is rounded
   EXPECT_TRUE(text.ends_with(",40.000000000\n")) << text.substr(text.size() - 60);
 }
 
-// Held for ever: to the last position that it came to.
+// The hold never ends: the samples go to the last position that was reached.
 TEST(samples, a_hold_without_end) {
   const std::string text = samples_of(even(40000, 1e-5), {1000, {{0.1, 0}}});
   const auto rows = std::count(text.begin(), text.end(), '\n');
@@ -67,7 +67,7 @@ TEST(samples, a_hold_without_end) {
   EXPECT_LT(rows, 400);
 }
 
-/// The axes stand, as in a dwell.
+/// Returns a cell in which the axes do not move, as in a dwell.
 TimedCells standing(double seconds) {
   TimedCells cells;
   cells.axes = 1;
@@ -86,7 +86,7 @@ TEST(samples, just_within_what_is_allowed_they_are_whole) {
   EXPECT_EQ(samples_of(even(1, 0.0025), {1000, {}, false, 0.0035}), samples_of(even(1, 0.0025), {}));
 }
 
-// G4 P99999999: three years.
+// G4 P99999999 lasts three years.
 TEST(samples, of_a_dwell_without_end_last_as_long_as_is_allowed) {
   const std::string text = samples_of(standing(99999999), {1000, {}, false, 2.0005}, SampleEnd::max_time);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2001);

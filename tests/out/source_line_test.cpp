@@ -1,4 +1,4 @@
-// out/text/source_line: what a terminal gets of texts that others wrote.
+// out/text/source_line: what a terminal receives of texts from others.
 
 #include "out/text/source_line.h"
 
@@ -11,7 +11,8 @@
 namespace kadr::source_line_test {
 namespace {
 
-/// Looks at the bytes alone: ESC, BEL and the like; DEL; C1 as it is written in UTF-8, and by itself where no UTF-8 goes on.
+/// Looks at single bytes: ESC, BEL and other control characters; DEL; C1
+/// as written in UTF-8, and a C1 byte that continues no UTF-8 character.
 bool reaches_the_terminal(const std::string& text, bool lines) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -32,7 +33,7 @@ RC_GTEST_PROP(SourceLine, ShowsEachControlCharacter, (const std::string& text)) 
   RC_ASSERT(visible(visible(text)) == visible(text));
 }
 
-/// rapidcheck's own strings hold few bytes above 127.
+/// RapidCheck's own strings contain few bytes above 127.
 TEST(SourceLine, ShowsEachControlCharacterAmongAllBytes) {
   std::mt19937 chance(1);
   const std::string likely("\x1b\x07\x9b\xc2\xe2\x80\xae\xd0\x90 a\n\x7f", 13);

@@ -1,4 +1,4 @@
-// out/text/summary: what a run came to.
+// out/text/summary: the totals of a run.
 
 #include "out/text/summary.h"
 
@@ -15,7 +15,7 @@ using test::arc;
 using test::straight;
 using enum MotionKind;
 
-/// Gives actions to the statistics as a run does, from a start on.
+/// Passes actions to the statistics as a run does, from a given start.
 struct Counting {
   Counting(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const ToolPosition& start = {})
       : roles(AxisRoles::of(axes, rotary)), s(axes, rotary, rates_of(profile, kadr::Setup{}, axes)), steps(roles, start, &s.clock()) {}
@@ -93,7 +93,7 @@ TEST(summary, extents_of_each_work_system_that_is_used) {
                         in_system(straight(feed, {30, 0, 5}, 100), 2), in_system(straight(feed, {10, 4, 0}, 100), 1)});
   s.name_systems({"", "G54", "G55"});
   using Texts = std::vector<std::string>;
-  // The last motion begins at X30 Z5, where the one before has ended.
+  // The last motion begins at X30 Z5, where the previous motion has ended.
   EXPECT_EQ(s.extents().texts(RunExtents::Of::cutting, {"", "G54", "G55"}),
             (Texts{"G54  X 0 … 30   Y 0 … 4   Z 0 … 5", "G55  X 10 … 30   Y 0 … 0   Z 5 … 5"}));
   EXPECT_EQ(s.extents().texts(RunExtents::Of::all, {"", "G54", "G55"}),

@@ -1,4 +1,4 @@
-// out/picture/tool_directions: even distances along the cutting path, bounded, nothing of a tool that stands upright.
+// out/picture/tool_directions: marks at equal distances along the cutting path, bounded in number, none for an upright tool.
 
 #include "out/picture/tool_directions.h"
 
@@ -9,7 +9,7 @@
 namespace kadr::tool_directions_test {
 namespace {
 
-/// A head A C that leads the tip, as the NCT's G43.4 has it.
+/// Returns a head with axes A and C that leads the tip, as the NCT's G43.4 does.
 std::shared_ptr<const WorkSpace> led_space() {
   PartSpaceData data;
   data.machine.group = MachineGroup::head_head;
@@ -56,7 +56,7 @@ TEST(tool_directions, at_even_distances_of_the_tip) {
   for (std::size_t i = 0; i + 1 < found.size(); ++i) EXPECT_NEAR(found[i + 1].at.x - found[i].at.x, apart, 1e-9);
   for (const ToolDirection& one : found) {
     EXPECT_NEAR(one.at.z, 5, 1e-9) << "the tip stays on its line, the picture is moved";
-    const double lean = one.at.x / 5 * 30 * rad_per_deg;  // evenly along the way
+    const double lean = one.at.x / 5 * 30 * rad_per_deg;  // the tilt is proportional to the distance
     EXPECT_NEAR(one.direction.z, std::cos(lean), 1e-9);
     EXPECT_NEAR(std::fabs(one.direction.y), std::sin(lean), 1e-9);
   }

@@ -1,4 +1,4 @@
-// out/trace/trace: the exact lines. design.md 5, tests/golden/README.md.
+// out/trace/trace: the exact lines of a trace. design.md 5, tests/golden/README.md.
 
 #include "out/trace/trace.h"
 
@@ -22,7 +22,7 @@ using enum MotionKind;
 const std::vector<std::string> names = {"X", "Y", "Z"};
 const AxisRoles roles = AxisRoles::of(names, 0);
 
-/// A writer that is given actions from a start on.
+/// A writer that receives actions from a given start.
 struct Tracing {
   TraceWriter& writer;
   ToolPosition at;
@@ -164,7 +164,7 @@ TEST(trace, what_few_motions_have) {
       << line;
 }
 
-// nct 21.1, golden 21-2: where a probe stopped the program does not say.
+// nct 21.1, golden 21-2: the program does not determine where a probe stopped the motion.
 TEST(trace, way_of_the_motion_behind_a_probe) {
   const auto named = [](Motion m, AxisMask axes) {
     m.named = axes;
@@ -195,7 +195,7 @@ TEST(trace, length_of_arcs_and_times_where_they_are_exact) {
   EXPECT_NE(line(straight(rapid, {}), {0, 0, 0, 0, true}).find(R"("Z":0},"seconds":0})"), std::string::npos);
 }
 
-// 04-50: X linear, Y the rotary axis.
+// 04-50: X is linear, Y is the rotary axis.
 TEST(trace, points_of_polar_interpolation) {
   MotionDetail detail;
   detail.surface = PathSurface::polar;

@@ -1,5 +1,5 @@
 #pragma once
-// A machine at its panel whose axes are fast, so that nobody waits long.
+// A machine with its panel. Its axes are fast, so that no test waits long.
 
 #include <gtest/gtest.h>
 
@@ -47,14 +47,14 @@ class APanel {
     EXPECT_TRUE(made) << made.error();
     machine_ = std::move(*made);
   }
-  /// Of the next session.
+  /// Changes the set-up of the next session.
   void edit(const std::function<void(Setup&)>& change) const {
     const std::lock_guard hold(setup->lock);
     change(setup->now);
   }
   PanelMachine* operator->() const { return machine_.get(); }
 
-  /// Waits; a machine that is too busy is no fault.
+  /// Waits until `is` returns true. The limit is generous, because the test machine may be busy.
   bool until(const std::function<bool(const PanelState&)>& is) const {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!is(machine_->state())) {
@@ -73,7 +73,7 @@ class APanel {
   std::uint32_t line() const { return machine_->state().line.number; }
 
  private:
-  /// Sessions are opened by threads of the machine.
+  /// Threads of the machine open sessions, so the tables have a lock.
   struct Tables {
     std::mutex lock;
     Setup now;

@@ -1,4 +1,5 @@
-// panel/panel_machine with several channels: each has its axes and its clock; at waiting codes they wait for each other.
+// panel/panel_machine with several channels: each channel has its own
+// axes and its own clock, and they wait for each other at waiting codes.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 using test::APanel;
 
-/// Channel 1 has X, Y, Z, channel 2 an X and a Z of its own.
+/// Channel 1 has X, Y and Z; channel 2 has an X and a Z of its own.
 APanel two_channels(const std::string& first, const std::string& second, PanelKeeper keeper = {}) {
   kadr::Setup setup;
   setup.channels[2] = {second, {"X", "Z"}};
@@ -35,11 +36,11 @@ TEST(PanelChannels, StandSideBySideBeforeTheyBegin) {
   EXPECT_EQ(s.channels[1].number, 2);
 }
 
-/// The first is there at once and stands until the second has come; neither goes beyond a waiting code before the other.
+/// The first channel arrives at once and waits until the second has arrived; neither passes a waiting code before the other arrives.
 TEST(PanelChannels, WaitForEachOther) {
   const APanel panel = two_channels(first, second);
   ASSERT_TRUE(panel->run());
-  // It is told to wait when its program does, a moment before its axes stand.
+  // A channel is reported as waiting when its program waits, a moment before its axes stop.
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.channels[0].waits && std::fabs(axis(s, 0, 0) - 10) < 1e-9; }));
   const PanelState waits = panel->state();
   EXPECT_EQ(waits.mode, PanelMode::running);
@@ -63,7 +64,7 @@ TEST(PanelChannels, WaitForEachOther) {
   EXPECT_NEAR(axis(s, 1, 1), 0, 1e-9);
 }
 
-/// Positions are those of the servo clock: the first one's X leaves 10 only when the second's Z is at 50.
+/// The positions are those of the servo clock: X of the first channel leaves 10 only when Z of the second is at 50.
 TEST(PanelChannels, LeaveAWaitingCodeTogether) {
   const APanel panel =
       two_channels("G21 G90 G94\nG0 X10\nM501 P12\nG1 X20 F3000\nM30\n", "G21 G90 G94\nG1 Z50 F6000\nM501 P12\nG1 X50 F6000\nM30\n");
@@ -122,7 +123,7 @@ TEST(PanelChannels, AResetWhileTheyRunBrakesAll) {
   EXPECT_LT(axis(panel->state(), 1, 1), 99);
 }
 
-/// A stop of one channel holds all of them; they go on together.
+/// A stop of one channel holds all channels; they continue together.
 TEST(PanelChannels, AStopOfTheOtherChannelHolds) {
   const APanel panel = two_channels("G21 G90 G94\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM0\nG0 Z60\nM501 P12\nM30\n");
   ASSERT_TRUE(panel->run());
@@ -150,7 +151,7 @@ TEST(PanelChannels, SingleBlocksOfTheOwnChannelComeToTheEnd) {
   EXPECT_NEAR(axis(panel->state(), 1, 0), 5, 1e-9);
 }
 
-/// Before the program begins too.
+/// This also works before the program begins.
 TEST(PanelChannels, ALineByHandMovesItsChannelAlone) {
   const APanel panel = two_channels(first, second);
   ASSERT_TRUE(panel->enter("G0 X7"));
@@ -195,7 +196,7 @@ PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
   return answer;
 }
 
-/// Ways of the sheets, the own channel's first.
+/// Returns the paths of the sheets; the own channel is first.
 std::vector<PanelWay> ways_to(const APanel& panel, const std::shared_ptr<const PanelPlace>& place) {
   const auto sheets = panel->sheets(place, {.clearance = 30, .above = 2, .feed = 6000});
   EXPECT_TRUE(sheets) << sheets.error();
@@ -214,7 +215,7 @@ void go_to(const APanel& panel, const PanelSearch::Wish& wish, const std::set<st
   ASSERT_EQ(panel->state().why, "restart") << panel->state().told;
 }
 
-/// In the middle, where the other is on its way too: each is led to where the program would have had it.
+/// The restart is in mid program, where the other channel moves too: each channel is led to where the program would have had it.
 TEST(PanelChannels, GoOnInMidProgramTogether) {
   const APanel panel = two_channels(first, second);
   const auto place = found(panel, {.target = {.line = 4}}).place;
@@ -244,7 +245,7 @@ TEST(PanelChannels, GoOnInMidProgramTogether) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 0, 1e-9);
 }
 
-/// The other has come to a waiting code that the own channel has still before it: it waits there until that comes too.
+/// The other channel waits at a waiting code that the own channel has not reached yet; it waits until the own channel arrives.
 TEST(PanelChannels, GoOnWhileTheOtherWaits) {
   const char* const own = "G21 G90 G94\nG1 X10 F6000\nG4 P1\nX20\nM501 P12\nX30\nM30\n";
   const char* const other = "G21 G90 G94\nG1 Z5 F6000\nM501 P12\nZ0\nM30\n";
@@ -269,7 +270,7 @@ TEST(PanelChannels, GoOnWhileTheOtherWaits) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 0, 1e-9);
 }
 
-/// The program of the other is over: nothing of it comes again.
+/// The program of the other channel has ended: nothing of it is executed again.
 TEST(PanelChannels, GoOnAfterTheOtherHasEnded) {
   const APanel panel = two_channels("G21 G90 G94\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nG1 Z5 F6000\nM30\n");
   go_to(panel, {.target = {.line = 4}});
@@ -280,7 +281,7 @@ TEST(PanelChannels, GoOnAfterTheOtherHasEnded) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 5, 1e-9);
 }
 
-/// It goes round for ever: the search comes to its end all the same.
+/// The other program loops without end; the search still comes to its end.
 TEST(PanelChannels, AnotherWithoutAnEndIsNoHindrance) {
   const APanel panel = two_channels("G21 G90 G94\nG1 X10 F6000\nX20\nM30\n", "G21 G90 G94\nG1 Z5 F6000\nZ0\nM99\n");
   go_to(panel, {.target = {.line = 3}});
@@ -290,7 +291,7 @@ TEST(PanelChannels, AnotherWithoutAnEndIsNoHindrance) {
   EXPECT_FALSE(nowhere.error.empty());
 }
 
-/// Tool and spindle of each are brought by lines in its own channel, or left.
+/// The tool and the spindle of each channel are brought by lines in that channel, or left as they are.
 TEST(PanelChannels, EachHasASheetOfItsOwn) {
   const APanel panel =
       two_channels("G21 G90 G94\nT3 M6\nG1 X10 F6000\nG4 P1\nX20\nM30\n", "G21 G90 G94\nT7 M6\nF500\nG1 Z5\nG4 P5\nZ0\nM30\n");
@@ -334,7 +335,7 @@ TEST(PanelChannels, WaysMustEndWhereEachChannelBegins) {
   auto ways = ways_to(panel, place);
   EXPECT_FALSE(panel->go_there(place, {}, {ways[0]})) << "the other does not stand there";
   EXPECT_FALSE(panel->go_there(place, {}, {ways[0], ways[0]}));
-  std::swap(ways[0], ways[1]);  // the other goes first
+  std::swap(ways[0], ways[1]);  // the other channel is led first
   bool other_first = true;
   ASSERT_TRUE(panel->go_there(place, {}, ways));
   ASSERT_TRUE(panel.until([&](const PanelState& s) {
@@ -345,7 +346,7 @@ TEST(PanelChannels, WaysMustEndWhereEachChannelBegins) {
   EXPECT_TRUE(other_first);
 }
 
-/// In the middle of a block of the other: not from there.
+/// The other channel is in the middle of a block, so it cannot be led away from there.
 TEST(PanelChannels, NothingIsLedAwayFromAWaitingCode) {
   const APanel panel = two_channels("G21 G90 G94\nG4 P1\nM0\nM501 P12\nM30\n", "G21 G90 G94\nM501 P12\nG0 Z1\nM30\n");
   ASSERT_TRUE(panel->run());
@@ -357,7 +358,7 @@ TEST(PanelChannels, NothingIsLedAwayFromAWaitingCode) {
   EXPECT_TRUE(panel.until([&](const PanelState&) { return panel->sheets(place, {}).has_value(); }));
 }
 
-/// An edit in mid program: the axes of all stay, what follows is by the new tables.
+/// The tables are edited in mid program: all axes keep their positions, and the following motions use the new tables.
 TEST(PanelChannels, TablesAreTakenOverInMidProgram) {
   const APanel panel = two_channels("G21 G90 G94 G54\nG0 X10\nM0\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM501 P12\nG0 Z60\nM30\n");
   ASSERT_TRUE(panel->run());
@@ -376,7 +377,7 @@ TEST(PanelChannels, TablesAreTakenOverInMidProgram) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 60, 1e-9);
 }
 
-/// The other's M0 holds in the middle of a block of the own channel's: tables stay as they are, nothing begins anew.
+/// M0 of the other channel holds in the middle of a block of the own channel: the tables stay as they are, and nothing starts again.
 TEST(PanelChannels, TablesAreNotTakenOverWhereTheOtherHolds) {
   const APanel panel = two_channels("G21 G90 G94\nG0 X3\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM0\nG0 Z60\nM501 P12\nM30\n");
   ASSERT_TRUE(panel->run());
@@ -388,7 +389,7 @@ TEST(PanelChannels, TablesAreNotTakenOverWhereTheOtherHolds) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 60, 1e-9);
 }
 
-/// Where the axes of all stood is known to who keeps it, and they stand there again.
+/// The keeper stores the positions of all axes, and the axes are restored there.
 TEST(PanelChannels, StandWhereTheyWereKept) {
   std::mutex lock;
   PanelSpot last;
@@ -408,7 +409,7 @@ TEST(PanelChannels, StandWhereTheyWereKept) {
   EXPECT_NEAR(last.stands[1][0], 5, 1e-9);
 }
 
-/// One that has much to do does not fill the memory while the other is short of motion.
+/// A channel with a long program does not fill the memory while the other waits for motion.
 TEST(PanelChannels, ALongProgramBesideAShortOneIsNotPlannedToItsEnd) {
   std::string lines = "G21 G90 G94\nG1 F60\n";
   for (int i = 0; i < 20000; ++i) lines += i % 2 == 0 ? "X10\n" : "X0\n";

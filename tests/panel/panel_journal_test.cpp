@@ -1,4 +1,4 @@
-// panel/panel_journal: what is kept of machines beyond the end of the server.
+// panel/panel_journal: what is kept about machines after the server has ended.
 
 #include "panel/panel_journal.h"
 
@@ -24,7 +24,8 @@ class PanelJournalTest : public testing::Test {
   fs::path folder_;
 };
 
-/// Under the process: whatever it would write is lost, so it must not be confirmed, not even what it knows already.
+/// The file is deleted while the process runs. Everything written to it would
+/// be lost, so nothing is confirmed, not even values that are known already.
 TEST_F(PanelJournalTest, NoticesThatItsFileIsDeleted) {
   {
     const auto journal = PanelJournal::open(path());
@@ -44,7 +45,7 @@ TEST_F(PanelJournalTest, NoticesThatItsFileIsDeleted) {
   EXPECT_TRUE((*next)->keep("spot", "a.nc", "anew"));
 }
 
-/// Another one of that name is not this one's, and stays whole.
+/// Another file of the same name does not belong to this journal and stays unchanged.
 TEST_F(PanelJournalTest, NoticesThatItsFileIsReplaced) {
   {
     const auto journal = PanelJournal::open(path());
@@ -63,7 +64,7 @@ TEST_F(PanelJournalTest, NoticesThatItsFileIsReplaced) {
   EXPECT_EQ((*next)->value("tables", "a.nc"), "of the other too");
 }
 
-/// The process was killed then: its log is left, and belongs to nothing.
+/// The process was killed: its log remains and belongs to no file.
 TEST_F(PanelJournalTest, BeginsAnewBesideALeftLog) {
   {
     const auto journal = PanelJournal::open(path());

@@ -1,4 +1,4 @@
-// panel/panel_machine: what an operator does with a machine, in its own time.
+// panel/panel_machine: what an operator does with a machine, in real time.
 
 #include "panel/panel_machine.h"
 
@@ -34,7 +34,7 @@ TEST(PanelMachine, RunsToTheEndInItsOwnTime) {
   EXPECT_EQ(panel->state().sample.speed, 0);
 }
 
-/// The first motion does not wait until hundreds of long ones are planned.
+/// The first motion must not wait until hundreds of long motions are planned.
 TEST(PanelMachine, BeginsBeforeMuchIsPlanned) {
   std::string program = "G21 G90 G94\nG1 F3000\n";
   for (int i = 0; i < 2000; ++i) program += i % 2 == 0 ? "X100 Y7\n" : "X0 Y0\n";
@@ -54,7 +54,7 @@ TEST(PanelMachine, RunsAgainFromWhereItStands) {
   }
 }
 
-/// A control that is busy refuses after two seconds, and what it has refused it does not do later.
+/// A busy control refuses a request after two seconds, and does not execute the refused request later.
 TEST(PanelMachine, WhatIsRefusedNeverHappens) {
   std::atomic<bool> is_busy{false};
   PanelKeeper keeper;
@@ -247,7 +247,7 @@ TEST(PanelMachine, AxesGoByHandAndTheControlKnows) {
   expect_at(panel, {25, 0, -3});
   ASSERT_TRUE(panel->enter("G90 G0 Y1"));
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[1] > 0.9999; }));
-  expect_at(panel, {25, 1, -3});  // the line knows where they are
+  expect_at(panel, {25, 1, -3});  // the line starts from the current positions
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   expect_at(panel, {35, 1, -3});
@@ -258,7 +258,7 @@ TEST(PanelMachine, AxesGoByHandAndTheControlKnows) {
 
 TEST(PanelMachine, AProgramWithoutAnEndRunsAndIsReset) {
   const APanel panel("G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n", "linuxcnc");
-  ASSERT_TRUE(panel->run());  // not "it has begun and is not over yet"
+  ASSERT_TRUE(panel->run());  // not refused with "it has begun and is not over yet"
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(panel->state().mode, PanelMode::running);
   ASSERT_TRUE(panel->reset());

@@ -1,4 +1,4 @@
-// panel/panel_search, panel_sheet, panel_restart: going on in mid program.
+// panel/panel_search, panel_sheet, panel_restart: a restart in mid program.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ using test::APanel;
 using test::expect_at;
 using Kind = InForce::Kind;
 
-/// What the search finds; a busy machine is no fault.
+/// Returns what the search finds. The limit is generous, because the test machine may be busy.
 PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (true) {
@@ -191,12 +191,12 @@ TEST(PanelRestart, ALineThatCannotBeCarriedOutStopsTheWay) {
 
 // ---- the part
 
-/// The material, cut by whatever the machine does.
+/// The material, cut by everything that the machine does.
 class APart {
  public:
   APart() : roles_(AxisRoles::of({"X", "Y", "Z"}, 0)), cutting_(job(), roles_) {}
   void take(const Step& step) { EXPECT_TRUE(cutting_.consume(step, {step.begins, step.time.seconds})); }
-  /// What is left.
+  /// Returns the remaining stock.
   Mesh left() {
     cutting_.finish();
     return surface_of(cutting_.stock());
@@ -217,7 +217,7 @@ class APart {
   Cutting cutting_;
 };
 
-/// Twice round a square, deeper each time, its corners compensated.
+/// Twice around a square, deeper each time, with compensated corners.
 const char* const pocket =
     "G21 G90 G94 G17\n"  // 1
     "#1=0\n"
@@ -253,7 +253,7 @@ std::vector<Vec3> sorted(const Mesh& mesh) {
   return points;
 }
 
-/// Broken in the middle of the second pass of a subprogram, the tool's radius compensated: what is cut afterwards is the same part.
+/// The program is broken off in the second pass of a subprogram under cutter compensation; after the restart the part is the same.
 TEST(PanelRestart, TheSamePartInTheSecondPassUnderCompensation) {
   APart whole;
   const APanel unbroken(pocket, "mach3", with_radius());
@@ -274,7 +274,7 @@ TEST(PanelRestart, TheSamePartInTheSecondPassUnderCompensation) {
     ASSERT_TRUE(broken.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 1; }));
     ASSERT_TRUE(broken->jog("Z", 15, 0));
     ASSERT_TRUE(broken.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[2] > 12; }));
-    ASSERT_TRUE(broken->jog("X", -70, 0));  // in the air: a new tool is put in
+    ASSERT_TRUE(broken->jog("X", -70, 0));  // in the air: here the operator changes the tool
     ASSERT_TRUE(broken.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[0] < -20; }));
     go_to(broken, {.target = {.line = line, .pass = 2}});
     EXPECT_EQ(broken->state().block.modes->calls.size(), 1u);

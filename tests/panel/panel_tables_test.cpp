@@ -1,4 +1,4 @@
-// panel/panel_machine, panel_keeping: tables that are edited, variables, watches, switches, questions of the program, what is kept.
+// panel/panel_machine, panel_keeping: edited tables, variables, watches, switches, questions of the program, and what is kept.
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ TEST(PanelTables, AZeroIsTakenOverAtTheBeginning) {
   expect_at(panel, {110, 0, 0});
 }
 
-/// In mid program the axes stay; the next motions are by the new tables, in the same pass of a call.
+/// In mid program the axes keep their positions; the next motions use the new tables, in the same pass of a call.
 TEST(PanelTables, AnOffsetIsTakenOverInMidProgram) {
   const APanel panel("G21 G90 G54\n#1=0\nM98 P7 L3\nM30\nO7\n#1=#1+1\nG0 X#1\nM0\nG0 Y#1\nM99\n", "nct");
   ASSERT_TRUE(panel->run());
@@ -58,7 +58,7 @@ TEST(PanelTables, TablesThatLeadElsewhereAreTold) {
   expect_at(panel, {0, 1, 0});
 }
 
-/// The programmed point would be lost: it lies beside where the axes stand.
+/// Under cutter compensation the programmed point differs from the position of the axes and would be lost.
 TEST(PanelTables, NotInACompensatedContour) {
   kadr::Setup setup;
   setup.offsets[1].radius = 3;
@@ -79,7 +79,7 @@ TEST(PanelTables, NotInACompensatedContour) {
   expect_at(panel, {1, -20, 0});
 }
 
-/// G10 by hand: what was confirmed stays, whatever reads the program anew.
+/// G10 entered by hand: the confirmed value stays whenever the program is read again.
 TEST(PanelTables, ALineByHandIsAsAnEdit) {
   for (const char* const control : {"nct", "mach3", "linuxcnc", "grbl"}) {
     const APanel panel("G21 G90 G54\nG0 X10\nM0\nG0 X20\nM30\n", control);
@@ -113,7 +113,7 @@ TEST(PanelTables, ALineThatIsTakenBackIsNoEdit) {
   EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[1], 0, 1e-9);
 }
 
-/// Data of tools by hand: they are told as they were and as they are.
+/// If a line entered by hand changes tool data, the data before and after the change are both reported.
 TEST(PanelTables, WhatALineByHandChangesIsTold) {
   std::mutex lock;
   std::vector<std::pair<kadr::Setup, kadr::Setup>> changes;
@@ -195,7 +195,7 @@ TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
   double fastest = 0;
   ASSERT_TRUE(panel.until([&](const PanelState& s) {
     if (s.block.origin.line == 2 && s.sample.machine[0] > 5) fastest = std::max(fastest, s.sample.speed);
-    return s.mode == PanelMode::ended;  // at F10 it would take two minutes, until() waits one
+    return s.mode == PanelMode::ended;  // at F10 it would take two minutes; until() waits one minute
   }));
   EXPECT_GT(fastest, 100);
   EXPECT_LT(fastest, 0.06 * 60'000);
@@ -251,7 +251,7 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
   };
   {
     const APanel panel("G21 G91 G94\nG1 X20 F1500\nG1 X20\nM0\nG1 X20\nM30\n", "mach3", {}, keeper);
-    ASSERT_TRUE(panel->enter("G0 Z1"));  // does not count
+    ASSERT_TRUE(panel->enter("G0 Z1"));  // a line by hand is not counted
     ASSERT_TRUE(panel.until([](const PanelState& s) { return s.can_undo == 1 && s.mode == PanelMode::standing; }));
     ASSERT_TRUE(panel->run());
     ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.not_kept.empty(); }));
@@ -270,7 +270,7 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
   EXPECT_EQ(events, (std::vector<std::string>{"line G0 Z1 0", "run  1", "stopped M0 5", "run  5", "ended  0"}));
 }
 
-/// An emergency stop, an alarm in mid program: where it was stays known.
+/// After an emergency stop or an alarm in mid program, the position of the break stays known.
 TEST(PanelKeeping, WhereItWasBroken) {
   std::mutex lock;
   PanelSpot last;

@@ -1,4 +1,4 @@
-// What running sums say of a chain of corners, beside the same added up corner by corner; the width that goes with it.
+// The running sums of a chain of corners, compared with sums added up corner by corner; and the rounding width that belongs to them.
 
 #include "path/smooth/chain_sums.h"
 
@@ -28,7 +28,7 @@ struct Chain {
   ChainSums::Corners corners() const { return {at, bend, is_chained}; }
 };
 
-/// A gentle corner alone, by its pulse as a sum of ramps, in the plain way.
+/// A single gentle corner, computed directly from its pulse as a sum of ramps.
 struct Plain {
   double g, slope, pulse;
 };
@@ -50,7 +50,7 @@ TEST(ChainSums, OneCornerIsTheGentleOneOfSoftCorner) {
   for (double r = 0; r < 1; r += 0.01) {
     const SoftCorner::Shape shape = corner.at(r);
     const Plain plain = gentle(-r);
-    EXPECT_NEAR(plain.g, shape.g, 2e-3);  // that one is cut into 32 pieces
+    EXPECT_NEAR(plain.g, shape.g, 2e-3);  // SoftCorner is divided into 32 pieces
     EXPECT_NEAR(plain.slope, shape.slope, 4e-3);
   }
   EXPECT_NEAR(gentle(-1).g, 0, 1e-12);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(ChainSumsProperty, AreTheSumOfTheCorners, ()) {
   }
 }
 
-// x′ and x″ are the derivatives of x, while the width changes.
+// x′ and x″ are the derivatives of x also while the width changes.
 TEST(ChainSums, DerivativesWithAWidthThatChanges) {
   Chain chain(1);
   for (int i = 0; i < 60; ++i) chain.add(0.13, {0.02 * std::sin(i * 0.7)});
@@ -99,7 +99,7 @@ TEST(ChainSums, DerivativesWithAWidthThatChanges) {
   const auto at = [&](double s) {
     std::array<double, 3> x{};
     sums.move(chain.corners(), s, width(s), &x[0], &x[1], &x[2]);
-    for (std::size_t i = 1; i < chain.at.size(); ++i)  // the polyline itself bends at its corners
+    for (std::size_t i = 1; i < chain.at.size(); ++i)  // the polyline itself has corners there
       if (chain.at[i] < s) x[0] += chain.bend[i] * (s - chain.at[i]), x[1] += chain.bend[i];
     return x;
   };
@@ -118,7 +118,7 @@ TEST(SlowWidth, IsNowhereWiderThanAsked) {
   const std::vector<std::array<double, 2>> limits = {{3, 0.9}, {3.4, 0.5}, {9, 0.05}, {9.7, 1.2}, {20, 1.9}};
   for (const auto& [at, width] : limits) slow.limit(at, width);
   slow.close();
-  for (const auto& [at, width] : limits) EXPECT_LE(slow.at(at).w, width + 0.04) << at;  // a part and a half of the slope
+  for (const auto& [at, width] : limits) EXPECT_LE(slow.at(at).w, width + 0.04) << at;  // the slope over one and a half parts
   for (double s = 0; s < 30; s += 0.01) {
     EXPECT_LE(std::fabs(slow.at(s).w1), 0.151) << s;
     EXPECT_GT(slow.at(s).w, 0.04);
@@ -138,7 +138,7 @@ TEST(SlowWidth, WhatIsSettledStays) {
   std::vector<double> before;
   for (double s = 0; s < 20; s += 0.05) before.push_back(slow.at(s).w);
   slow.open(80);
-  slow.limit(19, 0.1);  // too late
+  slow.limit(19, 0.1);  // too late: this part is settled
   slow.limit(20 + SlowWidth::felt(), 0.1);
   slow.close();
   std::size_t i = 0;

@@ -1,6 +1,7 @@
 #pragma once
-// Closed contours as programmers write them, and the slow twin that knows what the tool does to the part: inside and outside, entered at a
-// corner or in the middle of a side, straight, along an arc, along the extension of a side, left over the beginning. Fixed seeds.
+// Closed contours as programmers write them, and the slow reference that computes what the tool does to the part. Contours are inside
+// or outside, entered at a corner or in the middle of a side, straight, along an arc or along the extension of a side, and some end
+// beyond their beginning. Seeds are fixed.
 
 #include <optional>
 #include <random>
@@ -10,12 +11,12 @@
 namespace kadr::test {
 
 enum class Entry : std::uint8_t { direct, arc, perpendicular, extension, count };
-enum class Style : std::uint8_t { by_corner, checked, normal_arc, normal_line, tangent, count };  // nct, nct N1403, 2С42 G36, G37, mach3
+enum class Style : std::uint8_t { by_corner, checked, normal_arc, normal_line, tangent, count };  // nct, nct N1403, 2С42 G36 and G37, mach3
 
-/// A side of the part: a line, or an arc of so many turns.
+/// A side of the part: a line, or an arc of `turns` revolutions.
 struct Side {
   Vec2 from, to;
-  double turns = 0;  // counter-clockwise positive; 0: a line
+  double turns = 0;  // counter-clockwise positive; 0 is a line
 
   Vec2 center() const {
     const Vec2 chord = to - from;
@@ -31,7 +32,7 @@ struct Side {
 };
 
 struct ClosedContour {
-  std::vector<Side> loop;  // the part's contour, as the tool goes round it
+  std::vector<Side> loop;  // the part's contour in the direction in which the tool follows it
   std::vector<Motion> motions;
   Vec2 start;
   bool material_inside = false;
@@ -42,7 +43,7 @@ class ContourMaker {
  public:
   explicit ContourMaker(std::uint64_t seed) : random_(seed) {}
 
-  /// `slender`: narrow necks and small radii, for tools that are too large.
+  /// Returns any contour. `slender` gives narrow necks and small radii, for tools that are too large.
   ClosedContour any(bool slender) {
     ClosedContour c;
     c.tool = slender ? number(3, 15) : number(1, 8);
@@ -51,7 +52,7 @@ class ContourMaker {
     const bool clockwise = below(2) == 0;
     if (clockwise) reverse(c.loop);
     std::rotate(c.loop.begin(), c.loop.begin() + static_cast<std::ptrdiff_t>(below(c.loop.size())), c.loop.end());
-    // G41, tool left: inside of a counter-clockwise contour.
+    // With G41 the tool is left of the path: inside a counter-clockwise contour.
     side_ = static_cast<std::int8_t>(clockwise == c.material_inside ? 1 : -1);
     write(c, static_cast<Entry>(below(static_cast<std::size_t>(Entry::count))));
     return c;
@@ -61,7 +62,7 @@ class ContourMaker {
   double number(double least, double most) { return least + (most - least) * static_cast<double>(random_() >> 11) * 0x1p-53; }
   std::size_t below(std::size_t most) { return static_cast<std::size_t>(random_() % most); }
 
-  /// Counter-clockwise round the origin; some sides are arcs.
+  /// Returns sides counter-clockwise around the origin; some are arcs.
   std::vector<Side> star(bool slender) {
     const std::size_t corners = 3 + below(9);
     std::vector<Vec2> at;
@@ -75,7 +76,7 @@ class ContourMaker {
     return sides;
   }
 
-  /// A rectangle with a slot in its upper side, its bottom straight or round; counter-clockwise.
+  /// Returns a rectangle, counter-clockwise, with a slot in its upper side; the bottom of the slot is straight or round.
   std::vector<Side> slotted() {
     const double width = number(4, 40), depth = number(3, 40), half = width / 2;
     const bool round = below(2) == 0;
@@ -92,7 +93,7 @@ class ContourMaker {
     for (Side& s : loop) std::swap(s.from, s.to), s.turns = -s.turns;
   }
 
-  /// The programmed path: way in, run-in, the loop, run-out, way out.
+  /// Writes the programmed path: approach, run-in, loop, run-out, departure.
   void write(ClosedContour& c, Entry entry) {
     std::vector<Side> path;
     const bool in_middle = entry == Entry::arc || (entry != Entry::extension && below(2) == 0);
@@ -104,7 +105,7 @@ class ContourMaker {
     }
     path = c.loop;
     const Side &first = c.loop.front(), &last = c.loop.back();
-    const bool over = in_middle && below(2) == 0;  // the end goes on over the beginning
+    const bool over = in_middle && below(2) == 0;  // the path continues beyond the beginning of the loop
     if (over) path.push_back(first.piece(0, number(0.1, 0.5)));
     const Vec2 begin = first.from, ahead = first.tangent(0), end = path.back().to, behind = path.back().tangent(1);
     const double run = c.tool + number(2, 12);
@@ -123,7 +124,7 @@ class ContourMaker {
       case Entry::extension:
         if (first.turns == 0) path.insert(path.begin(), {begin - run * ahead, begin});
         if (last.turns == 0) path.push_back({end, end + run * behind});
-        if (first.turns == 0 && below(2) == 0) path[0].to = path[1].to, path.erase(path.begin() + 1);  // one block
+        if (first.turns == 0 && below(2) == 0) path[0].to = path[1].to, path.erase(path.begin() + 1);  // joins them into one block
         break;
       default: break;
     }
@@ -154,9 +155,9 @@ class ContourMaker {
 
 struct WatchedRun {
   bool alarm = false;
-  double told = 0;           // mm
-  std::vector<Motion> path;  // of the tool's centre …
-  std::vector<bool> along;   // … and whether it is one along the contour, not the way in or out
+  double told = 0;           // reported depth of the cut, mm
+  std::vector<Motion> path;  // path of the tool's centre …
+  std::vector<bool> along;   // … and for each motion whether it follows the contour, unlike approach and departure
 };
 
 inline WatchedRun carried_out(ClosedContour contour, Style style) {
@@ -189,7 +190,7 @@ inline WatchedRun carried_out(ClosedContour contour, Style style) {
   return run;
 }
 
-/// Least distance of a point to a side.
+/// Returns the least distance from a point to a side.
 inline double away(Vec2 p, const Side& s) {
   double least = std::min(length(p - s.from), length(p - s.to));
   if (s.turns == 0) {
@@ -202,7 +203,7 @@ inline double away(Vec2 p, const Side& s) {
   return least;
 }
 
-/// The slow twin: the deepest place of the swept disk in the part's material, mm; below 0: how far it keeps off.
+/// The slow reference: returns how deep the swept disk goes into the part's material, mm; a negative value is its clearance.
 inline double true_cut(const ClosedContour& contour, const WatchedRun& run) {
   std::vector<Vec2> polygon;
   for (const Side& s : contour.loop) {

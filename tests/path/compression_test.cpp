@@ -1,4 +1,4 @@
-// path/smooth/compression: short motions joined. NCT 4.7, N3103.
+// path/smooth/compression: joins short motions. NCT 4.7, N3103.
 
 #include "path/smooth/compression.h"
 
@@ -23,7 +23,7 @@ Action short_motion(Vec3 to, std::uint32_t line, MotionKind kind = feed) {
   return action(m, line);
 }
 
-/// Actions taken in batches of the given sizes; the last one is told that nothing follows.
+/// Returns the actions after compression in batches of this size; with the last batch the compression learns that nothing follows.
 std::vector<Action> compressed(const std::vector<Action>& actions, std::size_t batch_size, const Axes& start = {}) {
   Compression compression;
   ActionBatch batch;
@@ -145,7 +145,7 @@ TEST(compression, what_was_taken_back_is_not_let_out) {
   EXPECT_TRUE(batch.empty());
 }
 
-/// What NCT 4.7 says, one motion after the other: the lines whose ends are let out.
+/// The rule of NCT 4.7 applied to one motion after the other: returns the lines whose ends are output.
 std::vector<std::uint32_t> slow_twin(const std::vector<Action>& actions) {
   std::vector<std::uint32_t> out;
   Axes at{};

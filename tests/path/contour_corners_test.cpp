@@ -1,4 +1,4 @@
-// path/contour/contour_corners: what the stage hands out is the programmed contour with its corners cut, whatever the batches. NCT 17.
+// path/contour/contour_corners: the stage outputs the programmed contour with its corners cut, whatever the batches are. NCT 17.
 
 #include "path/contour/contour_corners.h"
 
@@ -48,7 +48,7 @@ struct Outcome {
   std::optional<CompensationFault> fault;
 };
 
-/// All motions in batches of that size.
+/// Sends all motions through the stage in batches of `size`.
 Outcome carried(const std::vector<Motion>& motions, std::size_t size = 1, Follows at_end = Follows::nothing) {
   ContourCorners corners{ToolPosition{}};
   Outcome outcome;
@@ -66,7 +66,7 @@ Outcome carried(const std::vector<Motion>& motions, std::size_t size = 1, Follow
 
 Vec2 end_of(const Motion& m) { return {m.to[0], m.to[1]}; }
 
-/// A contour of lines and arcs, each at least 20 long, with corners of 20° to 120°; every corner but the last is cut.
+/// Returns a contour of lines and arcs, each at least 20 mm long, with corners of 20° to 120°; every corner but the last is cut.
 std::vector<Motion> any_contour(std::int8_t side) {
   std::vector<Motion> all;
   Vec2 at, direction{1, 0};
@@ -115,7 +115,7 @@ RC_GTEST_PROP(contour_corners, a_motion_that_is_cut_stays_on_its_element, ()) {
     RC_ASSERT(cut.kind == m.kind);
     RC_ASSERT(cut.detail == nullptr);
     const Vec2 a{from[0], from[1]}, b{cut_from[0], cut_from[1]}, c = end_of(cut), d = end_of(m);
-    if (is_arc(m.kind)) {  // what both corners take off and what is left are the programmed motion
+    if (is_arc(m.kind)) {  // the parts removed at both corners and the remaining part add up to the programmed motion
       const double sense = sense_of(m);
       const auto turns = [&](Vec2 p, Vec2 q) { return length(q - p) < near ? 0 : swept_turns(p - m.center, q - m.center, sense); };
       for (const Vec2 p : {b, c}) RC_ASSERT(std::fabs(length(p - m.center) - length(d - m.center)) < near);
@@ -157,7 +157,7 @@ RC_GTEST_PROP(contour_corners, with_compensation_on_the_corners_are_the_same, ()
   }
 }
 
-/// A contour turned about the origin and, with `mirror`, mirrored along X before.
+/// Returns a contour rotated about the origin; with `mirror` it is first mirrored along X.
 std::vector<Motion> turned(const std::vector<Motion>& contour, double degrees, bool mirror) {
   const auto image = [&](Vec2 v) { return rotated({mirror ? -v.x : v.x, v.y}, degrees); };
   std::vector<Motion> all;
@@ -189,7 +189,7 @@ RC_GTEST_PROP(contour_corners, a_turned_contour_has_turned_corners, ()) {
   }
 }
 
-/// Over-determined lines against the same contour with its corners worked out by hand.
+/// Over-determined lines compared with the same contour with its corners worked out by hand.
 RC_GTEST_PROP(contour_corners, a_chain_of_lines_is_the_polygon_through_its_corners, ()) {
   std::vector<Motion> chain, plain;
   Vec2 at;
@@ -258,7 +258,7 @@ TEST(contour_corners, nothing_follows) {
   const Outcome o = carried({line({10, 0}), line({20, 0}, 2)}, 5);
   EXPECT_EQ(o.motions.size(), 1U);
   EXPECT_EQ(o.fault->origin.line, 2U);
-  const Outcome alarmed = carried({line({10, 0}), line({20, 0}, 2)}, 1, Follows::alarm);  // the alarm is another's
+  const Outcome alarmed = carried({line({10, 0}), line({20, 0}, 2)}, 1, Follows::alarm);  // the alarm has another cause
   EXPECT_FALSE(alarmed.fault);
   EXPECT_EQ(alarmed.motions.back().to[0], 20);
 }
@@ -271,7 +271,7 @@ TEST(contour_corners, too_many_actions_between) {
   const auto fault = corners.take(batch, Follows::more);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->alarm.id, AlarmId::corner_illegal);
-  ContourCorners plain{ToolPosition{}};  // where only a calculated end could come, the motion goes on as programmed
+  ContourCorners plain{ToolPosition{}};  // if only a calculated end could follow, the motion is passed on as programmed
   batch.clear();
   batch.add() = test::action(compensated(line({10, 0})));
   for (int i = 0; i < 100; ++i) batch.add().what = Dwell{1};
@@ -291,7 +291,7 @@ TEST(contour_corners, what_empties_the_buffer_breaks_the_corner) {
 }
 
 TEST(contour_corners, a_cut_beyond_an_end_that_is_found_later) {
-  // R10 at the first corner takes 10 off the second line; the third one leaves it 5 only.
+  // R10 at the first corner removes 10 mm from the second line; the third line leaves only 5 mm of it.
   const std::vector<Motion> contour{compensated(line({50, 0}, 0, 10)), over_line({50, 40}, 90), over_line({90, 5}, 0)};
   const Outcome o = carried(contour, 1);
   ASSERT_TRUE(o.fault);
@@ -307,7 +307,7 @@ TEST(contour_corners, both_corners_of_a_line_must_fit) {
   EXPECT_EQ(o.motions.size(), 2U);  // the first corner is cut
   const Outcome fits = carried({line({50, 0}, 5), line({50, 10}, 5), line({0, 10})});
   EXPECT_FALSE(fits.fault);
-  EXPECT_EQ(fits.motions.size(), 4U);  // nothing of the second line is left
+  EXPECT_EQ(fits.motions.size(), 4U);  // nothing of the second line remains
 }
 
 TEST(contour_corners, machine_coordinates_turn_with_the_frame) {
@@ -369,7 +369,7 @@ TEST(contour_corners, an_over_determined_block_needs_an_element_before) {
   EXPECT_EQ(carried({over_line({10, 10}, 45)}).fault->alarm.id, AlarmId::contour_no_intersection);
   const Motion rapid = compensated(test::straight(MotionKind::rapid, {20, 0, 0}));
   EXPECT_EQ(carried({rapid, over_line({10, 10}, 45)}).fault->origin.line, 2U);
-  EXPECT_EQ(carried({compensated(line({10, 0})), over_line({10, 10}, 0)}).fault->origin.line, 1U);  // parallel
+  EXPECT_EQ(carried({compensated(line({10, 0})), over_line({10, 10}, 0)}).fault->origin.line, 1U);  // the lines are parallel
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// path/contour/contour_offset: vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and laws on random junctions.
+// path/contour/contour_offset: offset vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and properties of random junctions.
 
 #include "path/contour/contour_offset.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double left = 1, right = -1;  // G41, G42
 
-/// Elements that end, or begin, at the origin.
+/// Elements that end or begin at the origin.
 ContourElement line_to(Vec2 direction) { return ContourElement::line(-20 * direction, {}); }
 ContourElement line_from(Vec2 direction) { return ContourElement::line({}, 20 * direction); }
 ContourElement arc_to(Vec2 center, double turns) {
@@ -73,7 +73,7 @@ TEST(contour_offset, start_up_and_cancel) {
 }
 
 TEST(contour_offset, offsets_that_do_not_meet) {
-  EXPECT_FALSE(junction(along_x, arc_from({-3, 4}, g3), 10, left));  // R5 inside
+  EXPECT_FALSE(junction(along_x, arc_from({-3, 4}, g3), 10, left));  // the tool is too large for the inside of R5
   EXPECT_FALSE(intersection(offset_at_end(along_x, 10, left), offset_at_start(line_from({1, 0}), 10, right), {}));
   const auto straight_on = junction(along_x, line_from({1, 0}), 10, left);
   ASSERT_TRUE(straight_on);
@@ -87,7 +87,7 @@ TEST(contour_offset, a_full_circle_between_two_sides_goes_further_than_round) { 
   EXPECT_NEAR(compensated_turns(circle, {x - 50, -10}, {x - 50, 10}), 1.053300378, 1e-8);
 }
 
-// ---- laws
+// ---- properties
 
 double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
 Vec2 any_direction() { return rotated({1, 0}, any_number(-180, 180)); }
@@ -101,7 +101,7 @@ ContourElement any_from() {
   return arc_from(any_number(12, 80) * any_direction(), *rc::gen::element(g2, g3));
 }
 
-/// Distance of a point from the offset of an element.
+/// Returns the distance of a point from the offset of an element.
 double distance_from(const OffsetElement& e, Vec2 point) {
   return e.is_arc ? std::fabs(length(point - e.center) - e.radius) : std::fabs(dot(point, e.normal) - e.distance);
 }
@@ -142,7 +142,7 @@ RC_GTEST_PROP(contour_offset, turned_or_reversed_the_vectors_follow, ()) {
   const auto plain = junction(first, second, radius, side);
   const auto turned = junction(turn(first), turn(second), radius, side);
   const auto back = junction(reverse(second), reverse(first), radius, -side);
-  RC_PRE(std::fabs(cross(first.end, second.start)) > 1e-4 && std::fabs(dot(first.end, second.start)) > 1e-4);  // no corner at a limit
+  RC_PRE(std::fabs(cross(first.end, second.start)) > 1e-4 && std::fabs(dot(first.end, second.start)) > 1e-4);  // away from the limits
   RC_ASSERT(plain.has_value() == turned.has_value());
   RC_ASSERT(plain.has_value() == back.has_value());
   if (!plain) return;
@@ -161,7 +161,7 @@ RC_GTEST_PROP(contour_offset, the_way_onto_a_contour_touches_its_line, ()) {
   RC_ASSERT(along.has_value());
   RC_ASSERT(std::fabs(length(*along) - 1) < tol::same_point);
   const Vec2 end = way + radius * side_normal(*along, side);
-  RC_ASSERT(std::fabs(cross(end, *along)) < tol::same_point);  // it goes straight there …
+  RC_ASSERT(std::fabs(cross(end, *along)) < tol::same_point);  // the path goes straight to the point …
   RC_ASSERT(side * cross(*along, way) < 0);                    // … with the point on its other side
 }
 

@@ -1,6 +1,6 @@
-// path/contour/radius_compensation, path/contour/interference, path/contour/contour_watch together: whatever the contour, a path that is
-// nearer to the part than the tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5. What the
-// part is where such a contour crosses itself, path/contour/contour_closing says (its own test: contour_watch_test).
+// path/contour/radius_compensation, path/contour/interference and path/contour/contour_watch together. For every contour, a path nearer
+// to the part than the tool's radius is reported, and whatever is reported is true. The slow reference samples path and contour. NCT
+// 15.5. If the contour crosses itself, path/contour/contour_closing decides what the part is (its own test is contour_watch_test).
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ using test::Contour;
 
 constexpr double tool = 5;
 
-/// Lines and arcs with any corner, tiny pieces, nearly tangential joints, arcs about as large as the tool.
+/// Returns lines and arcs with corners of any angle, tiny segments, nearly tangential joints, and arcs about as large as the tool.
 Contour any_contour(std::int8_t side) {
   Contour c;
   c.line(20, side, tool).side_step = SideStep::begins;
@@ -53,7 +53,7 @@ ContourCheck any_check() {
 struct Outcome {
   std::vector<Action> path;
   std::optional<AlarmId> alarm;
-  double told = 0;  // depth of the cut, mm
+  double told = 0;  // reported depth of the cut, mm
 };
 
 Outcome carried_out(const Contour& contour, const ContourCheck& check) {
@@ -71,7 +71,7 @@ Outcome carried_out(const Contour& contour, const ContourCheck& check) {
   return outcome;
 }
 
-/// Points of the part's contour: without what lies before the place where it closes and after it.
+/// Returns points of the part's contour, without the parts of the path before and after the closed loop.
 std::vector<Vec2> part_of(const Contour& contour) {
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i + 1 < contour.motions.size(); ++i) {
@@ -93,7 +93,7 @@ std::vector<Vec2> part_of(const Contour& contour) {
   return points;
 }
 
-/// Least distance of the tool's way along the contour to the part, by sampling.
+/// Returns the least sampled distance between the tool's path along the contour and the part.
 double nearest(const Contour& contour, const Outcome& outcome) {
   const std::size_t last_line = contour.motions.size();
   const auto programmed = part_of(contour);
@@ -113,7 +113,7 @@ double nearest(const Contour& contour, const Outcome& outcome) {
   return taken == 0 ? tool : least;
 }
 
-/// For the report of a failure: ends of the motions, block by block.
+/// Returns the ends of the motions block by block, to report a failure.
 std::string shown(const Contour& contour, const Outcome& outcome) {
   std::ostringstream text;
   const auto show = [&](std::uint32_t line, const Motion& m) {
@@ -135,7 +135,7 @@ RC_GTEST_PROP(contour_safety, what_is_not_told_does_not_cut, ()) {
   const Outcome outcome = carried_out(contour, any_check());
   RC_CLASSIFY(outcome.alarm.has_value(), "alarm");
   RC_CLASSIFY(!outcome.alarm && outcome.told == 0, "whole");
-  if (outcome.alarm) return;  // what came before it may only have been made known with it
+  if (outcome.alarm) return;  // a cut before the alarm may become known only together with it
   if (outcome.told == 0 && nearest(contour, outcome) < tool - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
 }
 
@@ -147,7 +147,7 @@ RC_GTEST_PROP(contour_safety, what_is_told_is_true, ()) {
   if (nearest(contour, outcome) < tool - outcome.told - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
 }
 
-/// A straight contour of six lines, its motions as `change` leaves them.
+/// Returns the cut reported for a straight contour of six lines after `change` has modified its motions.
 template <class Change>
 double told_of_a_line(const Change& change) {
   Contour c;
@@ -164,19 +164,19 @@ TEST(contour_safety, what_leaves_the_contour_on_purpose_is_not_told) {
   EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = m[4].tool_radius = 0; }), 0);  // D0 … D1
   EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = tool / 2; }), 0);
   EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].kind = m[4].kind = MotionKind::rapid; }), 0);
-  EXPECT_EQ(told_of_a_line([](Motions& m) {  // G42 in a block of zero displacement
+  EXPECT_EQ(told_of_a_line([](Motions& m) {  // G42 in a block without displacement
               m[0].to = m[0].machine = Axes{};
               m[0].named = 3;
             }),
             0);
-  EXPECT_GT(told_of_a_line([](Motions& m) {  // round a chamfer too short for the tool
+  EXPECT_GT(told_of_a_line([](Motions& m) {  // around a chamfer too short for the tool
               const std::array<Vec2, 4> ends{Vec2{81, 1}, Vec2{81, 60}, Vec2{81, 80}, Vec2{81, 100}};
               for (std::size_t i = 0; i < ends.size(); ++i) m[4 + i].to = m[4 + i].machine = {ends[i].x, ends[i].y};
             }),
             0);
 }
 
-/// A motion goes along its programmed way, never against it.
+/// Returns true if a motion runs against its programmed direction.
 bool runs_back(const Contour& contour, const Outcome& outcome) {
   Axes from{};
   for (const Action& action : outcome.path) {
@@ -188,7 +188,7 @@ bool runs_back(const Contour& contour, const Outcome& outcome) {
     const Vec2 way{m->to[0] - from[0], m->to[1] - from[1]};
     const Vec2 wanted{programmed.to[0] - start[0], programmed.to[1] - start[1]};
     const bool along = block > 0 && block + 1 < contour.motions.size() && !is_arc(programmed.kind);
-    const bool of_block = &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // not the corner before it
+    const bool of_block = &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // without its corner
     if (along && of_block && dot(way, wanted) < -1e-5 * length(wanted)) return true;
     from = m->to;
   }
@@ -208,7 +208,7 @@ RC_GTEST_PROP(contour_safety, always_alarm_is_only_stricter, ()) {
   ContourCheck check{true, true, 0, 0};
   const Outcome strict = carried_out(contour, check);
   if (strict.alarm) return;
-  check.always_alarm = false;  // nothing to mend: the same path
+  check.always_alarm = false;  // nothing to correct: the path stays the same
   const Outcome mended = carried_out(contour, check);
   RC_ASSERT(!mended.alarm);
   RC_ASSERT(mended.path.size() == strict.path.size());

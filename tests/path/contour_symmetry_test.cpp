@@ -1,5 +1,5 @@
-// path/contour/radius_compensation: the contour turned, mirrored, reversed or in smaller pieces has the path turned, mirrored, reversed or
-// the same. NCT 15.5.
+// path/contour/radius_compensation: if the contour is rotated, mirrored, reversed
+// or divided, its path is rotated, mirrored, reversed or unchanged. NCT 15.5.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -15,7 +15,7 @@ using test::any_number;
 
 constexpr double tool = 4;
 
-/// A piece of a contour by itself.
+/// A single segment of a contour.
 struct Piece {
   Vec2 to;
   bool arc = false;
@@ -27,7 +27,7 @@ struct Pieces {
   std::vector<Piece> all;
 };
 
-/// Corners to both sides; pieces long enough for the tool, not so that they stay apart.
+/// Returns corners to both sides. Segments are long enough for the tool, but may come near each other.
 Pieces any_pieces() {
   Pieces p;
   Vec2 at, direction{1, 0};
@@ -63,7 +63,7 @@ Vec2 start_tangent(const Pieces& p) {
   return (first.arc ? ContourElement::arc(p.from, first.to, first.center, first.turns) : ContourElement::line(p.from, first.to)).start;
 }
 
-/// The tool's path along the pieces, the way in lying straight before them; its ends.
+/// Returns the ends of the tool's path along the segments, with a straight approach before them.
 std::optional<std::vector<Vec2>> path_of(const Pieces& p, std::int8_t side) {
   ToolPosition start{};
   const Vec2 before = p.from - 30 * start_tangent(p);
@@ -158,7 +158,7 @@ RC_GTEST_PROP(contour_symmetry, split, ()) {
   auto other = path_of(q, side);
   RC_ASSERT(path.has_value() == other.has_value());
   if (!path) return;
-  RC_ASSERT(other->size() == path->size() + 1);  // one more point: beside the cut
+  RC_ASSERT(other->size() == path->size() + 1);  // one more point, at the cut
   const auto cut = std::find_if(other->begin(), other->end(), [&](Vec2 v) { return length(v - beside) < tol::same_point; });
   RC_ASSERT(cut != other->end());
   other->erase(cut);

@@ -1,5 +1,5 @@
-// path/contour/contour_watch, path/contour/contour_closing: what is said of closed contours against the slow twin that sweeps the tool over
-// the part.
+// path/contour/contour_watch, path/contour/contour_closing: the warnings about closed contours, compared with a slow reference that
+// sweeps the tool over the part.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@ struct Tally {
   int alarms = 0, good = 0, false_ones = 0, bad = 0, missed = 0;
 };
 
-/// The sampled twin knows a depth to some hundredths of a millimetre; what lies between counts for neither.
+/// The sampled reference is accurate to a few hundredths of a millimetre;
+/// depths between these two limits count neither as a cut nor as none.
 constexpr double certain_cut = 0.05, certainly_none = 1e-3;
 
 Tally tally(bool slender, int contours, Style style, std::uint64_t first_seed) {
@@ -59,7 +60,7 @@ void expect_true(bool slender, int contours, std::uint64_t first_seed) {
 TEST(contour_watch, at_most_one_good_contour_in_a_hundred_is_told) { expect_true(false, 200, 1); }
 TEST(contour_watch, no_cut_is_missed_where_the_tool_is_too_large) { expect_true(true, 200, 5001); }
 
-// ---- where a contour closes
+// ---- position where a contour closes
 
 std::vector<PlanePiece> lines(std::initializer_list<Vec2> points) {
   std::vector<PlanePiece> pieces;
@@ -70,7 +71,7 @@ std::vector<PlanePiece> lines(std::initializer_list<Vec2> points) {
 void expect_loop(const std::vector<PlanePiece>& pieces, std::size_t first, double first_part, std::size_t last, double last_part) {
   const auto loop = closing(pieces, 0);
   ASSERT_TRUE(loop);
-  // The end of one piece is the beginning of the next.
+  // The end of one segment is the same position as the beginning of the next.
   EXPECT_NEAR(double(loop->first) + loop->first_part, double(first) + first_part, 1e-9);
   EXPECT_NEAR(double(loop->last) + loop->last_part, double(last) + last_part, 1e-9);
 }
@@ -90,7 +91,7 @@ TEST(contour_closing, over_the_beginning_all_that_overlaps_belongs_to_it) {
 }
 
 TEST(contour_closing, run_in_and_run_out_that_meet_before_the_part_too) {
-  // In from above left, out to below left and up across the way in.
+  // In from the upper left, out to the lower left, then up across the approach.
   expect_loop(lines({{-30, 15}, {0, 15}, {0, 30}, {40, 30}, {40, 0}, {0, 0}, {0, 15}, {-10, 5}, {-10, 25}}), 1, 0, 5, 1);
 }
 
@@ -102,7 +103,7 @@ TEST(contour_closing, a_circle_is_closed_by_its_own_end) {
 
 TEST(contour_closing, an_open_contour_has_no_loop) {
   EXPECT_FALSE(closing(lines({{0, 0}, {0, 30}, {40, 30}, {40, 10}}), 0));
-  // A knot of 40 mm in 400 mm.
+  // A knot of 40 mm in a path of 400 mm.
   EXPECT_FALSE(closing(lines({{0, 0}, {180, 0}, {180, 10}, {170, 10}, {170, -10}, {170, -190}}), 0));
   EXPECT_FALSE(closing({}, 0));
 }
@@ -116,10 +117,10 @@ TEST(contour_closing, what_is_cut_out_of_a_piece) {
   EXPECT_NEAR(arc.turns, 0.25, 1e-12);
 }
 
-// ---- contours longer than the row
+// ---- contours longer than the buffer
 
-/// A polygon of that many sides about a circle, the tool of radius 5 outside, entered and left along the extensions of two sides.
-/// `notch`: a slot into that side, 4 mm wide and 8 mm deep, too narrow for the tool.
+/// Follows a polygon of `sides` sides around a circle with a tool of radius 5 outside, entered and left along the extensions of two
+/// sides. `notch` is the side with a slot 4 mm wide and 8 mm deep, too narrow for the tool.
 double told_of_polygon(int sides, int notch) {
   constexpr double tool = 5;
   const double radius = 4.0 * sides / pi;  // sides of 8 mm

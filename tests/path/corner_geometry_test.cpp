@@ -1,4 +1,5 @@
-// path/curve/corner_geometry: the slow twin of a rounding is a circle rolled along the first element until it leaves the second. NCT 17.
+// path/curve/corner_geometry: the slow reference of a rounding rolls a
+// circle along the first element until it leaves the second. NCT 17.
 
 #include "path/curve/corner_geometry.h"
 
@@ -19,7 +20,7 @@ constexpr CornerRoom any_room{std::numeric_limits<double>::infinity(), std::nume
 
 double number(double least, double most) { return least + (most - least) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
 
-/// An element from `at` with that tangent: a line, or an arc to the left or right.
+/// Returns an element from `at` with this tangent: a line, or an arc to the left or to the right.
 ContourElement element_from(Vec2 at, Vec2 tangent, bool arc) {
   if (!arc) return ContourElement::line(at, at + number(20, 60) * tangent);
   const double turns = (*rc::gen::arbitrary<bool>() ? 1 : -1) * number(0.1, 0.6);
@@ -43,13 +44,13 @@ Pair any_pair() {
   return {reversed(element_from(corner, -1.0 * in, first_arc)), element_from(corner, rotated(in, turn), second_arc)};
 }
 
-/// The point of an element so far along it.
+/// Returns the point at `way` along an element; `way` is in mm on a line, in revolutions on an arc.
 Vec2 point_at(const ContourElement& e, double way) {
   return e.is_arc ? e.center + rotated(e.from - e.center, 360 * e.sense() * way) : e.from + way * e.start;
 }
 Vec2 tangent_at(const ContourElement& e, double way) { return e.is_arc ? rotated(e.start, 360 * e.sense() * way) : e.start; }
 
-/// Distance to the piece, and whether the nearest point is not one of its ends.
+/// The distance to the element, and whether the nearest point is not one of its ends.
 struct Nearest {
   double distance;
   bool inside;
@@ -66,12 +67,12 @@ Nearest nearest(const ContourElement& e, Vec2 p) {
   return {std::fabs(cross(e.start, p - e.from)), true};
 }
 
-/// Which side of an element a point is on: above 0 the left one.
+/// Returns the side of an element on which a point is: positive on the left.
 double side_of(const ContourElement& e, Vec2 p) {
   return e.is_arc ? e.sense() * (e.start_radius - length(p - e.center)) : cross(e.start, p - e.from);
 }
 
-/// The circle rolls back along the first element, on the side of the turn, until the second only touches it.
+/// Rolls the circle back along the first element, on the inside of the corner, until it only touches the second element.
 std::optional<Vec2> rolled(const Pair& p, double radius) {
   const double side = cross(p.first.end, p.second.start) > 0 ? 1 : -1, whole = whole_way(p.first);
   const auto center = [&](double back) {
@@ -105,7 +106,7 @@ RC_GTEST_PROP(corner_geometry, a_rounding_is_tangent_to_both, ()) {
   RC_ASSERT(std::fabs(distance_from(p.second, p.second.start, p.first.to, r->center) - radius) < near);
   RC_ASSERT(length(point_at(p.first, whole_way(p.first) - r->first_way) - r->from) < near);
   RC_ASSERT(length(point_at(p.second, r->second_way) - r->to) < near);
-  // It begins the way the first element goes there, and ends the way the second one does.
+  // The arc begins in the direction of the first element at that point, and ends in the direction of the second.
   const double sense = r->turns > 0 ? 1 : -1;
   RC_ASSERT(dot(sense * left_of(r->from - r->center), tangent_at(p.first, whole_way(p.first) - r->first_way)) > radius - near);
   RC_ASSERT(dot(sense * left_of(r->to - r->center), tangent_at(p.second, r->second_way)) > radius - near);
@@ -119,7 +120,7 @@ RC_GTEST_PROP(corner_geometry, a_rounding_is_where_a_rolled_circle_rests, ()) {
   RC_PRE(slow.has_value());
   const auto r = rounding(p.first, p.second, radius, {whole_way(p.first), whole_way(p.second)});
   RC_ASSERT(r.has_value());
-  RC_ASSERT(length(r->center - *slow) < 1e-4);  // the twin's steps are near tangency worth more than its halvings
+  RC_ASSERT(length(r->center - *slow) < 1e-4);  // near tangency the reference's step is coarser than its bisection
 }
 
 RC_GTEST_PROP(corner_geometry, two_lines_lose_r_times_the_tangent_of_half_the_angle, ()) {
@@ -193,7 +194,7 @@ RC_GTEST_PROP(corner_geometry, a_calculated_corner_lies_on_both, ()) {
     RC_ASSERT(off(first, p) < near * size);
     RC_ASSERT(off(second, p) < near * size);
   }
-  if (first.is_circle != second.is_circle) {  // the first one is met first
+  if (first.is_circle != second.is_circle) {  // the near corner is the one that is met first
     const Support& line = first.is_circle ? second : first;
     RC_ASSERT(dot(*near_one, line.direction) <= dot(*far_one, line.direction) + near);
   }
@@ -239,7 +240,7 @@ TEST(corner_geometry, parallel_concentric_apart) {
   circle.radius = 9.9;
   EXPECT_FALSE(calculated_corner(line, circle, {}));
   circle.radius = 10;
-  EXPECT_TRUE(calculated_corner(line, circle, {}));  // it touches
+  EXPECT_TRUE(calculated_corner(line, circle, {}));  // the circle touches the line
   EXPECT_FALSE(calculated_corner(circle, circle, {}));
 }
 

@@ -1,4 +1,4 @@
-// path/curve/machine_path: boxes of pieces hold every point of them and no more; the slow twin is the sampled path.
+// path/curve/machine_path: the box of a piece of path holds every point of it and is no larger. The slow reference is the sampled path.
 
 #include "path/curve/machine_path.h"
 
@@ -76,7 +76,7 @@ RC_GTEST_PROP(machine_path, boxes_of_pieces_are_those_of_their_points, ()) {
       RC_ASSERT(point[a] >= box.least[a] - 1e-7 && point[a] <= box.most[a] + 1e-7);
     }
   }
-  for (std::size_t a = 0; a < moved.roles.count; ++a) {  // samples miss an extreme by their distance at most
+  for (std::size_t a = 0; a < moved.roles.count; ++a) {  // samples miss an extreme by at most their distance
     const double slack = (box.most[a] - box.least[a]) * 0.02 + 1e-6;
     RC_ASSERT(seen.least[a] <= box.least[a] + slack && seen.most[a] >= box.most[a] - slack);
   }

@@ -1,5 +1,5 @@
-// path/contour/queued_compensation: the corners keep their distance, what it holds is a value, actions keep their order. LinuxCNC 7.5;
-// what LinuxCNC's interpreter itself makes of programs: tests/golden/linuxcnc, tests/cases/linuxcnc/compensation.cases.
+// path/contour/queued_compensation: corners keep their distance, the state can be copied, and actions keep their order. LinuxCNC 7.5.
+// How LinuxCNC's interpreter itself compensates programs: tests/golden/linuxcnc, tests/cases/linuxcnc/compensation.cases.
 
 #include "path/contour/queued_compensation.h"
 
@@ -31,7 +31,8 @@ Action action_of(decltype(Action::what) what) {
   return action;
 }
 
-/// One at a time; where `snapshot` is set each by a fresh object that goes on from what the one before remembers.
+/// Feeds the actions one at a time. With `snapshot`, a fresh object receives
+/// each action and continues from the memory of the previous object.
 struct Taken {
   std::vector<Action> actions;
   std::optional<CompensationFault> fault;
@@ -132,7 +133,8 @@ RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
     if (const auto* const m = std::get_if<Motion>(&plain.actions[i].what)) RC_ASSERT(m->to == motion_of(again.actions[i]).to);
 }
 
-/// A turning tool's tip: the centre's way, shifted as a whole by the radius along one axis or both; the same alarms.
+/// The path of a turning tool's tip is the centre's path shifted as a
+/// whole by the radius along one axis or both; the alarms are the same.
 RC_GTEST_PROP(queued_compensation, a_tip_goes_beside_the_centre, ()) {
   const auto side = *rc::gen::element<std::int8_t>(1, -1);
   const double radius = any_number(1, 3);
@@ -178,7 +180,7 @@ TEST(queued_compensation, without_a_side_nothing_changes) {
   EXPECT_EQ(motion_of(all.actions[2]).to, c.motions[1].to);
 }
 
-/// A message and a tool selected come at once; a dwell behind the motion that it stands behind, before the corner.
+/// Messages and tool selections come out at once. A dwell comes after the motion that it follows, before the corner.
 TEST(queued_compensation, order) {
   Contour c;
   c.line(20, 1, 5).side_step = SideStep::begins;
@@ -197,7 +199,7 @@ TEST(queued_compensation, order) {
   EXPECT_NEAR(motion_of(all.actions[5]).to[0], 75, 1e-9);
 }
 
-/// The alarm is told at the block that is being read, and the motion that cannot be made is not carried out.
+/// The alarm is reported at the block that is being read, and the motion that cannot be built is not executed.
 TEST(queued_compensation, line_too_short_for_its_corners) {
   Contour c;
   c.line(20, 1, 5).side_step = SideStep::begins;
@@ -215,7 +217,8 @@ TEST(queued_compensation, line_too_short_for_its_corners) {
   EXPECT_EQ(all.actions.size(), 2U);
 }
 
-/// A neck narrower than the tool, with a room behind it: the control compares neighbours only, the warning tells it.
+/// A neck narrower than the tool, with a wider space after it. The control
+/// compares neighbouring blocks only, so a warning reports the neck.
 TEST(queued_compensation, narrow_neck_is_warned_of) {
   Contour c;
   c.line(20, -1, 5).side_step = SideStep::begins;

@@ -1,4 +1,5 @@
-// path/contour/radius_compensation: the slow twin is the sampled path: nowhere nearer to the contour than the tool's radius. NCT 15.5.
+// path/contour/radius_compensation: the path is nowhere nearer to the contour
+// than the tool's radius. The slow reference is the sampled path. NCT 15.5.
 
 #include "path/contour/radius_compensation.h"
 
@@ -20,7 +21,7 @@ using test::sampled;
 std::vector<Motion> compensated(const std::vector<Motion>& motions) {
   RadiusCompensation compensation{ToolPosition{}};
   std::vector<Motion> all;
-  for (std::size_t i = 0; i < motions.size(); ++i) {  // one at a time: what is held must come in the right order
+  for (std::size_t i = 0; i < motions.size(); ++i) {  // one at a time: delayed actions must come out in the right order
     ActionBatch batch;
     batch.add().what = motions[i];
     EXPECT_FALSE(compensation.take(batch, i + 1 == motions.size()));
@@ -37,7 +38,7 @@ RC_GTEST_PROP(radius_compensation, the_path_is_nowhere_nearer_than_the_radius, (
     if (arc) c.arc(any_number(40, 80), *rc::gen::element(0.2, -0.2), side, radius);
     else c.line(any_number(60, 100), side, radius);
   };
-  const int most = first_arc || second_arc ? 60 : 140;  // the elements do not come near each other again
+  const int most = first_arc || second_arc ? 60 : 140;  // at most this angle keeps the elements apart
   Contour c;
   c.line(20, side, radius).side_step = SideStep::begins;
   element(c, first_arc);
@@ -49,19 +50,19 @@ RC_GTEST_PROP(radius_compensation, the_path_is_nowhere_nearer_than_the_radius, (
   const Axes first{20, 0, 0};
   const auto contour = sampled({c.motions.begin() + 1, c.motions.end() - 1}, first);
   const auto tool = sampled({path.begin() + 1, path.end() - 1}, path.front().to);
-  // Two samples of the contour lie at most so far apart that a tool on the path can seem nearer by their sagitta.
+  // Samples of the contour are so close together that their sagitta makes a tool on the path seem nearer by at most this tolerance.
   for (const Vec2 t : tool)
     for (const Vec2 p : contour) RC_ASSERT(length(t - p) > radius - 10 * tol::same_point);
-  double farthest = 0;  // and it follows: each of its points is near the contour
+  double farthest = 0;  // the path follows the contour: each of its points is near it
   for (const Vec2 t : tool) {
     double nearest = 1e9;
     for (const Vec2 p : contour) nearest = std::min(nearest, length(t - p));
     farthest = std::max(farthest, nearest);
   }
-  RC_ASSERT(farthest < 2.3 * radius + 2);  // acute corners go out to √5 of the radius
+  RC_ASSERT(farthest < 2.3 * radius + 2);  // at acute corners the path extends up to √5 radii
 }
 
-/// The same contour for a control with a ContourEntry of its own.
+/// Returns the same contour for a control with a ContourEntry of its own.
 std::vector<Motion> joined_by(CornerJoin join, std::vector<Motion> motions) {
   for (Motion& m : motions) {
     m.join_corner = join;
@@ -81,7 +82,7 @@ RC_GTEST_PROP(radius_compensation, arcs_and_straight_joins_are_nowhere_nearer_th
   const auto join = *rc::gen::element(CornerJoin::arc, CornerJoin::straight);
   const double radius = any_number(1, 5);
   const std::array<bool, 2> arc{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
-  const int most = arc[0] || arc[1] ? 60 : 140;  // the elements do not come near each other again
+  const int most = arc[0] || arc[1] ? 60 : 140;  // at most this angle keeps the elements apart
   Contour c;
   c.line(20, side, radius).side_step = SideStep::begins;
   for (std::size_t i = 0; i < arc.size(); ++i) {
@@ -97,7 +98,7 @@ RC_GTEST_PROP(radius_compensation, arcs_and_straight_joins_are_nowhere_nearer_th
   const double reach = join == CornerJoin::arc ? radius : 3 * radius;  // tan 70° · r beyond the sharpest corner
   for (const Vec2 t : tool) {
     RC_ASSERT(nearest_of(t, contour) > radius - 10 * tol::same_point);
-    RC_ASSERT(nearest_of(t, contour) < reach + 1);  // half the way between two samples
+    RC_ASSERT(nearest_of(t, contour) < reach + 1);  // half the distance between two samples
   }
 }
 

@@ -1,4 +1,4 @@
-// The rounded path: how far it is from its straight pieces.
+// The rounded path: its distance from the straight segments.
 
 #include "path/smooth/smooth_path.h"
 
@@ -16,7 +16,7 @@ struct Corner {
   double x, y, tolerance;
 };
 
-/// The furthest that any place is moved, of the greatest tolerance of the corners that are felt there.
+/// Returns the greatest displacement of any point, as a share of the largest tolerance among the corners that affect the point.
 double most_moved(const std::vector<Corner>& corners) {
   SmoothPath path(2);
   const double start[2] = {0, 0};
@@ -41,12 +41,12 @@ double most_moved(const std::vector<Corner>& corners) {
 
 TEST(SmoothPath, ACornerAloneUsesItsTolerance) { EXPECT_NEAR(most_moved({{30, 0, 0.02}, {30, 30, 0.02}}), 1, 1e-3); }
 
-// A gentle corner close to a sharp one: what moves the path most lies after both.
+// A gentle corner close to a sharp one: the path is displaced most after both.
 TEST(SmoothPath, AWideRoundingBesideANarrowOneStaysWithin) {
   EXPECT_LE(most_moved({{3, 0, 0.005}, {3.004, 0.0097, 0.005}, {3.3, 1.32, 0.005}, {5, 1.2, 0.005}, {5, 4, 0.005}}), 1.001);
 }
 
-/// How much the path at the vertex `i` differs from that just before and behind it: position, direction, curvature.
+/// Returns how much position, direction and curvature at the vertex `i` differ from those just before and after it.
 double jump_at(SmoothPath& path, std::size_t i) {
   constexpr double aside = 1e-9;  // mm
   double jump = 0;
@@ -60,12 +60,12 @@ double jump_at(SmoothPath& path, std::size_t i) {
   return jump;
 }
 
-// A cell may begin exactly there: its direction was that of half a corner more.
+// Regression: a cell may begin exactly at a corner; its direction contained half a corner too much.
 TEST(SmoothPath, IsSmoothAtTheCornersThemselves) {
   SmoothPath path(2);
   const double start[2] = {0, 0};
   path.begin(start);
-  for (int i = 1; i <= 40; ++i) {  // gentle ones, rounded together; then sharp ones
+  for (int i = 1; i <= 40; ++i) {  // gentle corners that are rounded together, then sharp corners
     const double to[2] = {0.25 * i, std::sin(0.25 * i)};
     path.line_to(to, 100, 0.01, false, 0);
   }
@@ -76,7 +76,7 @@ TEST(SmoothPath, IsSmoothAtTheCornersThemselves) {
   for (std::size_t i = 1; i < path.pieces(); ++i) EXPECT_LE(jump_at(path, i), 1e-5) << i;
 }
 
-// By the next place where the axes stand for an instant, on either side.
+// The room at a reversal reaches to the next position where the axes stop for an instant, on either side.
 TEST(SmoothPath, TheRoomOfWhereItTurnsBack) {
   SmoothPath path(1);
   const double start = 0;
@@ -87,8 +87,8 @@ TEST(SmoothPath, TheRoomOfWhereItTurnsBack) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(path.room(i), expected[i], 1e-12) << i;
 }
 
-// A right angle: its corner is cut by the tolerance t at most, so that a point 2 t from the corner on the bisector is as much again beyond
-// it.
+// A right angle. Its corner is cut by at most the tolerance t, so a point
+// on the bisector at 2 t from the corner is beyond the tolerance by t.
 TEST(SmoothPath, HowFarAPointIsBeyondTheTolerance) {
   constexpr double tolerance = 0.02;
   SmoothPath path(2);
@@ -117,7 +117,7 @@ RC_GTEST_PROP(SmoothPathProperty, StaysWithinTheTolerance, ()) {
     x += step * std::cos(heading), y += step * std::sin(heading);
     corners.push_back({x, y, mixed ? *rc::gen::element(0.005, 0.02, 0.1) : one});
   }
-  RC_ASSERT(most_moved(corners) <= 1.01);  // looked at in places only: docs/planner.md
+  RC_ASSERT(most_moved(corners) <= 1.01);  // sampled at some positions only: docs/planner.md
 }
 
 }  // namespace

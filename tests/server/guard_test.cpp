@@ -1,4 +1,4 @@
-// Whose requests are served.
+// server/guard: serves a request only if its host is one of the server's names and its origin one of the server's own pages.
 
 #include "server/guard.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A session of a program given as text, with its trace in memory.
+// Opens a session of a program given as text and keeps its trace in memory.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace kadr::test {
 
 inline std::shared_ptr<const ControlDef> shared_control(const std::string& id) {
-  return {&control(id), [](const ControlDef*) {}};  // it lives as long as the tests
+  return {&control(id), [](const ControlDef*) {}};  // never deleted: it lives as long as the tests
 }
 
 inline const MachineProfile& generic_machine() {
@@ -26,7 +26,7 @@ inline const MachineProfile& generic_machine() {
   return machine;
 }
 
-/// What was written, in memory.
+/// A file in memory, for text that a program writes.
 class Written {
  public:
   Written() : file_(::open_memstream(&text_, &size_)) {}
@@ -48,7 +48,7 @@ class Written {
   std::FILE* file_;
 };
 
-/// The program's own channel alone is traced.
+/// A session that traces only the program's own channel.
 class ASession {
  public:
   ASession(const std::string& id, const std::string& program, const Setup& setup = {}, const std::string& file = "main.nc",

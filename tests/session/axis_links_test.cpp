@@ -1,4 +1,5 @@
-// Axes of one channel that follow those of another (nct 20.2): the machine stands as where all axes are of one channel.
+// Axes of one channel that follow those of another (nct 20.2): the machine's
+// positions equal those of a machine with all axes in one channel.
 
 #include <random>
 
@@ -11,7 +12,7 @@ using test::ASession;
 
 constexpr int programs = 100;
 
-/// Motions of Y and Z, with the logic's codes between: M41 and M40 of V, M51 and M50 of W.
+/// Returns motions of Y and Z with codes for the machine's logic between them: M41 and M40 for V, M51 and M50 for W.
 std::string any_program(std::mt19937& random) {
   const auto below = [&](unsigned most) { return random() % most; };
   std::string text = "G90 F500\n";

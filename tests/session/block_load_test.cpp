@@ -1,4 +1,4 @@
-// What blocks take away: closed forms of slots and walls, blocks shorter than a cell, lines in the air, ways of calls.
+// The material that blocks remove: closed forms of slots and walls, blocks shorter than a cell, lines in air, distances in calls.
 
 #include "session/cutting/block_load.h"
 
@@ -37,7 +37,7 @@ struct Told {
   CutResult result;
 };
 
-/// Cut out of the block X, Y 0 to 60, Z -30 to 0.
+/// Cuts the program out of the block X, Y 0 to 60, Z -30 to 0.
 Told cut(const std::string& program, double cell) {
   ASession session("mach3", "T1 M6\nS1000 M3\n" + program + "M30\n");
   Told told;
@@ -77,7 +77,7 @@ TEST(block_load, a_slot_in_the_full) {
   for (const double cell : {1.0, 0.5, 0.25}) {
     const Told told = cut("G0 X10 Y30 Z5\nG1 Z-3 F100\nG1 X50 F300\n", cell);
     const BlockLoad& slot = row_of(told, 5);
-    const double bound = 2 * cell / 40;  // whole lattice lines at either end of the way
+    const double bound = 2 * cell / 40;  // one lattice line more or less at each end of the path
     EXPECT_NEAR(slot.seconds, 8, 1e-9);
     EXPECT_NEAR(slot.length, 40, 1e-9);
     EXPECT_NEAR(slot.volume, 1200, 1200 * bound);
@@ -93,7 +93,7 @@ TEST(block_load, a_slot_in_the_full) {
 }
 
 TEST(block_load, a_wall) {
-  // The tool's middle runs 2 mm outside of the wall Y0: it reaches 3 mm into the block.
+  // The tool's centre moves 2 mm outside the wall Y0, so the tool reaches 3 mm into the block.
   const Told told = cut("G0 X-20 Y-2 Z-4\nG1 X10 F300\nG1 X50\nG1 X80\n", 0.25);
   const BlockLoad& wall = row_of(told, 5);
   EXPECT_NEAR(wall.depth.value(), 4, 1e-4);
@@ -109,7 +109,7 @@ TEST(block_load, a_second_level_is_as_deep_as_what_it_takes) {
 }
 
 TEST(block_load, a_flat_ramp_has_a_depth_and_a_steep_one_none) {
-  // Down 4 mm on 40: at its end it is 4 mm deep.
+  // 4 mm down over 40 mm: at its end the block is 4 mm deep.
   const Told told = cut("G0 X10 Y30 Z0\nG1 X50 Z-4 F300\nG0 Z1\nG0 X10 Y50 Z0\nG1 X12 Z-4\n", 0.25);
   EXPECT_NEAR(row_of(told, 4).depth.value(), 4, 0.05);
   EXPECT_FALSE(row_of(told, 7).depth.has_value());
@@ -118,7 +118,7 @@ TEST(block_load, a_flat_ramp_has_a_depth_and_a_steep_one_none) {
 }
 
 TEST(block_load, a_long_climb_is_as_deep_as_the_layer_that_it_takes) {
-  // The same climb twice, the second 0.5 mm lower.
+  // The same climb twice, the second time 0.5 mm lower.
   const Told told = cut("G0 X-20 Y30 Z-10\nG1 X80 Z0 F300\nG0 Z5\nG0 X-20\nG0 Z-10.5\nG1 X80 Z-0.5\n", 0.25);
   EXPECT_NEAR(row_of(told, 8).depth.value(), 0.5, 0.02);
 }
@@ -145,11 +145,11 @@ TEST(block_load, what_is_not_known_is_not_told) {
   const Told told = cut("G0 X10 Y30 Z5\nG1 Z-3 F100\nM5\nG1 X50 F300\n", 0.5);
   EXPECT_TRUE(row_of(told, 4).feed_per_tooth.has_value());
   EXPECT_FALSE(row_of(told, 6).feed_per_tooth.has_value());
-  EXPECT_FALSE(row_of(told, 4).depth.has_value());  // a plunge
+  EXPECT_FALSE(row_of(told, 4).depth.has_value());  // a plunge has no depth
 }
 
 TEST(air_lines, seconds_are_exact) {
-  // 5 mm/s: 30 mm above the blank, there and back, three times by a subprogram; then a slot.
+  // 5 mm/s: 30 mm above the blank, forward and back, three times in a subprogram; then a slot.
   const Told told = cut("G0 X10 Y30 Z5\nM98 P7 L3\nG1 Z-3 F300\nG1 X50\nM30\nO7\nG1 X40 F300\nG1 X10\nM99\n", 0.5);
   ASSERT_EQ(told.result.emptiest.size(), 2U);
   EXPECT_EQ(told.result.emptiest[0].origin.line, 9U);
@@ -159,7 +159,7 @@ TEST(air_lines, seconds_are_exact) {
 }
 
 TEST(air_lines, a_thin_layer_is_no_air) {
-  // 0.05 mm of a wall, a tenth of a cell: no upright line is met, level ones are.
+  // 0.05 mm of a wall, a tenth of a cell: the cut meets no vertical lattice line, but horizontal ones.
   const Told told = cut("G0 X-20 Y-4 Z-5\nG1 X80 F300\nG0 X-20 Y-3.95\nG1 X80\n", 0.5);
   EXPECT_TRUE(told.result.emptiest.empty());
   const Told again = cut("G0 X-20 Y-4 Z-5\nG1 X80 F300\nG0 X-20\nG1 X80\n", 0.5);
@@ -222,7 +222,7 @@ RC_GTEST_PROP(block_loads, rows_in_order_with_all_of_the_volume, ()) {
 
 RC_GTEST_PROP(block_loads, heaviest_are_the_greatest_of_each_line, ()) {
   const std::vector<CutMotion> motions = some_motions();
-  BlockLoads loads(0.01);  // each block stands for itself
+  BlockLoads loads(0.01);  // short enough to keep each block separate
   std::map<std::uint32_t, double> greatest;
   loads.on_block = [&](const BlockLoad& load) {
     if (load.rate.value() > 0) greatest[load.origin.line] = std::max(greatest[load.origin.line], *load.rate);

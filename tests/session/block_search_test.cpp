@@ -1,4 +1,5 @@
-// The nct's own block search (13.1): of a builder's group the last code, the tool by N1338, what is forgotten; #_BSEARCH meanwhile.
+// The nct's own block search (13.1): the last code of each of the builder's
+// groups, the tool by N1338, what is forgotten, and #_BSEARCH during the search.
 
 #include "session/block_search.h"
 
@@ -48,12 +49,12 @@ TEST(block_search, of_each_group_the_last_code) {
   ASSERT_TRUE(search);
   EXPECT_EQ(texts(search->carried_out), "M8:11 M401:12 T5 M6:1 ");
   EXPECT_EQ(texts(search->of_no_group), "M3:2 M77:13 ");
-  ASSERT_EQ(search->forgotten.size(), 1U);  // M3 is of no group
+  ASSERT_EQ(search->forgotten.size(), 1U);  // M3 belongs to no group
   EXPECT_EQ(search->forgotten[0].code, "M3");
   EXPECT_EQ(search->restart.at.line, 14U);
   EXPECT_EQ(search->restart.stand.work[0], 10);
-  EXPECT_TRUE(session.trace().empty());  // nothing is handed out
-  // #_BSEARCH is 1 while it searches, and 0 afterwards; it goes on as it would have.
+  EXPECT_TRUE(session.trace().empty());  // no action is passed on
+  // #_BSEARCH is 1 during the search and 0 afterwards; the program continues as it would have.
   EXPECT_EQ(stepping.value("#100").value(), 1);
   EXPECT_EQ(stepping.value("#101").value(), 1);
   EXPECT_EQ(stepping.go(Stepping::How::free), Session::State::ended);

@@ -1,4 +1,5 @@
-// Checkpoints: a line reached from a snapshot is the line reached by running all that comes before it: the same state, the same way on.
+// Checkpoints: a line reached from a snapshot gives the same state, and the
+// same continuation, as the line reached by executing everything before it.
 
 #include "session/checkpoints.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 using test::ASession;
 
-/// Lines in a row, a loop over a subprogram at the end of the file, a loop in the middle.
+/// Returns lines in a row, a loop that calls a subprogram at the end of the file, and a loop in the middle.
 std::string long_program(std::size_t lines) {
   std::string text = "G21 G90 G17 F500\n#1=0\n";
   for (std::size_t i = 0; i < lines; ++i) {
@@ -33,7 +34,7 @@ Place place_of(Session& session, Session::State state) {
   return {state, session.control().blocks(), session.control().in_force(), session.stand()};
 }
 
-class CheckpointsOf : public testing::TestWithParam<std::size_t> {};  // how many are kept at most
+class CheckpointsOf : public testing::TestWithParam<std::size_t> {};  // the greatest number of checkpoints kept
 
 TEST_P(CheckpointsOf, reach_what_is_reached_from_the_beginning) {
   const std::string program = long_program(4000);

@@ -1,4 +1,4 @@
-// session/planned: a dry run takes as long as the same program with the dry feed written in it.
+// session/planned: a dry run takes as long as the same program with the dry-run feed written in it.
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 using test::ASession;
 
-/// Seconds of all feeds, as planned. `dry`: mm/min, 0: as programmed.
+/// Returns the planned seconds of all feed motions. `dry` is in mm/min; 0 means as programmed.
 double cutting_seconds(const std::string& control, const std::string& program, double dry) {
   ASession session(control, program);
   EXPECT_TRUE(session.opened());
@@ -26,7 +26,7 @@ double cutting_seconds(const std::string& control, const std::string& program, d
 struct Case {
   const char* what;
   const char* control;
-  std::string before, feeds, after;  // the program: `feeds` as it is; for comparison G94 and the dry feed in their place
+  std::string before, feeds, after;  // the program; for comparison G94 and the dry-run feed replace `feeds`
 };
 
 const Case cases[] = {
@@ -47,7 +47,7 @@ TEST(dry_run, takes_as_long_as_with_the_feed_written) {
   }
 }
 
-// G33 goes in step with the spindle, which the dry run leaves as it is.
+// G33 is synchronous with the spindle, and the dry run does not change the spindle.
 TEST(dry_run, leaves_threads_as_they_are) {
   const std::string thread = "G21 G90 G17\nG0 X0 Y0 Z0\nM3 S300\nG33 Z-20 F1\nM30\n";
   EXPECT_NEAR(cutting_seconds("nct", thread, 600), cutting_seconds("nct", thread, 0), 1e-9);

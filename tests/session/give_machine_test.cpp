@@ -1,4 +1,4 @@
-// session/give_machine: what the machine's file tells a control that the set-up does not.
+// session/give_machine: passes to a control what the machine file contains and the set-up does not.
 
 #include "session/give_machine.h"
 
@@ -62,20 +62,20 @@ TEST(give_machine, inclined_axes_and_those_that_roll_over) {
   EXPECT_EQ(given(setup, "3205"), 5);
   EXPECT_NEAR(given(setup, "3206"), 135, 1e-9);
   EXPECT_EQ(std::get<double>(setup.parameters.at(ParameterKey{"0107", "C", "0"})), 1);
-  machine.axes["A"].joint.direction = unit({1, 1, 1});  // no code says that
+  machine.axes["A"].joint.direction = unit({1, 1, 1});  // the control has no code for this direction
   kadr::Setup none;
   give_machine(none, machine, *test::shared_control("nct"));
   EXPECT_EQ(given(none, "3200"), -1);
 }
 
-// The tip that the control leads by those parameters is where the chains of the file put it.
+// The tip that the control leads by these parameters is where the chains of the file put it.
 TEST(give_machine, the_control_and_the_file_mean_the_same_place) {
   const std::pair<const char*, const char*> programs[] = {
       {"table-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
       {"head-head", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
       {"head-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 B40 C75 F1000\nX-5 B80 C200\nM30\n"}};
   for (const auto& [name, program] : programs) {
-    const std::string id = name;  // a lambda captures it: no structured binding
+    const std::string id = name;  // a copy, because a lambda cannot capture a structured binding
     const MachineProfile machine = load_machine(id).value();
     kadr::Setup setup;
     setup.offsets[1].length = 90;

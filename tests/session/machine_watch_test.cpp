@@ -1,4 +1,4 @@
-// session/cutting/machine_watch, axes_way, dog_leg: steps made by hand, and what the bodies of a machine meet in them.
+// session/cutting/machine_watch, axes_way, dog_leg: steps written by hand, and the bodies of a machine that collide during them.
 
 #include "session/cutting/machine_watch.h"
 
@@ -18,7 +18,7 @@ constexpr double length_of_tool = 80;
 
 BodyShape box(Vec3 least, Vec3 most) { return {BodyShape::Form::box, least, most, {}, 0, 0, 0, {}}; }
 
-/// X, Y, Z carry a head of 160 x 160 mm above the gauge point.
+/// X, Y, Z move a head of 160 x 160 mm above the gauge point.
 MachineProfile gantry() {
   MachineProfile machine;
   machine.bodies = {{"head", "Z", box({-80, -80, 0}, {80, 80, 300})}, {"table", "", box({-650, -450, -480}, {50, 50, -420})}};
@@ -32,7 +32,7 @@ Axes in_machine(const Axes& work) {
   return machine;
 }
 
-/// Steps one after the other, 1 s each.
+/// Sends steps one after the other, 1 s each.
 class Steps {
  public:
   explicit Steps(MachineWatch& watch) : watch_(watch) {
@@ -87,7 +87,7 @@ TEST(machine_watch, the_head_meets_a_clamp) {
   const auto watch = watch_with(box({60, -20, -30}, {100, 20, 100}));
   Steps steps(*watch);
   steps.to(MotionKind::rapid, {-150, 0, 150}, 1);
-  steps.to(MotionKind::rapid, {-150, 0, 5}, 2);  // kept until the next: the zero of the clamp is that of the first motion at feed
+  steps.to(MotionKind::rapid, {-150, 0, 5}, 2);  // kept until the next motion: the clamp uses the work offset of the first feed motion
   steps.to(MotionKind::feed, {50, 0, 5}, 3);
   steps.to(MotionKind::feed, {55, 0, 5}, 4);
   ASSERT_EQ(steps.found.size(), 1U);
@@ -96,19 +96,19 @@ TEST(machine_watch, the_head_meets_a_clamp) {
   EXPECT_EQ(finding.origin.line, 3U);
   EXPECT_EQ(finding.tool, 1U);
   EXPECT_EQ(finding.bodies, (std::array<std::string, 2>{"head", "clamp"}));
-  EXPECT_NEAR(finding.at.x, 60, 0.01);                       // in the work system
-  EXPECT_NEAR(finding.at_time, 2 + 130. / 200, 0.01 / 200);  // 130 of 200 mm: its side is 80 from the axis
-  EXPECT_NEAR(finding.depth, 15, 0.1);                       // 15 mm of the clamp's top stand above the nose
+  EXPECT_NEAR(finding.at.x, 60, 0.01);                       // in work coordinates
+  EXPECT_NEAR(finding.at_time, 2 + 130. / 200, 0.01 / 200);  // 130 of 200 mm: the head's side is 80 mm from the axis
+  EXPECT_NEAR(finding.depth, 15, 0.1);                       // the clamp reaches 15 mm above the spindle nose
 }
 
 TEST(machine_watch, a_rapid_of_axes_that_go_apart) {
-  const BodyShape beside = box({-55, 90, -30}, {-45, 120, 100});  // apart, the head comes to it before X has taken it past
+  const BodyShape beside = box({-55, 90, -30}, {-45, 120, 100});  // with separate axes the head reaches it before X has moved the head past
   for (const bool apart : {false, true}) {
     const auto watch = watch_with(beside, apart ? std::optional<Axes>({100, 100, 100}) : std::nullopt);
     Steps steps(*watch);
     steps.to(MotionKind::rapid, {-100, -100, 5}, 1);
     steps.to(MotionKind::feed, {-100, -100, 4}, 2);
-    steps.to(MotionKind::rapid, {60, 20, 4}, 3);  // apart: over 20, 20
+    steps.to(MotionKind::rapid, {60, 20, 4}, 3);  // with separate axes: through 20, 20
     EXPECT_EQ(steps.found.size(), apart ? 1U : 0U);
   }
 }
@@ -145,7 +145,7 @@ TEST(dog_leg, bends_where_an_axis_arrives) {
   const Step step(roles, action, from);
   const auto leg = DogLeg::of(step, Axes{1000, 800, 1000});
   ASSERT_TRUE(leg);
-  ASSERT_EQ(leg->corners().size(), 3U);  // Z after 0.1, Y after 0.5, X at the end
+  ASSERT_EQ(leg->corners().size(), 3U);  // Z arrives after 0.1 s, Y after 0.5 s, X at the end
   EXPECT_NEAR(leg->corners()[0], 0.1, 1e-12);
   EXPECT_NEAR(leg->corners()[1], 0.5, 1e-12);
   EXPECT_EQ(leg->corners()[2], 1);

@@ -1,4 +1,4 @@
-// A drawing becomes a program: what each step refuses, with its line, and what comes out holds.
+// A drawing becomes a program: what each step refuses, with the line of the fault, and the properties of the result.
 
 #include "session/milling/milling.h"
 

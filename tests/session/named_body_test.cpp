@@ -1,4 +1,4 @@
-// session/cutting/named_body: bodies in a person's words, and what is refused.
+// session/cutting/named_body: bodies described in words by the user, and what is refused.
 
 #include "session/cutting/named_body.h"
 

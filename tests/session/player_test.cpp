@@ -1,5 +1,5 @@
-// Player: the positions that a servo clock gets are those that are written as samples; a feed hold between any two of them keeps the
-// path; what comes after a snapshot is the same in a fresh session.
+// Player: the servo clock gets the same positions as the written samples; a feed hold between any two positions keeps the path; after a
+// snapshot, a fresh session continues in the same way.
 
 #include "session/player.h"
 
@@ -27,7 +27,7 @@ std::string text_of(const std::vector<double>& rows, std::size_t width) {
   return text;
 }
 
-/// What is written as samples, without the heading.
+/// Returns the written samples without their heading.
 std::string samples(const Work& work, std::vector<OverrideChange> changes) {
   ASession session(work.id, work.program, work.setup, work.main_file);
   test::Written written;
@@ -42,7 +42,7 @@ std::string samples(const Work& work, std::vector<OverrideChange> changes) {
   return text.substr(text.find('\n') + 1);
 }
 
-/// All positions; the operator's hand at some of the instants.
+/// Returns all positions; the operator changes the override at the given instants.
 std::vector<double> played(Player& player, std::size_t width, const std::vector<OverrideChange>& changes, std::size_t at_a_time) {
   std::vector<double> rows, some(width * at_a_time);
   std::size_t changed = 0;
@@ -61,7 +61,7 @@ const char* const square =
 TEST(player, keeps_the_feed) {
   ASession session("mach3", "G21 G90 G94\nG1 X10 F600\nM30\n");
   Player player(*session, rate);
-  constexpr double at_feed = 1;  // s, and then some for the ramps
+  constexpr double at_feed = 1;  // s; the ramps take additional time
   const double seconds = static_cast<double>(played(player, axes, {}, 1).size() / axes) / rate;
   EXPECT_GE(seconds, at_feed);
   EXPECT_LE(seconds, 1.5 * at_feed);

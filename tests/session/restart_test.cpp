@@ -1,5 +1,5 @@
-// Restart in mid program: the blocks that it writes, carried out by the control, bring what must be in force; the way there goes over the
-// clearance.
+// Restart in mid program: the control executes the written blocks, and then everything is in force that must be; the path to the
+// restart point goes over the clearance height.
 
 #include "session/restart.h"
 
@@ -77,16 +77,16 @@ TEST(restart, the_way_goes_over_the_clearance) {
   from.machine = {100, 100, -30};
   const auto way = way_there(from, to, {.clearance = 50, .above = 2, .feed = 77}, 3);
   ASSERT_EQ(way.size(), 4U);
-  EXPECT_TRUE(way[0].rapid && way[0].named == 4 && way[0].machine[2] == 42);  // 50 in work coordinates
+  EXPECT_TRUE(way[0].rapid && way[0].named == 4 && way[0].machine[2] == 42);  // 50 mm in work coordinates
   EXPECT_TRUE(way[1].rapid && way[1].named == 3 && way[1].machine[0] == -160 && way[1].machine[2] == 42);
   EXPECT_TRUE(way[2].rapid && way[2].named == 4 && way[2].machine[2] == -9);
   EXPECT_TRUE(!way[3].rapid && way[3].named == 4 && way[3].machine[2] == -11 && way[3].feed == 77);
   EXPECT_TRUE(way_there(to.stand, to, {.clearance = 50}, 3).empty());
-  from.machine = {-160, -80, 90};  // straight above: straight down
+  from.machine = {-160, -80, 90};  // straight above the point: straight down
   EXPECT_EQ(way_there(from, to, {.clearance = 50}, 3).size(), 2U);
 }
 
-/// The n-th hole of a cycle that drills several, of each control that can.
+/// The n-th hole of a canned cycle that drills several, for each control with such cycles.
 TEST(restart, over_a_hole_of_a_cycle) {
   const char* const row = "G21 G17\nG0 X0 Y0 Z10\nG91 G81 X10 Y0 Z-5 R-8 F100 L5\nG80\nM30\n";
   for (const std::string control : {"nct", "mach3"})
@@ -104,7 +104,7 @@ TEST(restart, over_a_hole_of_a_cycle) {
   EXPECT_FALSE(restart_at(*s, stepping, {.line = 3}, 6));
 }
 
-/// Whatever line of an example: the blocks are accepted, and after them all is in force but what they leave to the operator's hand.
+/// For any line of an example the control accepts the blocks. After them everything is in force except what they leave to the operator.
 TEST(restart, blocks_bring_what_must_be_in_force) {
   std::size_t lines = 0, shown = 0, written = 0;
   test::for_each_example([&](const test::Work& work) {
@@ -116,7 +116,7 @@ TEST(restart, blocks_bring_what_must_be_in_force) {
       if (i % 7 != 3 || !whole->control().calls().empty()) continue;
       const auto restart = restart_here(*whole, stepping);
       ASSERT_TRUE(restart);
-      const bool in_contour = restart->stand.machine != whole->control().tool_position().machine;  // beside what is programmed
+      const bool in_contour = restart->stand.machine != whole->control().tool_position().machine;  // the position is not the programmed one
       if (in_contour || find(restart->in_force, Kind::rotation, "") || restart->stand.turn) continue;
       ASession fresh(work.id, work.program, work.setup, work.main_file);
       Stepping by_hand(*fresh);
@@ -138,14 +138,14 @@ TEST(restart, blocks_bring_what_must_be_in_force) {
       }
       std::vector<std::string> left;
       for (const Difference& d : differences(restart->in_force, fresh->control().in_force())) {
-        if (!d.wanted) continue;  // a feed that was none before
+        if (!d.wanted) continue;  // there was no feed before
         const auto& one = *d.wanted;
         const bool rounded = (one.kind == Kind::position || one.kind == Kind::machine || one.kind == Kind::feed) && d.now &&
                              std::fabs(one.value - d.now->value) < 0.0013;  // half the increment of a word, in inches
-        const bool of_coolant = one.kind == Kind::code && (one.code == "M8" || one.code == "M9");  // M13 has done it
+        const bool of_coolant = one.kind == Kind::code && (one.code == "M8" || one.code == "M9");  // M13 has switched it already
         if (rounded || of_coolant) continue;
         const bool told = std::any_of(blocks->by_hand.begin(), blocks->by_hand.end(), [&](const InForce& other) {
-          const bool by_zero = one.kind == Kind::machine && other.kind == Kind::origin;  // G92: the way is written from another zero
+          const bool by_zero = one.kind == Kind::machine && other.kind == Kind::origin;  // G92: the path is written from another origin
           return (other.kind == one.kind || by_zero) && other.name == one.name;
         });
         if (!told) left.push_back(one.name + one.code + " kind " + std::to_string(int(one.kind)) + "=" + std::to_string(one.value));

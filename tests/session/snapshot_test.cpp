@@ -1,5 +1,5 @@
-// Session::snapshot() and restore(): whatever the place, a fresh session that goes on from there gives what the run gives that was never
-// stopped: the same trace, alarms and samples, byte for byte.
+// Session::snapshot() and restore(): at any moment, a fresh session that continues from a snapshot gives the output of an uninterrupted
+// run: the same trace, alarms and samples, byte for byte.
 
 #include <deque>
 #include <random>
@@ -11,17 +11,17 @@ namespace {
 
 using test::Folder, test::Work, test::Written;
 
-constexpr std::size_t most_calls = 3000;  // of go_on()
+constexpr std::size_t most_calls = 3000;  // calls of go_on()
 constexpr std::size_t most_alarms = 30;
 
-/// What is looked at, and how.
+/// What is compared, and how the session runs.
 struct Look {
-  bool past_alarms = false;  // as `kadr check`
-  bool planned = false;      // with samples
-  bool limits = false;       // the machine's: each block is handed over
+  bool past_alarms = false;  // continues after alarms, as `kadr check` does
+  bool planned = false;      // with planned samples
+  bool limits = false;       // checks the machine's limits: each block is passed on separately
 };
 
-/// A session and all that it gives.
+/// A session and all its output.
 class Run {
  public:
   Run(const Work& work, Look look) {
@@ -46,7 +46,7 @@ class Run {
 
   bool opened() const { return session_ != nullptr; }
   Session& session() { return *session_; }
-  /// False: it is over.
+  /// Returns false if the run is over.
   bool go_on() { return calls_++ < most_calls && session_->go_on() == Session::State::running; }
   void finish(std::size_t calls) {
     calls_ = calls;
@@ -55,12 +55,12 @@ class Run {
     last_lines();
     if (Planned* const planned = session_->planned(session_->own())) (void)planned->finish();
   }
-  /// All that was given so far.
+  /// All output so far.
   struct Given {
     std::string trace, told, samples;
   };
   Given given() const { return {written_.text(), told_, samples_.text()}; }
-  /// Who looks goes on too.
+  /// The observers of the session continue too.
   void go_on_from(const Run& other) {
     alarms_ = other.alarms_;
     for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->go_on_behind_probe(other.traces_[i]->behind_probe());
@@ -113,7 +113,7 @@ class Run {
   std::size_t calls_ = 0, alarms_ = 0;
 };
 
-/// The first place in which two texts differ.
+/// Returns the first difference of two texts as a message.
 std::string difference(const std::string& name, const std::string& expected, const std::string& found) {
   if (expected == found) return {};
   std::size_t i = 0;
@@ -198,7 +198,7 @@ TEST_P(SessionSnapshotOfRandomPrograms, goes_on_the_same) {
 INSTANTIATE_TEST_SUITE_P(session_snapshot, SessionSnapshotOfRandomPrograms, testing::Values("nct", "mach3", "gost", "correctors", "s2c42"),
                          [](const auto& control) { return std::string(control.param); });
 
-/// Chapter 25 on each kind of machine, with the axes' travel narrow or not, FOS and BSE one way and the other.
+/// Chapter 25 on each type of machine, with narrow and wide axis travel, and with FOS and BSE in both states.
 TEST(session_snapshot, random_five_axis_programs_go_on_the_same) {
   const std::vector<std::string> machines = {
       R"("kinematics": {"type": "table-table", "axes": "AC", "reversed": "AC", "T1": [300, -200, -450], "T2": [0, 4, -60]})",

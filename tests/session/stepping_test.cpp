@@ -1,4 +1,4 @@
-// Stepping: where a session is held; lines of the operator; that a program stepped through does what it does when it runs.
+// Stepping: where a session is held, lines entered by the operator, and that a stepped program does the same as an uninterrupted run.
 
 #include "session/stepping.h"
 
@@ -25,7 +25,7 @@ const char* const calls =
     "Y20\n"
     "M99\n";
 
-/// The lines it is held before, until it is over.
+/// Returns the lines before which the session is held until it is over.
 std::vector<std::uint32_t> lines(Stepping& stepping, How how, std::size_t most = 1000) {
   std::vector<std::uint32_t> held;
   while (held.size() < most && stepping.go(how) == State::held) held.push_back(stepping.next()->line);
@@ -93,7 +93,7 @@ TEST(stepping, stop_points_by_line_condition_and_call) {
   ASSERT_TRUE(stepping.remove(first));
   (void)stepping.add(anywhere);
   ASSERT_EQ(stepping.go(How::free), State::held);
-  EXPECT_EQ(stepping.next()->line, 7U);  // before the block after the one that made it so
+  EXPECT_EQ(stepping.next()->line, 7U);  // the condition became true one block before
 }
 
 TEST(stepping, past_a_line_with_the_calls_it_makes) {
@@ -134,20 +134,20 @@ TEST(stepping, a_line_of_the_operator_leaves_the_program_where_it_was) {
   inside.line = 11;
   inside.pass = 2;
   ASSERT_EQ(stepping.go_to(inside), State::held);
-  EXPECT_EQ(stepping.enter("G91 G0 Z7 #101=9"), State::stopped);  // an assignment stands alone
+  EXPECT_EQ(stepping.enter("G91 G0 Z7 #101=9"), State::stopped);  // an assignment must be alone in its block
   EXPECT_EQ(s.told().back(), "statement_not_alone 1");
   EXPECT_EQ(stepping.next()->line, 11U);
   EXPECT_EQ(stepping.enter("G91 G0 Z7"), State::held);
   EXPECT_EQ(stepping.next()->line, 11U);
   EXPECT_EQ(s->control().tool_position().work[2], 7);
-  EXPECT_EQ(stepping.enter("G90 M98 P200"), State::held);  // a call is carried out whole
+  EXPECT_EQ(stepping.enter("G90 M98 P200"), State::held);  // a call is executed as a whole
   EXPECT_EQ(s->control().tool_position().work[1], 20);
   EXPECT_EQ(stepping.next()->line, 11U);
   ASSERT_EQ(stepping.go(How::block), State::held);
   EXPECT_EQ(stepping.next()->line, 12U);
   EXPECT_EQ(stepping.go(How::free), State::ended);
   EXPECT_EQ(stepping.value("#100").value(), 4);
-  EXPECT_EQ(stepping.enter("G0 X-5"), State::ended);  // also when it is over
+  EXPECT_EQ(stepping.enter("G0 X-5"), State::ended);  // also after the end of the program
   EXPECT_EQ(s->control().tool_position().work[0], -5);
 }
 
@@ -168,7 +168,7 @@ TEST(stepping, back_to_where_it_was_held) {
   EXPECT_TRUE(whole.ends_with(again));
 }
 
-/// What a program does does not depend on whether somebody steps through it.
+/// The output of a program does not depend on whether it is stepped through.
 TEST(stepping, block_by_block_as_in_one_go) {
   std::size_t programs = 0, shown = 0;
   test::for_each_program([&](const test::Work& work) {

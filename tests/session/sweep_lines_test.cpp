@@ -1,4 +1,4 @@
-// session/cutting/sweep_lines: of each sweep the line that it was given.
+// session/cutting/sweep_lines: returns for each sweep the line with which it was stored.
 
 #include "session/cutting/sweep_lines.h"
 
@@ -20,9 +20,9 @@ TEST(SweepLines, KeepsEachLine) {
     Line line{1, 0};
     const auto any = [&](unsigned below) { return std::uint32_t(random()) % below; };
     for (int i = 0; i < 5000; ++i) {
-      line.line = any(kind) == 0 ? any(1000) : line.line + 1 + any(kind);  // a loop goes back, lines are left out
+      line.line = any(kind) == 0 ? any(1000) : line.line + 1 + any(kind);  // a loop goes back; some lines are skipped
       if (any(50) == 0) line.file = std::uint16_t(any(3));
-      wanted.resize(wanted.size() + any(4), line);  // or no sweep at all
+      wanted.resize(wanted.size() + any(4), line);  // possibly no sweep at all
       kept.fill(wanted.size(), line);
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_EQ(kept.of(i), wanted[i]) << i;

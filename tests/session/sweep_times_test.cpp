@@ -1,4 +1,4 @@
-// session/cutting/sweep_times: which sweeps are carried out at an instant, held against a list of all their times.
+// session/cutting/sweep_times: which sweeps are being executed at an instant, compared with a list of all their times.
 
 #include "session/cutting/sweep_times.h"
 
@@ -14,7 +14,7 @@ TEST(SweepTimes, AreThoseOfEachSweep) {
   std::mt19937 random(5);
   const auto share = [&] { return double(random() % 10001) / 10000; };
   SweepTimes times;
-  std::vector<std::pair<double, double>> wanted;  // begins, ends
+  std::vector<std::pair<double, double>> wanted;  // begin and end
   double now = 0;
   for (int i = 0; i < 3000; ++i) {
     if (random() % 10 == 0) now += share() * 5;  // a dwell, a tool change

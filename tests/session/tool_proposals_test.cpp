@@ -1,4 +1,4 @@
-// session/tool_proposals: which comment is taken for which tool, and in which unit its figures are.
+// session/tool_proposals: which comment describes which tool, and the unit of its sizes.
 
 #include "session/tool_proposals.h"
 
@@ -9,7 +9,7 @@
 namespace kadr::tool_proposals_test {
 namespace {
 
-/// Are the comments of this program in inches?
+/// Returns true if the comments of this program are in inches.
 bool in_inches(const std::string& control, const std::string& program) {
   test::ASession session(control, program);
   EXPECT_TRUE(session.opened());

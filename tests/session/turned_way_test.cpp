@@ -1,4 +1,4 @@
-// session/cutting/turned_way: places in space as radius and height.
+// session/cutting/turned_way: converts positions in space to radius and height.
 
 #include "session/cutting/turned_way.h"
 

@@ -1,4 +1,4 @@
-// session/cutting/window_touches: what a window finds replaces what the whole finds there, and nothing is told twice.
+// session/cutting/window_touches: inside the window its own collisions replace those of the whole, and none is reported twice.
 
 #include "session/cutting/window_touches.h"
 

@@ -1,4 +1,4 @@
-// out/program/words: a feed that is written means the same in every unit and mode in which a program may have it.
+// out/program/words: a written feed means the same in each unit and mode that the program may be in.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using test::ASession;
 
-/// The trace of a motion with this feed word.
+/// Returns the trace of a motion with this feed word.
 std::string trace_with(const std::string& control, const std::string& modes, const std::string& feed) {
   ASession session(control, "%\nO0001\nG90 G17 " + modes + "\nS100 M3\nG0 X0. Y0.\nG1 X1. " + feed + "\nM30\n%\n");
   EXPECT_TRUE(session.opened());
@@ -19,7 +19,8 @@ std::string trace_with(const std::string& control, const std::string& modes, con
   return session.trace();
 }
 
-// Without a point it would be hundredths of an inch or of a millimetre a turn (spec/fanuc 1.3), thousandths (spec/haas 1.2).
+// Without a point the feed would be read in hundredths of an inch or of a
+// millimetre per revolution (spec/fanuc 1.3), or in thousandths (spec/haas 1.2).
 TEST(written_words, a_whole_feed_is_not_taken_for_increments) {
   for (const char* const control : {"fanuc", "haas", "nct", "linuxcnc"})
     for (const char* const modes : {"G21 G94", "G20 G94", "G21 G95", "G20 G95"})

@@ -1,4 +1,4 @@
-// stock/bodies/body_world: distances that geometry says, of every kind of body.
+// stock/bodies/body_world: distances compared with geometry, for every type of body.
 
 #include "stock/bodies/body_world.h"
 
@@ -24,7 +24,7 @@ BodyShape cylinder(Vec2 centre, double bottom, double top, double diameter) {
   return {BodyShape::Form::cylinder, {}, {}, centre, bottom, top, diameter, {}};
 }
 
-/// Of two spans of a line.
+/// Returns the gap between two intervals of a line.
 double apart(double a0, double a1, double b0, double b1) { return std::max({b0 - a1, a0 - b1, 0.0}); }
 
 TEST_F(body_world, boxes) {
@@ -47,7 +47,7 @@ TEST_F(body_world, boxes) {
   EXPECT_NEAR(world.depth(*a, {}, *b, {{}, {50, 40, 79.5}}), 0.5, 1e-4);
 }
 
-// Sides that lie in one plane, edges that lie on each other: what GJK is bad at, and machines are made of.
+// Sides in a common plane, and edges that lie on each other: GJK is weak there, and machines are built that way.
 TEST_F(body_world, boxes_that_are_flush) {
   BodyWorld world(*bodies_library());
   Chance chance(6);
@@ -86,7 +86,7 @@ TEST_F(body_world, a_cylinder_and_a_box) {
   }
 }
 
-// A mesh and the box that it is.
+// A mesh compared with the box that it represents.
 TEST_F(body_world, a_mesh_is_what_it_shows) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i)
@@ -107,7 +107,7 @@ TEST_F(body_world, a_mesh_is_what_it_shows) {
   }
 }
 
-// The parts of every kind of tool against a plane: their widest below, their lowest, their rim seen from the side.
+// The parts of every type of tool against a plane: their widest part seen from below, their lowest point, their rim seen from the side.
 TEST_F(body_world, tools_are_as_wide_and_as_high_as_they_are) {
   Chance chance(4);
   BodyWorld world(*bodies_library());

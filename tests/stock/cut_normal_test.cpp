@@ -1,4 +1,4 @@
-// stock/surface/cut_normal: the normal where a tool has cut is the way in which the distance from what it swept grows.
+// stock/surface/cut_normal: the normal of a cut surface is the direction in which the distance from the swept tool increases.
 
 #include "stock/surface/cut_normal.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::cut_normal_test {
 namespace {
 
-/// Where a line along the axis enters or leaves what the tool sweeps, near the middle of its way.
+/// Returns where a line along the axis enters or leaves the swept volume of the tool, near the middle of the path.
 std::optional<CutPlace> place_on_surface(Chance& chance, const ToolShape& tool, const Sweep& sweep, int family) {
   const Vec3 tip = sweep.from + chance.between(0, 1) * (sweep.to - sweep.from);
   const ConvexBody& body = tool.bodies[std::size_t(chance.below(int(tool.bodies.size())))];
@@ -28,10 +28,10 @@ std::optional<CutPlace> place_on_surface(Chance& chance, const ToolShape& tool, 
     const Vec3 middle = 0.5 * (inside + outside);
     (from_swept(tool, sweep, middle) < 0 ? inside : outside) = middle;
   }
-  return CutPlace{outside, family, !up};  // going up the axis out of the tool is going into the material
+  return CutPlace{outside, family, !up};  // leaving the tool in the positive direction means entering the material
 }
 
-/// The gradient of the distance, if it is smooth there: at edges of what is swept it is not.
+/// Returns the gradient of the distance, or nullopt at edges of the swept volume, where the distance is not smooth.
 std::optional<Vec3> gradient(const ToolShape& tool, const Sweep& sweep, const Vec3& at) {
   constexpr double h = 1e-4;
   Vec3 g, forth, back;
@@ -54,7 +54,7 @@ RC_GTEST_PROP(cut_normal, is_the_gradient_of_the_distance, (unsigned seed)) {
     const ToolShape tool = some_tool(chance, SomeTool(chance.below(some_tools)));
     if (tool.bodies.empty()) continue;
     Sweep sweep = some_move(chance);
-    if (length(sweep.to - sweep.from) > 50) continue;  // single precision of the kept sweep
+    if (length(sweep.to - sweep.from) > 50) continue;  // a kept sweep has single precision only
     KeptSweep kept{};
     for (int d = 0; d < 3; ++d) {
       kept.from[d] = float(along(sweep.from, d)), kept.to[d] = float(along(sweep.to, d));
@@ -63,7 +63,7 @@ RC_GTEST_PROP(cut_normal, is_the_gradient_of_the_distance, (unsigned seed)) {
     const auto place = place_on_surface(chance, tool, sweep, chance.below(3));
     if (!place) continue;
     const auto grows = gradient(tool, sweep, place->at);
-    if (!grows || std::fabs(along(*grows, place->family)) < 0.05) continue;  // lines that only touch are told by their families
+    if (!grows || std::fabs(along(*grows, place->family)) < 0.05) continue;  // lines that only touch are found by the other families
     const Vec3 normal = cut_normal(kept, faces_of(tool), *place);
     ++compared;
     if (length(normal + *grows) > 0.03) {

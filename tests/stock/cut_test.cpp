@@ -1,4 +1,5 @@
-// What many sweeps leave: whatever their order, the threads and the processor's vectors; mirrored; once more; of lines in several pieces.
+// The result of many sweeps does not depend on their order, the threads or the processor's vector instructions. Further tests: mirrored
+// sweeps, repeated sweeps, and lines in several pieces.
 
 #include <gtest/gtest.h>
 
@@ -41,9 +42,9 @@ Stock cut(const Job& job, double cell, int threads) {
   return stock;
 }
 
-/// Numbers of lattice points along the two other axes.
+/// A lattice line: its family and the numbers of its lattice points along the two other axes.
 using LineKey = std::tuple<int, int, int>;  // family, along (family + 1) % 3, along (family + 2) % 3
-using Left = std::map<LineKey, double>;     // mm of material
+using Left = std::map<LineKey, double>;     // mm of remaining material
 
 Left left_of(const Stock& stock) {
   Left left;
@@ -70,7 +71,7 @@ Left left_of(const Stock& stock) {
   return left;
 }
 
-/// A line that grazes a round tool errs by the root of what the tool errs by.
+/// Compares two results. On a line that grazes a round tool, the error is the square root of the tool's error.
 void expect_alike(const Left& a, const Left& b, const std::function<LineKey(LineKey)>& key_in_b) {
   double worst = 0, all = 0;
   for (const auto& [key, length] : a) {
@@ -152,7 +153,7 @@ TEST(Cut, OnceMoreTakesNothing) {
   }
 }
 
-// The block is as wide on either side of 0, and so are its lattice points.
+// The block has the same width on both sides of 0, and so do its lattice points.
 TEST(Cut, MirroredMovesLeaveTheMirroredPart) {
   Chance chance(5);
   const double cell = 0.5;
@@ -203,7 +204,7 @@ TEST(Cut, BatchesChangeNoBit) {
   }
 }
 
-// Small tools, so that bricks have long pasts; hardly any room for copies, or enough.
+// Small tools, so that bricks have a long history; with hardly any room for copies, or with enough.
 TEST(Cut, AnyMomentIsAsIfCutSoFar) {
   Chance chance(8);
   for (const std::size_t room : {std::size_t(0), std::size_t(200'000), std::size_t(100'000'000)}) {
@@ -235,7 +236,7 @@ TEST(Cut, AnyMomentIsAsIfCutSoFar) {
   }
 }
 
-/// A groove all through the block and far beyond, of which the kept sweep is but a part.
+/// A groove through the whole block and far beyond it; the kept sweep is only a part of the groove.
 TEST(Cut, APartOfTheNextSweep) {
   ToolGeometry g;
   g.diameter = 4, g.flutes = 12, g.length = 20;
@@ -257,7 +258,7 @@ TEST(Cut, APartOfTheNextSweep) {
   EXPECT_TRUE(same(stock.at(2), stock.at(2, 0.5))) << "nothing comes after the last";
 }
 
-// Three grooves of an end mill of 2 mm along Y, X 1 to 3, 5 to 7, 9 to 11, 3 mm deep: four walls, all in one brick.
+// Three grooves of an end mill of 2 mm along Y, at X 1 to 3, 5 to 7 and 9 to 11, 3 mm deep: four walls, all in one brick.
 TEST(Cut, ALineInSeveralPieces) {
   ToolGeometry g;
   g.diameter = 2, g.flutes = 10;
@@ -280,7 +281,8 @@ TEST(Cut, ALineInSeveralPieces) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(stock.removed_by(i), 2 * 12 * 3, 1e-3);
 }
 
-// Where a T-slot cutter has gone in from the side, material lies above and below: upright lines in two pieces; then a mill takes one away.
+// A T-slot cutter has entered from the side, so there is material above and
+// below it: vertical lines are in two pieces. Then a mill removes one piece.
 TEST(Cut, AnUndercutAndWhatIsAboveItTakenAway) {
   ToolGeometry slot, mill;
   slot.kind = ToolKind::tslot, slot.diameter = 6, slot.flutes = 2, slot.length = 20, slot.shank = {{2, 2}, {2, 20}};
@@ -295,7 +297,7 @@ TEST(Cut, AnUndercutAndWhatIsAboveItTakenAway) {
   EXPECT_NEAR(stock.removed_by(1), 12 * (6 - 2) * 3, 1e-2);
 }
 
-// A tool wider than bricks takes them whole; their volume counts for the sweep all the same.
+// A tool wider than bricks removes whole bricks; their volume still counts for the sweep.
 TEST(Cut, WholeBricks) {
   ToolGeometry g;
   g.diameter = 40, g.flutes = 30;

@@ -1,4 +1,4 @@
-// stock/kept_sweeps: each sweep as it was added, to the bit.
+// stock/kept_sweeps: returns each sweep as it was added, bit by bit.
 
 #include "stock/kept_sweeps.h"
 
@@ -15,7 +15,7 @@ bool same(const KeptSweep& a, const KeptSweep& b) {
          a.watched == b.watched && a.leans == b.leans;
 }
 
-/// Chains that break off, turn from 0 to -0, change their tool.
+/// Returns chains of sweeps that break off, change from 0 to -0, or change their tool.
 std::vector<KeptSweep> some_sweeps(std::size_t count, unsigned seldom) {
   std::mt19937 random(5);
   std::vector<KeptSweep> all;
@@ -55,7 +55,7 @@ TEST(kept_sweeps, are_as_they_were_added) {
         KeptSweeps then = kept.first(part);
         expect_same(then, {wanted.begin(), wanted.begin() + std::ptrdiff_t(part)});
         if (count == 0) continue;
-        then.push_back(wanted[0]);  // it goes on by itself
+        then.push_back(wanted[0]);  // the copy continues on its own
         EXPECT_TRUE(same(then[part], wanted[0]));
       }
     }

@@ -1,4 +1,5 @@
-// What sweeps of tools that lean leave: whatever the threads and the processor's vectors, at any moment; what they touch; their surface.
+// The result of sweeps of tilted tools: the same for any threads and vector
+// instructions of the processor, at any moment; what they touch; their surface.
 
 #include "stock/cut/lean_cut.h"
 
@@ -13,7 +14,7 @@ namespace kadr::lean_cut_test {
 namespace {
 
 const Box3 block{{-10, -10, -10}, {10, 10, 10}};
-const Vec3 leaning{0, -0.5, 0.86602540378443865};  // by 30 degrees
+const Vec3 leaning{0, -0.5, 0.86602540378443865};  // tilted by 30 degrees
 
 struct LeanJob {
   std::vector<ToolShape> tools;
@@ -100,12 +101,13 @@ TEST(LeanCut, AnyMomentIsAsIfCutSoFar) {
     const LeanJob part{job.tools, {job.sweeps.begin(), job.sweeps.begin() + std::ptrdiff_t(i) + 1}};
     EXPECT_TRUE(same(all.at(so_far[i]), cut(part, 0.5, 1))) << "after " << i;
   }
-  // A hair's breadth before the end of a sweep is nearly its end.
+  // Shortly before the end of a sweep the result is nearly that of the whole sweep.
   for (std::size_t count = 0; count + 1 < so_far.back(); count += 7)
     EXPECT_NEAR(volume_of(surface_of(all.at(count, 0.999999))), volume_of(surface_of(all.at(count + 1))), 0.05) << count;
 }
 
-/// What a flat end of 10 mm cuts of a block of 20 along X, its tip in the middle of the top face and 5 below: a trapezoid.
+/// The section that a flat end of 10 mm cuts out of a block 20 mm long in X,
+/// with its tip at the middle of the top face and 5 mm below it: a trapezoid.
 TEST(LeanCut, ASlotHasItsSection) {
   for (const ToolKind kind : {ToolKind::flat, ToolKind::bull, ToolKind::taper}) {
     Stock stock(box_blank(block), 0.25, 2);
@@ -119,7 +121,7 @@ TEST(LeanCut, ASlotHasItsSection) {
   }
 }
 
-/// The tool's end is a plane and so are its sides: each point of the cut lies in one of them, edges stay sharp.
+/// The tool's end and sides cut planes: each point of the cut lies in one of them, and edges stay sharp.
 TEST(LeanCut, PointsLieInTheFaces) {
   Stock stock(box_blank(block), 0.5, 2);
   stock.add_tool(test::tool_of(ToolKind::flat, 10, 40));
@@ -134,7 +136,7 @@ TEST(LeanCut, PointsLieInTheFaces) {
     const double off = std::min(std::fabs(along_tool), std::fabs(std::fabs(across) - 5));
     worst = std::max(worst, off), all += off, ++count;
   }
-  EXPECT_LT(worst, 0.05);  // of a cell that the edge leaves again next to its side
+  EXPECT_LT(worst, 0.05);  // in a cell that the edge leaves again near its side
   EXPECT_LT(all / count, 0.002);
 }
 

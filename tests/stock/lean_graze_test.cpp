@@ -1,6 +1,5 @@
-// Sweeps that graze a lattice line while the tool turns: what they leave of it and of the lines nearby is right to the law.
-//
-// What a turning surface sweeps of a line that all but lies in it is no interval: it comes to the line from both of its ends.
+// Sweeps that graze a lattice line while the tool turns: the material that they leave on this line and on the lines near it obeys the law.
+// A turning surface can meet a line that nearly lies in it from both ends of the line, so the removed part is not one interval.
 // STOCK_POINTS and STOCK_SEED as in sweep_test.
 
 #include <gtest/gtest.h>
@@ -13,11 +12,11 @@
 namespace kadr::lean_graze_test {
 namespace {
 
-constexpr double law = 2e-3;  // mm; 1.6 µm is the most that was found: docs/stock.md
+constexpr double law = 2e-3;  // mm; the greatest error found was 1.6 µm: docs/stock.md
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 constexpr std::array cells{0.25, 0.5};
 
-/// Most lie on the line that is grazed, others on one next to it; every third at an end or close to it.
+/// Returns a point, mostly on the grazed line, otherwise on a line next to it; every third point is at an end or close to it.
 LinePlace near_grazed(const Stock& stock, const Grazing& g, Chance& chance) {
   const Lattice& lattice = stock.lattice();
   Vec3 at = g.at;
@@ -53,7 +52,7 @@ TEST(LeanGrazeProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   std::uint64_t looked_at = 0, ends = 0, wrong = 0;
   int shown = 0;
   for (int round = 0; looked_at < points; ++round) {
-    Chance chance(seed * 1000000007 + std::uint64_t(round));  // of its own: what goes wrong can be looked at alone
+    Chance chance(seed * 1000000007 + std::uint64_t(round));  // a generator for each round, so that a failing round can be repeated alone
     const auto which = SomeTool(round % some_tools);
     const ToolShape tool = some_tool(chance, which);
     if (tool.bodies.empty()) continue;
@@ -90,9 +89,10 @@ TEST(LeanGrazeProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
               static_cast<unsigned long long>(ends), static_cast<unsigned long long>(wrong));
 }
 
-/// A line that a ball end comes to with its ball as the way begins and high up with its shaft as it ends: what lies between stays.
+/// The ball of a ball end mill reaches the line at the start of the path, and the
+/// shaft reaches it higher up at the end. The material between the two must remain.
 TEST(LeanGraze, BetweenBallAndShaftNothingIsTaken) {
-  constexpr double cell = 0.25, first = 3.5, end = 8.8, step = 0.05;  // mm, of the line; it is taken below and above
+  constexpr double cell = 0.25, first = 3.5, end = 8.8, step = 0.05;  // mm, along the line; material is removed below and above
   Stock stock(box_blank(block), cell, 1);
   ToolGeometry g;
   g.kind = ToolKind::ball;

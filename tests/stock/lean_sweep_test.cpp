@@ -1,5 +1,4 @@
-// What sweeps of any tool that leans leave: a point of a lattice line is material exactly where it lies outside of what the tool sweeps.
-//
+// Sweeps of any tilted tool: a point of a lattice line is material exactly where it lies outside the volume swept by the tool.
 // STOCK_POINTS and STOCK_SEED as in sweep_test.
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@ constexpr double cell = 0.5;
 constexpr double law = 1e-3;  // mm
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 
-// Every fourth tool makes several sweeps.
+// Every fourth tool performs several sweeps.
 TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   constexpr int places_of_a_sweep = 60;
   const std::uint64_t points = asked("STOCK_POINTS", 40000), seed = asked("STOCK_SEED", seed_of_properties());
@@ -53,7 +52,7 @@ TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   std::printf("%llu places, %llu of them ends\n", static_cast<unsigned long long>(looked_at), static_cast<unsigned long long>(ends));
 }
 
-/// The ends of what is left of a line after one sweep, in one brick: none is wrong by more.
+/// Checks the ends of the material that one sweep leaves on a line, in one brick: no end has a greater error than the law allows.
 void expect_ends(const ToolGeometry& geometry, const Sweep& sweep, int family, Vec3 at) {
   const ToolShape tool = shape_of(geometry);
   Stock stock(box_blank(block), cell, 1);
@@ -80,7 +79,8 @@ void expect_ends(const ToolGeometry& geometry, const Sweep& sweep, int family, V
   }
 }
 
-// The upright line enters the shaft where that stands first, and by the direction of the middle of the way would leave it there.
+// The vertical line enters the shaft at its first position. With the tool
+// direction at the middle of the path it would seem to leave the shaft there.
 TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
   ToolGeometry g;
   g.kind = ToolKind::bull, g.diameter = 5.182752367505902, g.flutes = 11.584219372690388, g.corner = 0.63957597865510418;
@@ -93,8 +93,8 @@ TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
   expect_ends(g, sweep, 2, {2.25, 1.75, 6.02344643});
 }
 
-// The line all but lies along the way: how far the ball is from it hardly grows, and the place of the way where it is nearest must be found
-// the more closely.
+// The line is almost parallel to the path. Its distance from the ball hardly changes,
+// so the position of the path nearest to the line must be found more precisely.
 TEST(LeanSweep, ALineAllButAlongTheWayOfABallOfShortFlutes) {
   ToolGeometry g;
   g.kind = ToolKind::ball, g.diameter = 2 * 1.3191593285946681, g.flutes = 2.0012710986066544;
@@ -103,7 +103,7 @@ TEST(LeanSweep, ALineAllButAlongTheWayOfABallOfShortFlutes) {
   expect_ends(g, sweep, 1, {3.25, 8.0677425119939699, 8.25});
 }
 
-// The line is met by a fifth of a millimetre, and only with the shift that the tool has there.
+// The tool cuts only a fifth of a millimetre of the line, and only with the shift that the tool has at that moment.
 TEST(LeanSweep, ALineThatAShortBallGrazes) {
   ToolGeometry g;
   g.kind = ToolKind::ball, g.diameter = 2 * 0.766274649, g.flutes = 0.841946324;
@@ -113,8 +113,8 @@ TEST(LeanSweep, ALineThatAShortBallGrazes) {
   expect_ends(g, sweep, 2, {1.75, 3.25, -0.332570552});
 }
 
-// The line lies in the face where the tool stands first, and enters it far from where it leaves it: by the shift that it has there the tool
-// seems to reach beyond the material.
+// The line lies in the face at the first position of the tool, and enters the tool far from where it leaves it. With the shift at that
+// position the tool seems to reach beyond the material.
 TEST(LeanSweep, ALineAllButInTheFaceOfABullNose) {
   ToolGeometry g;
   g.kind = ToolKind::bull, g.diameter = 2 * 5.88308022, g.corner = 0.541652657, g.flutes = 7.29488887;
@@ -133,7 +133,7 @@ TEST(LeanSweep, ALineAllButInAConeOfAFormTool) {
   expect_ends(g, sweep, 0, {-0.828653875, 7.75, 1.75});
 }
 
-// The line leaves the turning face over its rim, half a brick from where it enters it.
+// The line leaves the turning face over its rim, half a brick away from where it enters the face.
 TEST(LeanSweep, ALineAllButInAFaceOfAFormTool) {
   ToolGeometry g;
   g.kind = ToolKind::form, g.diameter = 8.8452043349950564, g.flutes = 3.5195135152101051;

@@ -1,6 +1,6 @@
 #pragma once
-// How far a point is from what a tool that leans sweeps, slow and obvious: the distance from the tool as it stands at many moments, the
-// least of them sought for between neighbours.
+// The distance of a point from the volume swept by a tilted tool, computed slowly and obviously: the distance from the tool at many
+// moments, with the minimum refined between neighbouring moments.
 
 #include <array>
 #include <cstdio>

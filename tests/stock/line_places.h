@@ -1,5 +1,5 @@
 #pragma once
-// Places on lattice lines for the tests of the cut, and whether they are material.
+// Points on lattice lines for the tests of the cut, and whether they are material.
 
 #include <algorithm>
 
@@ -7,12 +7,12 @@
 
 namespace kadr {
 
-/// A place on a lattice line.
+/// A point on a lattice line.
 struct LinePlace {
   std::size_t brick;
   int family, line;
-  Vec3 corner, at;      // of the brick; the place
-  bool is_end = false;  // that the sweep has made: on the surface of what it sweeps
+  Vec3 corner, at;      // corner of the brick; the point
+  bool is_end = false;  // an end made by the sweep: on the surface of the swept volume
 };
 
 inline bool is_material(const Stock& stock, const LinePlace& p) {
@@ -25,7 +25,7 @@ inline bool is_material(const Stock& stock, const LinePlace& p) {
   return within;
 }
 
-/// Most lie at an end that the sweep has made or close to it, if there is one on the line.
+/// Returns a point, mostly at or close to an end that the sweep has made, if the line has one.
 inline LinePlace some_place(const Stock& stock, Chance& chance) {
   const Lattice& lattice = stock.lattice();
   const std::size_t brick = std::size_t(chance.below(int(lattice.size())));

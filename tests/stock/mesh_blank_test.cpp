@@ -1,4 +1,4 @@
-// stock/blank/mesh_blank: a blank from a closed mesh, and the surface of it again.
+// stock/blank/mesh_blank: makes a blank from a closed mesh, and a surface from the blank.
 
 #include "stock/blank/mesh_blank.h"
 
@@ -20,7 +20,7 @@ using namespace test;
 
 Mesh solid(const Mesh& mesh) { return solid_of(mesh, {}).value().mesh; }
 
-/// Of its surface at this cell, as a share of its own.
+/// Returns the volume of the blank's surface with this cell, divided by the volume of the mesh.
 double volume_again(const Mesh& mesh, double cell) {
   const Surface surface = surface_of(Stock(mesh_blank(mesh), cell, 2));
   const MeshEdges edges = edges_of(surface);
@@ -47,7 +47,7 @@ TEST(mesh_blank, forms_keep_their_volume) {
   EXPECT_NEAR(volume_again(torus_mesh(60, 10, 4), 0.5), 1, 2e-3);
 }
 
-/// Points and edges of the mesh lie exactly on lattice lines; faces of two bodies lie in each other.
+/// Points and edges of the mesh lie exactly on lattice lines; faces of two bodies coincide.
 TEST(mesh_blank, lines_through_edges_and_points) {
   const Mesh cube = box_mesh({-4, -4, -4}, {4, 4, 4});
   for (const double cell : {1.0, 0.5, 0.8}) {
@@ -66,7 +66,7 @@ TEST(mesh_blank, a_hollow_and_bodies_that_overlap) {
 RC_GTEST_PROP(mesh_blank, every_line_goes_in_as_often_as_out, (unsigned seed)) {
   Chance chance(seed);
   Mesh mesh = torus_mesh(std::uint32_t(3 + chance.below(12)), 10, 4);
-  const bool on_grid = chance.below(2) == 0;  // many edges upright to the axes, and lines through points
+  const bool on_grid = chance.below(2) == 0;  // many edges at right angles to the axes, and lines through points
   for (float& p : mesh.points) p = on_grid ? std::round(p) : p + float(chance.between(-1, 1));
   for (int family = 0; family < 3; ++family) {
     const MeshIndex index(mesh, family);
@@ -81,7 +81,7 @@ RC_GTEST_PROP(mesh_blank, every_line_goes_in_as_often_as_out, (unsigned seed)) {
   }
 }
 
-/// What was cut is the blank of the next set-up.
+/// The cut part is the blank of the next set-up.
 TEST(mesh_blank, a_cut_part_is_cut_again) {
   const auto blank = cylinder_blank({15, 15}, -10, 0, 28);
   const auto first = cut_along(blank, 0.5, tool_of(ToolKind::ball, 6), {{0, 4, -4.03}, {30, 20, -3.1}, {8, 31, -2}});

@@ -1,4 +1,4 @@
-// stock/mesh: STL and 3MF written and read back; what is wrong with a file is told with its place.
+// stock/mesh: writes STL and 3MF files and reads them back; the fault of a file is reported with its position.
 
 #include "stock/mesh/mesh_file.h"
 
@@ -39,7 +39,7 @@ std::string threemf_of(const Mesh& mesh) {
   return bytes;
 }
 
-/// An archive with this model.
+/// Returns an archive with this model.
 std::string archive_of(const std::string& model) {
   std::string bytes;
   const ByteSink sink = into(bytes);
@@ -53,7 +53,7 @@ const std::string cube_object =
     "<object id='1'><mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/><vertex x='0' y='0' "
     "z='1'/>"
     "</vertices><triangles><triangle v1='0' v2='2' v3='1'/><triangle v1='0' v2='1' v3='3'/><triangle v1='1' v2='2' v3='3'/>"
-    "<triangle v1='0' v2='3' v3='2'/></triangles></mesh></object>";  // a corner of a cube: 1/6
+    "<triangle v1='0' v2='3' v3='2'/></triangles></mesh></object>";  // the corner of a cube: a volume of 1/6
 
 std::string model_of(const std::string& objects, const std::string& build, const std::string& attributes = "") {
   return "<?xml version='1.0'?><model " + attributes + "><resources>" + objects + "</resources><build>" + build + "</build></model>";
@@ -110,7 +110,7 @@ TEST(mesh_file, a_binary_header_is_not_believed) {
 
 TEST(mesh_file, what_is_open_is_told_with_its_place) {
   Mesh mesh = box_mesh({1, 2, 3}, {4, 5, 6});
-  mesh.triangles.erase(mesh.triangles.begin() + 12, mesh.triangles.begin() + 15);  // the fifth: the second has its edge
+  mesh.triangles.erase(mesh.triangles.begin() + 12, mesh.triangles.begin() + 15);  // the fifth; the second shares an edge
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "not closed: 3 edges are open, the first at triangle 2, X1 Y2 Z3");
   tell_in(Lang::ru);
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "не замкнуто: открытых рёбер 3, первое у треугольника 2, X1 Y2 Z3");
@@ -137,7 +137,7 @@ TEST(mesh_file, what_can_be_repaired_is_and_is_told) {
   };
   Mesh mixed = outer;
   std::swap(mixed.triangles[4], mixed.triangles[5]);
-  Mesh torn = outer;  // a corner of one triangle is 2 µm off
+  Mesh torn = outer;  // one corner of a triangle is off by 2 µm
   for (const double v : {0.0, 0.002, 0.0}) torn.points.push_back(float(v));
   torn.triangles[0] = 8;
   for (const auto& [mesh, volume, note] : {Case{outer, 729, ""},
@@ -186,10 +186,10 @@ TEST(mesh_file, a_3mf_that_is_refused) {
   EXPECT_TRUE(has(fault(model_of(wrong, item)), "line 1, column ")) << fault(model_of(wrong, item));
   EXPECT_TRUE(has(fault(model_of(cube_object, item).substr(0, 300)), "not "));
   EXPECT_TRUE(has(fault(model_of("", "")), "there is no triangle"));
-  const std::string long_one = model_of(cube_object, item) + std::string(3'000'000, ' ');  // packs to a thousandth
+  const std::string long_one = model_of(cube_object, item) + std::string(3'000'000, ' ');  // compresses to a thousandth of its size
   EXPECT_LT(archive_of(long_one).size(), 20'000U);
   EXPECT_TRUE(has(fault(long_one, {2'000'000, 0.005, 1e5}), "longer than the memory allowed"));
-  std::string laughs = cube_object;  // ten of ten of ten …
+  std::string laughs = cube_object;  // each object holds ten of the previous one
   for (int i = 2; i < 9; ++i) {
     laughs += "<object id='" + std::to_string(i) + "'><components>";
     for (int k = 0; k < 10; ++k) laughs += "<component objectid='" + std::to_string(i - 1) + "'/>";

@@ -1,4 +1,4 @@
-// stock/bodies/moving_bodies: where bodies meet, where geometry says so; none is missed, however short.
+// stock/bodies/moving_bodies: bodies meet where geometry puts the meeting; no meeting is missed, however short it is.
 
 #include "stock/bodies/moving_bodies.h"
 
@@ -16,7 +16,7 @@ const std::vector<std::string> axis_names = {"X", "Y", "Z", "A", "C"};
 AxisJoint linear(Vec3 along) { return {false, along, {}, false, false}; }
 AxisJoint rotary(Vec3 about, Vec3 through) { return {true, about, through, false, false}; }
 
-/// X and Z carry the tool; Y, A and C the part: A turns about a line along X at Z = -400, C about an upright one.
+/// X and Z move the tool; Y, A and C move the part. A turns about a line along X at Z = -400, C about a vertical line.
 MachineProfile trunnion() {
   MachineProfile machine;
   machine.axes["X"].joint = linear({1, 0, 0});
@@ -57,7 +57,7 @@ TEST_F(moving_bodies, boxes_meet_where_they_do) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(500 * found[0].part, 250, bodies_meet);
   EXPECT_NEAR(found[0].at.x, 300, bodies_meet);
-  EXPECT_NEAR(found[0].depth, 100, 10);  // the shortest way out of the other, seen at eighths of the way
+  EXPECT_NEAR(found[0].depth, 100, 10);  // the shortest way out of the other body, sampled at eighths of the path
   EXPECT_TRUE(move({500, 0, 0}, {510, 0, 0}).empty());
 }
 
@@ -84,10 +84,10 @@ TEST_F(moving_bodies, past_each_other_by_little) {
   add(box({-50, -50, 0.02}, {50, 50, 200}), "Z");
   add(box({300, -50, -100}, {400, 50, 0}), "bed");
   EXPECT_TRUE(move({}, {1000, 0, 0}).empty());
-  EXPECT_LT(bodies->asked(), 20U);  // along a plane between them
+  EXPECT_LT(bodies->asked(), 20U);  // few queries: the motion is parallel to a plane between the bodies
 }
 
-// The axis of the part goes the other way: the part is moved by -Y.
+// The axis of the part moves in the opposite sense: the part moves by -Y.
 TEST_F(moving_bodies, the_part_goes_the_other_way) {
   add(box({-50, -50, 0}, {50, 50, 200}), "Z");
   add(box({-50, 150, 0}, {50, 250, 10}), "Y");
@@ -98,7 +98,7 @@ TEST_F(moving_bodies, the_part_goes_the_other_way) {
   EXPECT_NEAR(300 * found[0].part, 100, bodies_meet);
 }
 
-// A table's edge, 300 mm from the axis of A and level with it, rises by 300 sin a: the head's underside is 150 mm above it.
+// A table's edge, 300 mm from the axis of A and at its level, rises by 300 sin a; the underside of the head is 150 mm above it.
 TEST_F(moving_bodies, a_table_swings_into_the_head) {
   add(box({-200, -400, -250}, {200, 400, -50}), "Z");
   add(box({-100, 0, -401}, {100, 300, -400}), "C");
@@ -108,13 +108,13 @@ TEST_F(moving_bodies, a_table_swings_into_the_head) {
   EXPECT_NEAR(found[0].at.z, -250, bodies_meet);
 }
 
-// Bodies of the same branch: a clamp on the table that C turns into the yoke which A carries. The near side of a box at an angle.
+// Bodies of the same branch: the clamp on the table that C turns hits the yoke that A carries, at the near side of a box, at an angle.
 TEST_F(moving_bodies, a_table_turns_into_its_yoke) {
   add(box({-300, 200, -450}, {300, 250, -300}), "A");
   add(box({150, -10, -400}, {220, 10, -350}), "C");
   const auto found = move({}, {0, 0, 0, 0, 90});
   ASSERT_EQ(found.size(), 1U);
-  // The corner (220, 10) gets to y = 200: 220 sin c + 10 cos c = 200.
+  // The corner (220, 10) reaches y = 200 when 220 sin c + 10 cos c = 200.
   const double angle = (std::asin(200 / std::hypot(220, 10)) - std::atan2(10, 220)) / rad_per_deg;
   EXPECT_NEAR(90 * found[0].part, angle, 0.01);
 }
@@ -129,10 +129,11 @@ TEST_F(moving_bodies, what_touches_at_zero_is_built_so) {
   EXPECT_EQ(built[0].second, 1U);
   EXPECT_TRUE(bodies->take_as_built().empty());
   EXPECT_TRUE(move({}, {0, 0, 0, 0, 180}).empty());
-  EXPECT_EQ(move({}, {0, 0, -450}).size(), 2U);  // the head, through the table into what carries it
+  EXPECT_EQ(move({}, {0, 0, -450}).size(), 2U);  // the head passes through the table into the body that carries it
 }
 
-// The tool against blank and fixture is the cut's own; against the table it is not. Of its parts the first that touches is told.
+// Contact of the tool with blank and fixture is checked by the cut itself, contact
+// with the table here. The first part of the tool that touches is reported.
 TEST_F(moving_bodies, a_tool_and_its_work) {
   const std::size_t table = add(box({-200, -200, -420}, {200, 200, -400}), "C");
   const std::size_t vise = add(box({-50, -50, -400}, {50, 50, -300}), "C", BodyKind::work);
@@ -149,8 +150,8 @@ TEST_F(moving_bodies, a_tool_and_its_work) {
   EXPECT_TRUE(move({0, 0, -200}, {0, 0, -360}).empty());
 }
 
-// law: whatever the motion, a meeting is where the bodies are less than 0.01 mm apart, and before it they are not; and none is missed that
-// small steps see.
+// law: for any motion, at a meeting the bodies are less than 0.01 mm apart,
+// and before it they are not; no meeting is missed that small steps find.
 TEST_F(moving_bodies, random_motions) {
   const std::size_t head = add(box({-60, -70, -200}, {60, 70, 0}), "Z"), table = add(box({-150, -150, -420}, {150, 150, -400}), "C");
   (void)head, (void)table;

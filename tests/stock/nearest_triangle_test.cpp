@@ -1,4 +1,4 @@
-// stock/part/nearest_triangle: the least of the distances to all triangles, to the bit.
+// stock/part/nearest_triangle: returns the least of the distances to all triangles, bit by bit.
 
 #include "stock/part/nearest_triangle.h"
 
@@ -26,7 +26,7 @@ double by_all(const Mesh& mesh, const Vec3& at) {
   return std::sqrt(least);
 }
 
-/// Near its triangles, on its corners, in it, far away; in an order that no hint foresees.
+/// Compares points near the triangles, on their corners, inside and far away, in an order for which no hint is prepared.
 void expect_nearest(const Mesh& mesh, int threads = 1) {
   const NearestTriangle nearest(mesh, threads);
   std::mt19937 random(7);
@@ -48,10 +48,10 @@ TEST(nearest_triangle, is_the_least_of_all) {
                           })));
 }
 
-/// Some at the poles have no area.
+/// Some triangles at the poles have no area.
 TEST(nearest_triangle, of_triangles_without_area) { expect_nearest(sphere_mesh(12, 10)); }
 
-/// Fewer triangles than a node has room for, and one more than fills some nodes.
+/// Fewer triangles than a node can hold, and one more than fills some nodes.
 TEST(nearest_triangle, of_any_number_of_triangles) {
   for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 31U, 32U, 33U, 255U, 256U, 257U}) {
     Mesh mesh = torus_mesh(12, 10, 4);

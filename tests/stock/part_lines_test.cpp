@@ -1,4 +1,4 @@
-// stock/part/part_lines and points_inside: what mesh_blank() says of each line, to the bit.
+// stock/part/part_lines and points_inside: the same as mesh_blank() for each line, bit by bit.
 
 #include "stock/part/part_lines.h"
 
@@ -69,7 +69,7 @@ TEST(points_inside, are_those_that_the_body_holds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-8, 8);
   for (const Mesh& mesh : solids()) {
-    std::vector<float> points = mesh.points;  // corners, where hits are at the point's own height
+    std::vector<float> points = mesh.points;  // corners, where hits are at the height of the point itself
     for (int i = 0; i < 6000; ++i) points.push_back(i % 4 == 0 ? float(int(any(random))) : any(random));
     const std::vector<std::uint8_t> one = points_inside(mesh, points, 1);
     EXPECT_EQ(one, points_inside(mesh, points, 3));
@@ -89,7 +89,7 @@ TEST(points_inside, are_those_that_the_body_holds) {
   }
 }
 
-/// All points at one place in the plane, or on one line.
+/// All points at one position in the plane, or on one line.
 TEST(points_inside, of_points_in_a_row) {
   const Mesh box = box_mesh({-4, -4, -4}, {4, 4, 4});
   EXPECT_EQ(points_inside(box, {1, 1, 0, 1, 1, 4, 1, 1, 5}, 2), (std::vector<std::uint8_t>{1, 0, 0}));

@@ -1,4 +1,4 @@
-// stock/part: what is left, held against the part that was wanted.
+// stock/part: the remaining stock compared with the desired part.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ void mill(Stock& stock, std::uint16_t tool, double floor) {
   for (int i = 0; i < 4; ++i) stock.add({corners[i], corners[i + 1], tool});
 }
 
-/// A pocket of a flat tool of 10 mm, 20 mm by 10 mm and one tool more, its floor at `floor`; `beyond`: mm that one wall is cut into.
+/// Returns a pocket cut by a flat tool of 10 mm. Its size is 20 by 10 mm plus the tool's diameter, its floor is at `floor`, and one
+/// wall is cut too deep by `beyond` mm.
 Stock pocket(double floor, double beyond = 0, const Box3& blank = block, int threads = 2) {
   Stock stock(box_blank(blank), cell, threads);
   const std::uint16_t tool = stock.add_tool(test::tool_of(ToolKind::flat, 10));
@@ -32,7 +33,7 @@ Stock pocket(double floor, double beyond = 0, const Box3& blank = block, int thr
 
 PartComparison held(const Stock& stock, const Mesh& part) { return compare(stock, surface_of(stock), part); }
 
-/// At a tenth of the cell of the others: as good as true.
+/// Computed with a tenth of the others' cell: practically exact.
 Mesh good_part(const Box3& blank = block) {
   Stock stock(box_blank(blank), 0.2, 2);
   const std::uint16_t tool = stock.add_tool(test::tool_of(ToolKind::flat, 10));
@@ -54,7 +55,7 @@ TEST(part_compare, a_floor_too_high_is_left_on) {
   EXPECT_NEAR(c.left_on.deepest, 0.2, 0.01);
   EXPECT_NEAR(c.left_on.at.z, -4.8, 0.01);
   EXPECT_GE(c.left_on.sweep, 0);
-  EXPECT_NEAR(c.left_on.volume, 0.2 * (30 * 20 - (4 - pi) * 25), 2);  // round corners of 5
+  EXPECT_NEAR(c.left_on.volume, 0.2 * (30 * 20 - (4 - pi) * 25), 2);  // the corners have a radius of 5
   EXPECT_LT(c.gouged.deepest, cell / 10);
 }
 

@@ -1,4 +1,4 @@
-// stock/mesh/ply: what a reader finds in the bytes.
+// stock/mesh/ply: the content of the bytes as a reader finds it.
 
 #include "stock/mesh/ply.h"
 

@@ -1,4 +1,4 @@
-// What is told of one sweep: how deep it cuts, and whether it cuts at all, held against the material before and after it.
+// The report on one sweep: how deep it cuts, and whether it cuts at all, compared with the material before and after the sweep.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ Lines lines_of(const Stock& stock) {
   return all;
 }
 
-/// What of `before` is not in `after`.
+/// Returns the parts of `before` that are not in `after`.
 Pieces without(const Pieces& before, const Pieces& after) {
   Pieces gone = before;
   for (const auto& [from, to] : after) {
@@ -47,7 +47,7 @@ Pieces without(const Pieces& before, const Pieces& after) {
 }
 
 struct Gone {
-  double highest = -1e9, longest = 0;  // of upright lines; of all
+  double highest = -1e9, longest = 0;  // `highest` for vertical lines, `longest` for all lines
 };
 
 Gone gone_between(const Stock& stock, const Lines& before, const Lines& after) {
@@ -105,7 +105,7 @@ TEST(Removed, ARampIsAsDeepAsItGoesDown) {
     stock.add({{10, 30, slope > 0 ? -low - 1 : -1}, {30, 30, slope > 0 ? -1 : -low - 1}, tool, false});
     stock.cut();
     EXPECT_NEAR(stock.depth_of(0), low, 1e-3);
-    EXPECT_NEAR(stock.depth_of(1), 1, 0.5 * std::abs(slope) + 1e-3);  // a cell of way where the first one ended
+    EXPECT_NEAR(stock.depth_of(1), 1, 0.5 * std::abs(slope) + 1e-3);  // tolerance: one cell of travel at the end of the first sweep
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether two stocks are the same, bit by bit.
+// Compares two stocks bit by bit.
 
 #include <algorithm>
 #include <cstring>

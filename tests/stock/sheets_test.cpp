@@ -1,4 +1,4 @@
-// stock/surface/sheets: whatever is material and what not, the surface is a closed manifold.
+// stock/surface/sheets: for any distribution of material the surface is a closed manifold.
 
 #include "stock/surface/sheets.h"
 
@@ -59,7 +59,7 @@ TEST(sheets, every_crossed_edge_has_one) {
 }
 
 RC_GTEST_PROP(sheets, surfaces_of_any_signs_are_closed_manifolds, (unsigned seed)) {
-  constexpr int edge = 19;  // over the edges of bricks
+  constexpr int edge = 19;  // reaches across the borders of bricks
   Chance chance(seed);
   const int share = 1 + chance.below(9);
   std::vector<bool> filled(edge * edge * edge);

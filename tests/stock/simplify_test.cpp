@@ -1,4 +1,4 @@
-// stock/surface/simplified_surface: fewer triangles, closed as before, and never off by more than was allowed.
+// stock/surface/simplified_surface: fewer triangles, still closed, and never further from the original than allowed.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -22,7 +22,7 @@ void expect_simple(const Mesh& exact, double allowed, const SimplifiedSurface& s
   EXPECT_LE(simple.off, allowed);
   EXPECT_LE(simple.mesh.triangle_count(), exact.triangle_count());
   EXPECT_GT(simple.mesh.triangle_count(), 3U);
-  EXPECT_LE(farthest_off(exact, simple.mesh, 0.05, {}), allowed + 1e-4);  // finer than it measures itself
+  EXPECT_LE(farthest_off(exact, simple.mesh, 0.05, {}), allowed + 1e-4);  // finer than its own measurement
   EXPECT_LE(farthest_off(simple.mesh, exact, 0.05, {}), allowed + 1e-4);
   EXPECT_NEAR(volume_of(simple.mesh), volume_of(exact), allowed * area_of(exact));
 }
@@ -64,7 +64,7 @@ TEST(simplified_surface, a_body_of_four_triangles_stays) {
   EXPECT_TRUE(simplified_surface({}, {10, 1, {}}).mesh.triangles.empty());
 }
 
-/// What thin walls and points leave, random tools along random ways.
+/// Random tools along random paths leave thin walls and points.
 RC_GTEST_PROP(simplified_surface, whatever_was_cut, ()) {
   Chance chance(*rc::gen::arbitrary<std::uint64_t>());
   Stock stock(box_blank({{0, 0, -6}, {10, 10, 0}}), 0.4, 1);

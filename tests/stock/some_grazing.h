@@ -1,6 +1,6 @@
 #pragma once
-// Random ways of tools that lean and graze a lattice line: at some moment the line touches the tool's side, a cone, a rounded edge or a
-// face and all but lies in it, while the tool turns.
+// Random paths of tilted tools that graze a lattice line: at some moment, while the tool turns, the line touches the tool's side, a
+// cone, a rounded edge or a face, and nearly lies in it.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ inline double dot_of(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z;
 inline Vec3 cross_of(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline Vec3 unit_of(Vec3 v) { return (1 / length(v)) * v; }
 
-/// A place of a tool's surface, in the half plane of radius and height.
+/// A point of a tool's surface, in the half plane of radius and height.
 struct SurfacePlace {
   Vec2 at, normal;
 };
@@ -41,14 +41,14 @@ inline SurfacePlace some_surface_place(const ToolShape& tool, Chance& chance) {
   }
 }
 
-/// A sweep, and the place of the line along the axis `family` that it grazes.
+/// A sweep, and the position of the line along the axis `family` that it grazes.
 struct Grazing {
   Sweep sweep;
   int family;
   Vec3 at;
 };
 
-/// From none to 10^`greatest`, mostly small.
+/// Returns zero or a size from 10^`least` to 10^`greatest` with a random sign; mostly small.
 inline double some_size(Chance& chance, double least, double greatest) {
   const double size = chance.below(6) == 0 ? 0 : std::pow(10, chance.between(least, greatest));
   return chance.below(2) == 0 ? size : -size;
@@ -56,10 +56,10 @@ inline double some_size(Chance& chance, double least, double greatest) {
 
 inline Grazing some_grazing(const ToolShape& tool, Vec3 at, int family, Chance& chance) {
   const SurfacePlace s = some_surface_place(tool, chance);
-  // In the tool's own axes: the line, all but along the outline; what is upright to the surface; what is upright to both.
+  // In the tool's own axes: the line, nearly along the outline; the normal of the surface; and the direction normal to both.
   const double off = some_size(chance, -4, 0), aside = std::sin(off), forth = std::cos(off);
   const Vec3 e{-forth * s.normal.y, aside, forth * s.normal.x}, n{s.normal.x, 0, s.normal.y}, c = cross_of(e, n);
-  // In the material's.
+  // The same three directions in the axes of the material.
   Vec3 line;
   along(line, family) = 1;
   Vec3 any{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
@@ -68,12 +68,12 @@ inline Grazing some_grazing(const ToolShape& tool, Vec3 at, int family, Chance& 
   const auto seen = [&](Vec3 v) { return dot_of(v, e) * line + dot_of(v, n) * upright + dot_of(v, c) * beside; };
   const Vec3 axis = seen({0, 0, 1}), touched = seen({s.at.x, 0, s.at.y});
   const Vec3 tip = at - some_size(chance, -5, -1.5) * upright - touched;
-  // It turns about an axis upright to its own, mostly so that the surface turns over the line.
+  // The tool turns about an axis at right angles to its own, mostly so that the surface turns across the line.
   Vec3 about = beside + (chance.below(2) == 0 ? 1.0 : 0.01) * Vec3{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
   about = about - dot_of(about, axis) * axis;
   const double turn = std::pow(10, chance.between(-3.5, -0.3));
   about = length(about) < 1e-3 ? Vec3{} : turn * unit_of(about);
-  // The touched place of the tool goes along the surface.
+  // The touched point of the tool moves along the surface.
   const Vec3 way = some_size(chance, -4, 0.7) * line + some_size(chance, -4, 0.7) * beside + some_size(chance, -5, -1) * upright -
                    cross_of(about, touched);
   const double moment = chance.below(4) == 0 ? chance.between(0, 1) : 0.5 + some_size(chance, -4, -0.4);

@@ -1,5 +1,5 @@
 #pragma once
-// Random inserts and ways for the tests of turning, and the distance of a place from the rings that they sweep.
+// Random inserts and paths for the tests of turning, and the distance of a point from the rings that the inserts sweep.
 
 #include "config/tool_library.h"
 #include "stock/some_tools.h"
@@ -15,7 +15,7 @@ inline ToolGeometry insert(int tip_x, int tip_z, double angle, double corner, do
   return g;
 }
 
-/// Of every form; the profile is a star about a place, and mostly not convex.
+/// Returns an insert of any form; its profile is a star about a point, and mostly not convex.
 inline ToolShape some_insert(Chance& chance) {
   ToolGeometry g;
   g.kind = ToolKind::turning;
@@ -44,7 +44,7 @@ inline ToolShape some_insert(Chance& chance) {
   return told_fault(g).empty() ? shape_of(g) : shape_of(insert(-1, -1, 80, 0.4, 5));
 }
 
-/// Along the axes, at any slant, standing, from far away, and across the axis.
+/// Returns a path along an axis, at any slant, without motion, from far away, or across the axis.
 inline Sweep some_way(Chance& chance) {
   const Vec3 through{chance.between(-12, 12), 0, chance.between(-4, 12)};
   const double far = std::pow(10, chance.between(-3, chance.below(8) == 0 ? 4 : 1.3)), angle = chance.between(0, 2 * pi);
@@ -61,8 +61,8 @@ inline Sweep some_way(Chance& chance) {
   return {from, from + way, 0, false};
 }
 
-/// The greatest of distances in all directions from the planes that the hull of the corners, swept, lies behind: looked for in steps, then
-/// about each peak by golden sections.
+/// Returns the greatest distance, over all directions, from the planes behind which the hull of the swept corners lies. Directions are
+/// tried in steps, then each peak is refined by golden sections.
 inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, double z) {
   constexpr int steps = 720;
   constexpr double golden = 0.6180339887498949;
@@ -73,7 +73,7 @@ inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, do
     most += std::max(sweep.from.x * c + sweep.from.z * s, sweep.to.x * c + sweep.to.z * s);
     return x * c + z * s - most;
   };
-  // Each peak: that of a thin body's other side may stand higher on the steps, and lower in truth.
+  // Every peak is refined: on the steps, the peak of a thin body's other side may be higher although it is in fact lower.
   const double step = 2 * pi / steps;
   double best = -1e30;
   const auto climb = [&](double at) {
@@ -90,12 +90,12 @@ inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, do
     if (here >= before && here >= next) climb(i * step);
     before = here, here = next;
   }
-  const double across = std::atan2(sweep.to.z - sweep.from.z, sweep.to.x - sweep.from.x) + pi / 2;  // steep where the way is long
+  const double across = std::atan2(sweep.to.z - sweep.from.z, sweep.to.x - sweep.from.x) + pi / 2;  // the peak is steep if the path is long
   climb(across), climb(across + pi);
   return best;
 }
 
-/// Of a place from the rings; below 0: within one.
+/// Returns the distance of a point from the rings; negative inside one.
 inline double from_rings(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   double nearest = 1e30;
   for (const InsertBody& body : tool.insert)

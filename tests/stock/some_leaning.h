@@ -1,5 +1,5 @@
 #pragma once
-// Random ways of tools that lean, for the tests of the cut.
+// Random paths of tilted tools, for the tests of the cut.
 
 #include "stock/some_tools.h"
 
@@ -16,7 +16,7 @@ inline Vec3 some_direction(Chance& chance) {
   }
 }
 
-/// From a tenth of the least turn to a right angle; or none.
+/// Returns a direction turned by an angle from a tenth of the least turn up to a right angle, or not turned.
 inline Vec3 some_turn(Vec3 direction, Chance& chance) {
   if (chance.below(4) == 0) return direction;
   const Vec3 away{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes for the tests of meshes and of blanks made of them.
+// Meshes for the tests of meshes and of the blanks built from them.
 
 #include <cmath>
 #include <cstdint>
@@ -12,7 +12,7 @@ inline void add_point(Mesh& mesh, const Vec3& p) {
   for (const double v : {p.x, p.y, p.z}) mesh.points.push_back(float(v));
 }
 
-/// Twelve triangles.
+/// Returns a box of twelve triangles.
 inline Mesh box_mesh(const Vec3& least, const Vec3& most) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i) add_point(mesh, {(i & 1) ? most.x : least.x, (i & 2) ? most.y : least.y, (i & 4) ? most.z : least.z});
@@ -20,7 +20,7 @@ inline Mesh box_mesh(const Vec3& least, const Vec3& most) {
   return mesh;
 }
 
-/// A grid of `wide` by `deep` points, closed both ways.
+/// Returns a grid of `wide` by `deep` points that is closed in both directions.
 template <class Place>
 Mesh ring_mesh(std::uint32_t wide, std::uint32_t deep, const Place& place) {
   Mesh mesh;
@@ -40,7 +40,7 @@ inline Mesh torus_mesh(std::uint32_t fine, double big, double small) {
   });
 }
 
-/// The triangles at the poles have two corners at one place, as many programs write them.
+/// The triangles at the poles have two corners at the same point, as many programs write them.
 inline Mesh sphere_mesh(std::uint32_t fine, double radius) {
   Mesh mesh;
   const auto place = [&](std::uint32_t i, std::uint32_t j) {

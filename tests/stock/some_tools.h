@@ -1,5 +1,5 @@
 #pragma once
-// Random tools and moves for the tests of the cut, and the distance of a point from what a tool sweeps.
+// Random tools and moves for the tests of the cut, and the distance of a point from the volume swept by a tool.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace kadr {
 
-/// The same numbers with every library: the distributions of <random> are not.
+/// Random numbers that are the same with every library; the distributions of <random> are not.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : engine_(seed) {}
@@ -25,13 +25,13 @@ class Chance {
   std::mt19937_64 engine_;
 };
 
-/// A number that whoever runs the test may set in the environment.
+/// Returns a number that can be set in the environment, or `otherwise`.
 inline std::uint64_t asked(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// What dev/properties hands to RapidCheck.
+/// Returns the seed that dev/properties passes to RapidCheck.
 inline std::uint64_t seed_of_properties() {
   const char* text = std::getenv("RC_PARAMS");
   const char* seed = text == nullptr ? nullptr : std::strstr(text, "seed=");
@@ -80,7 +80,8 @@ inline ToolShape some_tool(Chance& chance, SomeTool which) {
   return shape_of(g);
 }
 
-/// Of any length and direction: along the axes, or so nearly that single precision has few digits left; some from far outside.
+/// Returns a move of any length and direction: along an axis, or so nearly along
+/// it that few digits of single precision remain; some moves begin far outside.
 inline Sweep some_move(Chance& chance) {
   const Vec3 through{chance.between(-4, 12), chance.between(-4, 12), chance.between(-8, 8)};
   const double far = chance.below(8) == 0 ? 4 : 1.3, length_ = std::pow(10, chance.between(-3, far));
@@ -103,7 +104,8 @@ inline Sweep some_move(Chance& chance) {
   return {from, from + way, 0, false};
 }
 
-/// Distance of a point from what the tool sweeps; below 0: inside. Each solid is convex, so that its distance has one minimum on the way.
+/// Returns the distance of a point from the volume swept by the tool; negative
+/// inside. Each solid is convex, so its distance has one minimum along the path.
 inline double from_swept(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   constexpr double golden = 0.6180339887498949;
   const Vec3 way = sweep.to - sweep.from;

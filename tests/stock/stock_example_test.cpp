@@ -1,4 +1,4 @@
-// The example at the head of stock/stock.h, line by line: it compiles, and does what it says.
+// The example at the head of stock/stock.h, line by line: it compiles, and gives the results that the header states.
 
 #include <gtest/gtest.h>
 

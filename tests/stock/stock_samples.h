@@ -1,5 +1,5 @@
 #pragma once
-// Blanks, tools and programs that the tests of the stock share.
+// Blanks, tools and programs that are shared by the tests of the stock.
 
 #include <memory>
 #include <vector>
@@ -18,7 +18,7 @@ inline ToolShape tool_of(ToolKind kind, double diameter, double flutes = 50) {
   return shape_of(g);
 }
 
-/// A disc of `thick` under a thinner shank.
+/// Returns a T-slot cutter: a disc of thickness `thick` below a thinner shank.
 inline ToolShape t_slot_cutter(double diameter, double thick, double shank) {
   ToolGeometry g;
   g.kind = ToolKind::tslot;
@@ -31,7 +31,7 @@ inline ToolShape t_slot_cutter(double diameter, double thick, double shank) {
 
 inline const Box3 block{{0, 0, -20}, {100, 100, 0}};
 
-/// Cut by the tool along the corners of the way.
+/// Returns the stock after the tool has cut along the corners of the path.
 inline std::unique_ptr<Stock> cut_along(std::shared_ptr<const Blank> blank, double cell, const ToolShape& tool,
                                         const std::vector<Vec3>& way, int threads = 2) {
   auto stock = std::make_unique<Stock>(std::move(blank), cell, threads);

@@ -1,4 +1,4 @@
-// stock/surface/surface: what is left as a closed mesh, against volumes by hand and against the lines.
+// stock/surface/surface: the remaining stock as a closed mesh, compared with volumes computed by hand and with the lattice lines.
 
 #include "stock/surface/surface.h"
 
@@ -28,7 +28,7 @@ void expect_manifold(const Surface& surface) {
 
 double removed_by(const Surface& surface) { return block_volume - volume_of(surface); }
 
-/// mm³ in the lines of a family.
+/// Returns the volume in mm³ from the lines of one family.
 double volume_by_lines(const Stock& stock, std::size_t family) {
   double sum = 0;
   for (std::size_t i = 0; i < stock.lattice().size(); ++i) {
@@ -60,12 +60,14 @@ TEST(surface, a_cylinder) {
     const Stock stock(cylinder_blank({3, 4}, -12, 0, 20), cell, 2);
     const Surface surface = surface_of(stock);
     expect_manifold(surface);
-    // Points where the tangents meet lie out of the circle by h² / 2r at most, h half a cell: as a share of the volume h² / r².
+    // Points at which the tangents meet lie outside the circle by at most h²
+    // / 2r, where h is half a cell; as a share of the volume this is h² / r².
     EXPECT_NEAR(volume_of(surface), exact, exact * cell * cell / 400) << cell;
   }
 }
 
-/// A slot from side to side, `section` mm² across; the faces between points err by less than 0.05 % of it for each mm of the cell.
+/// A slot from side to side with a section of `section` mm²; the error of the
+/// faces between points is less than 0.05 % of it for each mm of the cell.
 TEST(surface, slots_have_their_section) {
   const std::vector<Vec3> way{{50.0371, -20, -4.0437}, {50.0371, 120, -4.0437}};
   struct Case {
@@ -117,7 +119,7 @@ TEST(surface, sharp_edges_stay) {
     const Vec3 p = surface.point(i);
     if (std::fabs(p.x - 46.3) < 0.001 && std::fabs(p.z + 5.3) < 0.001) ++on_edge;
   }
-  EXPECT_GE(on_edge, 100U);  // one in each cell along the foot of the wall
+  EXPECT_GE(on_edge, 100U);  // one point in each cell along the foot of the wall
 }
 
 TEST(surface, points_know_their_sweep) {
@@ -138,9 +140,10 @@ TEST(surface, points_know_their_sweep) {
   }
 }
 
-/// A floor in a plane of lattice points, or where bricks meet: the families disagree there by a hair, and the edges must not show it.
+/// A floor in a plane of lattice points, or at the border of bricks. There
+/// the families differ by a tiny amount, which must not appear at the edges.
 TEST(surface, floors_in_planes_of_the_lattice) {
-  for (const double z : {-4.5, -4.0, -5.0, -15.0, -4.5000001})  // of cells of 1 mm from -21 on: points at halves, bricks meet at -5
+  for (const double z : {-4.5, -4.0, -5.0, -15.0, -4.5000001})  // cells of 1 mm from -21: points are at halves, bricks meet at -5
     for (const ToolKind kind : {ToolKind::flat, ToolKind::bull}) {
       const auto stock = cut_along(box_blank(block), 1, tool_of(kind, 8), {{50.3, -20, z}, {50.3, 120, z}});
       const Surface surface = surface_of(*stock);
@@ -178,8 +181,8 @@ std::unique_ptr<Stock> run(const Program& p, std::shared_ptr<const Blank> blank,
   return stock;
 }
 
-/// A family does not see where between its lines a face along them lies: up to half a cell, over at most half of the area, as faces that
-/// look the other way err against it.
+/// A family of lines does not see the position of a parallel face between its lines. The error is up to half a cell, over at most half
+/// of the area, because faces with opposite normals have opposite errors.
 RC_GTEST_PROP(surface, random_programs_are_closed_and_hold_what_the_lines_hold, (unsigned seed)) {
   Chance chance(seed);
   const Program p = random_program(chance);
@@ -212,7 +215,7 @@ RC_GTEST_PROP(surface, any_number_of_threads_gives_the_same_bits, (unsigned seed
   }
 }
 
-/// The lattice of this block begins at -1, -1, -21: seams lie at X 15, Y 15, Z -5.
+/// The lattice of this block begins at -1, -1, -21, so the seams are at X 15, Y 15 and Z -5.
 TEST(surface, a_cut_at_the_seam_of_two_bricks_knows_its_sweep) {
   const auto stock = cut_along(box_blank(block), 1, tool_of(ToolKind::flat, 10),
                                {{20, 20, 5}, {20, 20, -5}, {80, 20, -5}, {80, 28, -5}, {20, 28, -5}, {20, 20, -5}});

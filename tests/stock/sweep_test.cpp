@@ -1,6 +1,5 @@
-// What one sweep of any tool leaves: a point of a lattice line is material exactly where it lies outside of what the tool sweeps.
-//
-// STOCK_POINTS and STOCK_SEED in the environment say how many points are looked at, and which; dev/properties changes the seed.
+// One sweep of any tool: a point of a lattice line is material exactly where it lies outside the volume swept by the tool.
+// STOCK_POINTS and STOCK_SEED in the environment set the number of points and their random seed; dev/properties changes the seed.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +35,7 @@ std::string sweeps_told(const ToolShape& tool, const std::vector<Sweep>& sweeps,
   return all;
 }
 
-// Every fourth tool makes several sweeps.
+// Every fourth tool performs several sweeps.
 TEST(SweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   constexpr int places_of_a_sweep = 60;
   const std::uint64_t points = asked("STOCK_POINTS", 120000), seed = asked("STOCK_SEED", seed_of_properties());

@@ -1,4 +1,4 @@
-// Outlines of tools: as wide and as high as the tool, rising.
+// Outlines of tools: as wide and as high as the tool, and rising.
 
 #include "stock/tool/tool_outline.h"
 

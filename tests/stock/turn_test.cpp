@@ -1,6 +1,6 @@
-// Turning tools: what they leave of a part that spins, against the distance from what they sweep and against volumes by hand.
-//
-// STOCK_POINTS and STOCK_SEED in the environment say how many points are looked at, and which; dev/properties changes the seed.
+// Turning tools: the material that they leave on a rotating part, compared with the distance from their swept volume and with volumes
+// computed by hand.
+// STOCK_POINTS and STOCK_SEED in the environment set the number of points and their random seed; dev/properties changes the seed.
 
 #include <gtest/gtest.h>
 
@@ -23,9 +23,9 @@ const Box3 bar{{-9, -9.2, -1}, {9.4, 9, 9}};
 struct Place {
   std::size_t brick;
   int family, line;
-  double along_line;  // from the brick's corner
+  double along_line;  // distance from the brick's corner
   Vec3 at;
-  bool is_end = false;  // that a sweep has made
+  bool is_end = false;  // an end made by a sweep
 };
 
 bool is_left(const Stock& stock, const Place& p) {
@@ -37,7 +37,7 @@ bool is_left(const Stock& stock, const Place& p) {
                      [&](const FurtherInterval& f) { return f.line == p.line && holds(f.from, f.to); });
 }
 
-/// Two in three lie at an end that a sweep has made, or close to it.
+/// Returns a point; two in three are at or close to an end that a sweep has made.
 Place some_place_by_turning(const Stock& stock, Chance& chance) {
   Place p{std::size_t(chance.below(int(stock.lattice().size()))), chance.below(3), chance.below(brick_lines), 0, {}};
   const double cell = stock.lattice().cell();
@@ -80,7 +80,7 @@ std::string told(const ToolShape& tool, const Sweep& s, const Place& p) {
   return all;
 }
 
-// Every fourth tool goes several ways.
+// Every fourth tool moves along several paths.
 TEST(TurnProperty, LeavesWhatLiesOutsideOfTheRings) {
   const std::uint64_t points = asked("STOCK_POINTS", 30000), seed = asked("STOCK_SEED", seed_of_properties());
   Chance chance(seed);
@@ -115,7 +115,7 @@ TEST(TurnProperty, LeavesWhatLiesOutsideOfTheRings) {
               static_cast<unsigned long long>(at_ends), worst);
 }
 
-/// Where it is smooth, the normal is the way in which the distance grows.
+/// Where the distance is smooth, the normal is the direction in which it increases.
 TEST(TurnProperty, NormalIsTheGradientOfTheDistance) {
   Chance chance(asked("STOCK_SEED", seed_of_properties()));
   int compared = 0;
@@ -156,7 +156,7 @@ TEST(TurnProperty, NormalIsTheGradientOfTheDistance) {
 
 std::shared_ptr<const Blank> rod(double diameter) { return cylinder_blank({0, 0}, -40, 0, diameter); }
 
-/// Of the surface, within what docs/stock.md states.
+/// Checks the volume of the surface within the error that docs/stock.md states.
 void expect_volume(const Stock& stock, double exact) {
   const Surface surface = surface_of(stock);
   EXPECT_NEAR(volume_of(surface), exact, 0.02 * stock.lattice().cell() * area_of(surface));
@@ -165,7 +165,7 @@ void expect_volume(const Stock& stock, double exact) {
 const ToolShape right_hand = shape_of(insert(-1, -1, 80, 0, 12));
 
 TEST(turn, a_step_is_a_cylinder_less) {
-  // From 40 down to 30 over 20 mm of the rod.
+  // From diameter 40 down to 30 over 20 mm of the rod.
   const auto stock = test::cut_along(rod(40), 0.5, right_hand, {{15, 0, 2}, {15, 0, -20}, {22, 0, -20}});
   expect_volume(*stock, pi * (20 * 20 * 40.0 - (20 * 20 - 15 * 15) * 20.0));
 }
@@ -187,7 +187,7 @@ TEST(turn, a_face_as_far_as_the_axis) {
 }
 
 TEST(turn, a_ball) {
-  // By chords that miss the circle by 0.2 µm. The lower edge rises outwards, so that it is the tip that cuts.
+  // The path consists of chords within 0.2 µm of the circle. The lower edge rises outwards, so the tip cuts.
   ToolGeometry g = insert(-1, 0, 30, 0, 30);
   g.insert.lead = 93;
   std::vector<Vec3> way;
@@ -207,14 +207,14 @@ TEST(turn, a_groove_with_round_corners) {
   g.insert.tip_x = -1, g.insert.tip_z = -1;
   complete(g);
   const auto stock = test::cut_along(rod(40), 0.5, shape_of(g), {{25, 0, -20}, {14, 0, -20}});
-  // What lies between each arc and its corner: its area, and its centroid from the corner.
+  // The area between each arc and its corner, and the distance of its centroid from the corner.
   const double rest = 1 - pi / 4, middle = (10 - 3 * pi) / (12 - 3 * pi), corners = 2 * rest * 2 * pi * (14 + middle);
   expect_volume(*stock, pi * 20 * 20 * 40 - (pi * (20 * 20 - 14 * 14) * 4 - corners));
 }
 
 TEST(turn, a_nose_radius_stands_where_its_imaginary_tip_is) {
   const auto stock = test::cut_along(rod(40), 0.5, shape_of(insert(-1, -1, 80, 0.8, 12)), {{15, 0, 2}, {15, 0, -20}});
-  // The cylinder is the tip's; at the shoulder the nose leaves a fillet, then the edge at 95°.
+  // The tip cuts the cylinder; at the shoulder the nose leaves a fillet, followed by the edge at 95°.
   const auto radius_at = [&](double z) {
     double r = 14;
     while (from_rings(stock->tool(0), {{15, 0, 2}, {15, 0, -20}, 0, false}, {r, 0, z}) > 0) r += 0.001;
@@ -264,8 +264,8 @@ TEST(turn, what_is_watched_is_told_in_radii) {
   g.insert.holder = {{6, -1}, {20, 12}};
   Stock stock(rod(40), 0.25, 2);
   stock.add_tool(shape_of(g));
-  stock.add({{19, 0, 2}, {19, 0, -20}, 0, true});     // the edge, 1 mm deep
-  stock.add({{25, 0, -20}, {12, 0, -20}, 0, false});  // so deep that the holder hits
+  stock.add({{19, 0, 2}, {19, 0, -20}, 0, true});     // the edge cuts 1 mm deep
+  stock.add({{25, 0, -20}, {12, 0, -20}, 0, false});  // so deep that the holder touches the part
   const auto touches = stock.cut();
   ASSERT_EQ(touches.size(), 2u);
   EXPECT_EQ(touches[0].part, ToolPart::cutting);
@@ -289,7 +289,7 @@ TEST(turn, the_table_of_linuxcnc_and_the_turners_words_say_the_same) {
   EXPECT_NEAR(*two.insert.lead, 95, 1e-9);
   EXPECT_EQ(two.insert.tip_z, 1);
   EXPECT_EQ(table->tools[2].corner, 2);
-  // The edges lie where I and J say, from +z towards +x.
+  // The edges have the directions of I and J, measured from +z towards +x.
   const auto direction = [](const InsertBody& body, std::size_t from) {
     const InsertPoint &a = body.corners[from].centre, &b = body.corners[2].centre;
     return std::atan2(b.x - a.x, b.z - a.z) / rad_per_deg;

@@ -1,4 +1,4 @@
-// stock/blank/blank_window, stock/mesh/mesh_within: what is cut in a window is what the whole is there.
+// stock/blank/blank_window, stock/mesh/mesh_within: the result inside a window equals the result of the whole there.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -62,7 +62,7 @@ TEST(blank_window, the_stock_is_the_blank_there) {
   }
 }
 
-/// A pocket in the block's middle; `stock` may be a window of it.
+/// Returns a block with a pocket in its middle; the stock may be a window of the block.
 std::unique_ptr<Stock> with_pocket(std::shared_ptr<const Blank> blank, double cell, double floor) {
   return cut_along(std::move(blank), cell, tool_of(ToolKind::flat, 10),
                    {{30, 30, 5}, {30, 30, floor}, {70, 30, floor}, {70, 40, floor}, {30, 40, floor}, {30, 30, floor}});
@@ -71,10 +71,10 @@ std::unique_ptr<Stock> with_pocket(std::shared_ptr<const Blank> blank, double ce
 TEST(blank_window, is_cut_as_the_whole_is) {
   const Box3 window{{25.3, 20, -9.7}, {50.1, 32.6, 0}};
   const auto whole = with_pocket(box_blank(block), 0.5, -5), part = with_pocket(blank_within(box_blank(block), window), 0.1, -5);
-  // Half of a slot of 10 mm with a round end, from X 25 to the window's end; above Y 32.6 it goes on.
+  // Half of a slot of 10 mm with a round end, from X 25 to the end of the window; above Y 32.6 the slot continues.
   const double left = volume_of(surface_of(*part)), coarse = mesh_within(surface_of(*whole), window).volume;
   EXPECT_NEAR(left, coarse, 0.002 * coarse);
-  double exact = 0;  // of the slot in the window, by strips
+  double exact = 0;  // volume of the slot inside the window, summed in strips
   constexpr int strips = 20'000;
   for (int i = 0; i < strips; ++i) {
     const double y = 20 + (i + 0.5) * 12.6 / strips, beside = y - 30;
@@ -112,7 +112,7 @@ TEST(part_compare, what_a_comparison_takes_grows_with_the_part) {
   const Mesh near = box_mesh({10, 10, -10}, {20, 20, -5}), far = box_mesh({-500, -500, -500}, {500, 500, 500});
   EXPECT_LT(bytes_of_comparison(block, 0.5, near, HeldPart::whole), 3e5);
   EXPECT_GT(bytes_of_comparison(block, 0.5, far, HeldPart::whole), 20 * bytes_of_comparison(block, 0.5, near, HeldPart::whole));
-  // Of a window the lattice stays; what grows is how many of its lines the part may meet.
+  // With a window the lattice keeps its size; only the number of its lines that the part can meet grows.
   EXPECT_LT(10 * bytes_of_comparison(block, 0.5, far, HeldPart::window), bytes_of_comparison(block, 0.5, far, HeldPart::whole));
 }
 

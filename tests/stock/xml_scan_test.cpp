@@ -1,4 +1,4 @@
-// stock/mesh/xml_scan: elements in their order, and what is refused.
+// stock/mesh/xml_scan: returns elements in order; and what it refuses.
 
 #include "stock/mesh/xml_scan.h"
 
@@ -7,7 +7,7 @@
 namespace kadr::xml_scan_test {
 namespace {
 
-/// "+a(x=1) -a", then the fault if there is one.
+/// Returns elements such as "+a(x=1) -a", then the fault if there is one.
 std::string told_elements(std::string_view text) {
   XmlScan scan(text);
   std::string out;

@@ -1,4 +1,4 @@
-// Any instant of a run is what a run that came there has: its place, its modes, its calls.
+// The state at any instant of a run equals the state of a run that has reached it: position, modes, calls.
 
 #include "view/instant.h"
 
@@ -10,7 +10,7 @@
 namespace kadr::instant_test {
 namespace {
 
-/// Loops, a subprogram, a cycle, arcs; work and machine coordinates are the same.
+/// Loops, a subprogram, a canned cycle, arcs; work and machine coordinates are the same.
 constexpr const char* text =
     "G21 G90 G17 F500\n"
     "T1 M6\n"
@@ -54,7 +54,7 @@ TEST(Instants, AreWhereTheRunWas) {
   const auto run = run_of(text);
   ASSERT_EQ(run->end(), ProgramRun::End::ended);
   ASSERT_GT(run->checkpoints().size(), 2U);
-  std::map<std::uint32_t, std::pair<PathVertex, double>> last;  // of each block
+  std::map<std::uint32_t, std::pair<PathVertex, double>> last;  // the last vertex of each block
   for (const ViewPiece& piece : run->path().pieces())
     for (const PathVertex& v : piece.vertices)
       if (v.kind != PathKind::jump) last[v.number] = {v, PathRecord::time_of(piece, v)};

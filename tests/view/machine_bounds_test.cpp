@@ -1,4 +1,4 @@
-// view/machine_bounds: end positions and zones as they hold at the start.
+// view/machine_bounds: the end positions and zones that are in force at the start.
 
 #include "view/machine_bounds.h"
 

@@ -1,4 +1,4 @@
-// Columns of a report come out again as they went in, whatever they are.
+// Columns of a report are unpacked exactly as they were packed, whatever numbers they contain.
 
 #include "view/packed_columns.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::packed_columns_test {
 namespace {
 
-/// As web/src/report/data.ts does it.
+/// Unpacks a column as web/src/report/data.ts does.
 std::vector<std::int32_t> unpacked(const std::string& bytes, std::size_t at, std::size_t count) {
   std::vector<std::int32_t> column;
   std::uint32_t value = 0;
@@ -45,7 +45,7 @@ TEST(PackedColumns, TheFarthestNumbers) {
 }
 
 TEST(PackedColumns, StepsOfAUnit) {
-  EXPECT_EQ(in_steps(-1.2345, 0.001), -1235);  // away from zero
+  EXPECT_EQ(in_steps(-1.2345, 0.001), -1235);  // rounded away from zero
   EXPECT_EQ(in_steps(std::nan(""), 0.001), 0);
   EXPECT_EQ(in_steps(std::numeric_limits<double>::infinity(), 0.001), 0);
   EXPECT_EQ(in_steps(1e300, 0.001), 2'000'000'000);

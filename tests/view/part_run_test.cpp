@@ -1,4 +1,5 @@
-// The part of a page: at its end what `kadr cut` leaves, at any instant what a cut until then leaves; what is refused, what is stopped.
+// The part of a page: at its end it equals the result of `kadr cut`, at any instant the result of a cut up to that instant. Also: what
+// is refused, and how a run is stopped.
 
 #include "view/part_run.h"
 
@@ -55,7 +56,7 @@ PartWish wish_for(const std::string& stock, double resolution = 0.5) {
 
 constexpr const char* block = "box:-10,-10,-10,60,30,0";
 
-/// What a cut of the program until an instant leaves, as `kadr cut --until` reckons.
+/// Returns what a cut of the program up to an instant leaves, computed as by `kadr cut --until`.
 double left_until(const OpenedProgram& program, double until, double cell) {
   CutJob job;
   job.blank = box_blank({{-10, -10, -10}, {60, 30, 0}});

@@ -1,4 +1,4 @@
-// Levels of detail of a piece of path: nested, and as exact as they promise; its frame.
+// Levels of detail of a piece of path: they are nested and as exact as they promise; and the frame of a piece.
 
 #include "view/path_piece.h"
 

@@ -1,4 +1,4 @@
-// Tools by files, set-up and comments.
+// Proposes tools from files, from the set-up and from comments.
 
 #include "view/proposals.h"
 
@@ -57,7 +57,7 @@ TEST(Proposals, OfEachToolThatCuts) {
     }
 }
 
-// A Fanuc control is back in millimetres at M30; the figures of the comments are inches all the same.
+// A Fanuc control is back in millimetres after M30; the sizes in the comments are in inches all the same.
 TEST(Proposals, OfAProgramInInches) {
   const auto run = run_of(
       "(T2 D=0.842 CR=0. - FLAT END MILL)\n"

@@ -1,4 +1,4 @@
-// The part of a report: near the surface that is left, each point with its tool and line.
+// The part in a report: its points are near the remaining surface, each with its tool and line.
 
 #include "view/report_part.h"
 
@@ -35,7 +35,7 @@ TEST(ReportPart, IsWhatIsLeft) {
   EXPECT_EQ(head[0], 3U);
   const std::size_t points = head[2], triangles = head[3];
   ASSERT_GT(points, 8U);
-  EXPECT_LT(triangles, 500U);  // flat walls are a few triangles each; the exact surface has thousands
+  EXPECT_LT(triangles, 500U);  // a flat wall needs only a few triangles; the exact surface has thousands
   EXPECT_EQ(part.frame.size(), 16 + 20 * points + 12 * triangles);
   EXPECT_LE(part.off, 0.1 * part.cell + 1e-9);
   bool slot = false;

@@ -1,4 +1,4 @@
-// The path of a report: thinned where it must be, no farther off than it says, whole where there is room.
+// The path in a report: whole if there is room, otherwise thinned, with no more deviation than it states.
 
 #include "view/report_path.h"
 
@@ -26,7 +26,7 @@ std::unique_ptr<ProgramRun> run_of(const std::string& program) {
   return std::move(*run);
 }
 
-/// Arcs, and lines that hardly turn.
+/// Returns a program of arcs and of lines that hardly change direction.
 std::string wavy(int blocks) {
   std::string text = "G21 G90 G17 F500\nG0 X0 Y0\n";
   for (int i = 0; i < blocks; ++i)

@@ -1,4 +1,4 @@
-// A report holds what a program says as base64 alone, in its place in the viewer.
+// A report contains the text of a program only as base64, at its marker in the viewer.
 
 #include "view/report.h"
 

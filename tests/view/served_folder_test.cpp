@@ -1,4 +1,4 @@
-// A folder and nothing beyond it.
+// Serves one folder, and nothing outside it.
 
 #include "view/served_folder.h"
 
@@ -38,7 +38,7 @@ TEST(ServedFolder, NothingBeyondIt) {
     EXPECT_TRUE(folder->path_of("a.nc"));
     for (const char* name : {"", ".", "..", "../out.nc", "link.nc", "up/out.nc", "sub/../a.nc", "/etc/passwd", "sub", "a.nc/", "sub//x"})
       EXPECT_FALSE(folder->path_of(name)) << name;
-    // What a program names, as a place in the file system.
+    // The path that a program names, as a path in the file system.
     const std::string in = (fs::canonical(above) / "in").string();
     const auto opens = [&](const std::string& path) {
       const int fd = folder->open_for_reading(path);

@@ -1,4 +1,4 @@
-// The set-up sheet: what the set-up states, what the program uses, what its comments say.
+// The set-up sheet: what the set-up defines, what the program uses, and what its comments say.
 
 #include "view/sheet.h"
 

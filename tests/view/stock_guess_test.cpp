@@ -1,4 +1,4 @@
-// The blank that a program seems to be written for.
+// Guesses the blank for which a program was written.
 
 #include "view/stock_guess.h"
 
@@ -77,12 +77,12 @@ TEST(StockGuess, WaysInFromBesideDoNotCount) {
 double radius_of(std::uint32_t tool) { return tool == 1 ? 10 : tool == 2 ? 1.5 : 0; }
 
 TEST(StockGuess, APocketHasWallsHoweverWideTheTool) {
-  // The middle of a tool of 20 mm goes round 40 by 20: the pocket is 60 by 40.
+  // The centre of a tool of 20 mm follows a rectangle of 40 by 20 mm: the pocket is 60 by 40 mm.
   const Path pocket =
       Path().with(1).rapid(0, 0, 2).feed(0, 0, -5).feed(40, 0, -5).feed(40, 20, -5).feed(0, 20, -5).feed(0, 0, -5).rapid(0, 0, 50);
   EXPECT_EQ(pocket.text(), "box:-2,-2,-7,42,22,0") << "where nobody knows the tool, its middle counts";
   EXPECT_EQ(pocket.text({}, false, radius_of), "box:-11,-11,-7,51,31,0");
-  Path further = pocket;  // a thin one that goes further does not make the wide one do so
+  Path further = pocket;  // a thin tool that travels further does not extend the travel of the wide one
   further.with(2).rapid(48, 0, 2).feed(48, 0, -5).feed(48, 20, -5).rapid(48, 20, 50);
   EXPECT_EQ(further.text({}, false, radius_of), "box:-11,-11,-8,51,31,0");
 }

@@ -1,5 +1,5 @@
-// control/correctors/pocket: the slow twin is the sampled area: nothing stays inside the wall, and nothing outside is cut.
-// spec/correctors 3.
+// control/correctors/pocket: compared with the sampled area as the slow reference.
+// No area remains inside the wall, and nothing outside is cut. spec/correctors 3.
 
 #include "control/correctors/pocket.h"
 
@@ -24,7 +24,7 @@ double distance_to_line(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - a - part * way);
 }
 
-/// Least distance of a point to the tool's way of a whole pass.
+/// Returns the least distance of a point from the tool's path in a whole pass.
 double distance_to_way(Vec2 p, const PocketRounds& rounds, double direction) {
   double least = length(p);  // the plunge in the middle
   Vec2 at{};
@@ -50,7 +50,7 @@ double distance_to_way(Vec2 p, const PocketRounds& rounds, double direction) {
   return least;
 }
 
-/// Signed distance to the wall: negative inside.
+/// Returns the signed distance from the wall, negative inside.
 double beyond_wall(Vec2 p, const PocketCycle& pocket) {
   const double r = pocket.corner;
   const Vec2 q{std::fabs(p.x) - pocket.x / 2 + r, std::fabs(p.y) - pocket.y / 2 + r};
@@ -103,7 +103,7 @@ TEST(pocket, passes_count_the_rest) {
   pocket.z = -10;
   EXPECT_EQ(PocketRun::passes(pocket), 2);
   pocket.z = -0.3;
-  pocket.pass = 0.1;  // no fourth pass by rounding
+  pocket.pass = 0.1;  // rounding must not add a fourth pass
   EXPECT_EQ(PocketRun::passes(pocket), 3);
 }
 

@@ -1,4 +1,4 @@
-// control/fanuc/drilling/drilling: a cycle is its written-out long form, in every plane and unit; L, G98, G99. NCT 18.
+// control/fanuc/drilling/drilling: a canned cycle equals its long form written out, in every plane and unit; L, G98, G99. NCT 18.
 
 #include "control/fanuc/drilling/drilling.h"
 
@@ -11,9 +11,9 @@ namespace kadr::drilling_test {
 namespace {
 
 using namespace test;
-using Machine = kadr::Setup;  // in a test, Setup would be GoogleTest's
+using Machine = kadr::Setup;  // in a test, Setup would mean GoogleTest's Setup
 
-/// Axes of a plane in the order of the manual's table; letters of the shift.
+/// The axes of a plane in the order of the manual's table, and the letters of the shift.
 struct Letters {
   const char* code;
   char first, second, drill, shift_first, shift_second;
@@ -25,13 +25,13 @@ struct Holes {
   std::string code;
   Letters plane = planes[0];
   bool absolute = true, initial = true, inch = false;
-  int start = 0, level = 0, depth = 1, peck = 1, back = 0, repeats = 1, dwell = 0, shift = 0;  // dwell: tenths of a second
+  int start = 0, level = 0, depth = 1, peck = 1, back = 0, repeats = 1, dwell = 0, shift = 0;  // dwell in tenths of a second
   struct Hole {
     int first, second;
   };
   std::vector<Hole> holes;
 
-  /// A length as the program writes it.
+  /// Returns a length as the program writes it.
   std::string length(int thousandths) const {
     char text[40];
     if (inch) std::snprintf(text, sizeof text, "%.12f", thousandths / 25400.0);
@@ -75,7 +75,7 @@ std::string preparation(const Holes& h) {
          h.length(h.start) + "\n";
 }
 
-/// All words in the first block, then the positions only: the data are modal, with G91 too.
+/// All words in the first block, then the positions only: the data are modal, also with G91.
 std::string short_form(const Holes& h) {
   std::string text = preparation(h) + (h.absolute ? "G90 " : "G91 ") + (h.initial ? "G98 " : "G99 ") + h.code + " ";
   text += h.plane.drill + h.length(h.absolute ? h.bottom() : -h.depth) + " R" + h.length(h.absolute ? h.level : h.level - h.start);
@@ -157,7 +157,8 @@ Machine machine() {
   return setup;
 }
 
-/// What is done, the axes in that order: motions that go somewhere, dwells, spindle, stops; to the nanometre.
+/// Returns the steps, with the axes in the order first, second, drilling axis: motions that change the position, dwells, spindle,
+/// stops; rounded to a nanometre.
 std::vector<std::string> steps_of(const std::string& program, const Letters& plane = planes[0]) {
   const auto index = [](char letter) { return static_cast<std::size_t>(letter - 'X'); };
   const std::size_t order[] = {index(plane.first), index(plane.second), index(plane.drill)};
@@ -258,7 +259,7 @@ RC_GTEST_PROP(drilling, cuts_the_same_with_g98_and_g99, ()) {
   RC_ASSERT(std::fabs(to_level.second - h.level / 1000.0) < 1e-9);
 }
 
-TEST(drilling, runs_in_batches) {  // constant memory: a batch is emitted while the cycle goes on
+TEST(drilling, runs_in_batches) {  // constant memory: a batch is emitted while the cycle continues
   const auto r = run("nct", "G91 G81 X0.001 Z-1 R-1 F100 L20000\n");
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_NEAR(r.ending.position[0], 20, 1e-6);

@@ -1,5 +1,5 @@
-// control/fanuc/frames/transformations: every program under G51.1, G51, G68 has the path of the program, each point by the maps composed in
-// the order of switching on; its arcs opposed where the plane is mirrored. NCT 16.
+// control/fanuc/frames/transformations: under G51.1, G51 and G68 every program follows the original path with each point mapped. The
+// maps are composed in the order in which they were switched on, and arcs are reversed where the plane is mirrored. NCT 16.
 
 #include <functional>
 
@@ -12,8 +12,8 @@ namespace {
 
 using namespace test;
 
-constexpr double near = 1e-8;         // mm: numbers written with 12 decimals, some maps deep
-constexpr double near_center = 1e-5;  // mm: of arcs by R
+constexpr double near = 1e-8;         // mm; numbers are written with 12 decimals and pass through several maps
+constexpr double near_center = 1e-5;  // mm; for arcs by R
 const std::string start = "G21 G90 F100\n";
 
 using Map = std::function<Vec3(Vec3)>;
@@ -38,7 +38,7 @@ std::string word(const char* name, double value) {
   return text;
 }
 
-/// A transformation: its block, what it does to a point, the block that ends it.
+/// A transformation: the block that switches it on, its effect on a point, and the block that ends it.
 struct Switch {
   std::string on, off;
   Map map;
@@ -54,7 +54,7 @@ Switch rotation(Choices& choose) {
           }};
 }
 
-/// The same magnitude on all axes, signs of their own: circles stay circles.
+/// Scales all axes by the same magnitude, each with a sign of its own: circles stay circles.
 Switch scaling(Choices& choose) {
   const double factor = choose.between(1, 40) / 8.0;
   const Vec3 c{choose.between(-50, 50) / 4.0, choose.between(-50, 50) / 4.0, choose.between(-50, 50) / 4.0};
@@ -78,7 +78,7 @@ Switch mirror(Choices& choose) {
   return {"G51.1" + word("X", x), "G50.1 X0", [=](Vec3 p) { return Vec3{2 * x - p.x, p.y, p.z}; }, true};
 }
 
-/// `path` under the switches: the plain motions, each point by `map`.
+/// Checks that the motions of `path` under the switches are the plain motions with each point mapped by `map`.
 void expect_mapped(const Path& path, const std::string& before, const Map& map, bool reversed, Choices& choose) {
   const std::vector<Motion> plain = motions_of(start + "G0 X0 Y0 Z0\n" + written(path));
   const std::vector<Motion> moved = motions_of(start + before + "G90 G0 X0 Y0 Z0\n" + written(path, {Dimensions::mixed}, &choose));
@@ -149,7 +149,7 @@ RC_GTEST_PROP(transformations, scaled_by_p_a_program_divided_by_p_is_the_program
   }
 }
 
-/// The switch itself moves nothing, and what G91 then says is moved by the linear part alone.
+/// Switching on does not move the tool, and a following increment in G91 is transformed by the linear part alone.
 RC_GTEST_PROP(transformations, an_increment_behind_the_switch_is_mapped_from_where_the_tool_stands, ()) {
   Choices choose = choices(60);
   const Switch s = choose.below(2) == 0 ? rotation(choose) : scaling(choose);

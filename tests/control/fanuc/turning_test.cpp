@@ -1,5 +1,5 @@
-// control/fanuc/turning/turning: rough passes leave the allowance on random contours, the last one follows it; G70.7 is the contour written
-// out; every plane alike. NCT 19.
+// control/fanuc/turning/turning: on random contours the rough passes leave the allowance, and the last pass follows it; G70.7 equals
+// the contour written out; all planes behave alike. NCT 19.
 
 #include "control/fanuc/turning/turning.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Letters of the cut (along which the passes run) and of the infeed axis; increments.
+/// The letters of the cutting axis (along which the passes run) and of the infeed axis, and of their increments.
 struct Letters {
   const char* plane;
   const char* code;
@@ -54,7 +54,7 @@ struct Shaft {
            number(back) + "\n" + letters.code + " P10 Q99 " + letters.in_increment + number(in_allowance) + " " + letters.cut_increment +
            number(cut_allowance) + " F200\n" + contour();
   }
-  /// Depth of the contour, allowances included, at a place: the in coordinate below which nothing may be cut.
+  /// Returns the depth of the contour with allowances at a position: the infeed coordinate below which nothing may be cut.
   double floor_at(double cut) const {
     double from_cut = 0, from_in = -deep, least = 1e9;
     const double at = cut - cut_allowance;
@@ -129,10 +129,10 @@ RC_GTEST_PROP(turning, finishes_as_if_the_contour_stood_there, ()) {
 TEST(turning, an_alarm_takes_the_first_line_back) {
   const auto r = run("nct", "G18 F100\nG71.7 U5 R-1\nG71.7 P10 Q20\nN10 G0 X-5\nN20 G1 Z-5\n", {}, OnAlarm::go_on);
   ASSERT_EQ(r.alarms.size(), 2U);
-  EXPECT_EQ(name_of(r.alarms[1].alarm.id), "word_missing");  // the depth of the faulty line is not kept
+  EXPECT_EQ(name_of(r.alarms[1].alarm.id), "word_missing");  // the depth of cut in the faulty line is not kept
 }
 
-TEST(turning, the_contour_is_carried_out_where_the_cycle_fails) {  // checking goes on with the next block
+TEST(turning, the_contour_is_carried_out_where_the_cycle_fails) {  // checking continues with the next block
   const auto r = run("nct", "G18 F100\nG71.7 P10 Q20\nN10 G0 X-5\nN20 G1 Z-5\n", {}, OnAlarm::go_on);
   EXPECT_EQ(r.alarms.size(), 1U);
   EXPECT_EQ(r.motions().size(), 2U);

@@ -1,5 +1,5 @@
-// control/macro_b: custom macros carried out (spec/nct/23): programs against a slow twin, loops against their unrolled bodies, calls
-// against the same code inline, arguments against the manual's table, and the same program in other spellings and units.
+// control/macro_b: executes custom macros (spec/nct/23): programs compared with a slow reference, loops with their unrolled bodies,
+// calls with the same code inline, arguments with the manual's table, and each program with other spellings and units of it.
 
 #include <set>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-constexpr int variables = 9;       // #1 … #9 are the program's; #20 … count loops
+constexpr int variables = 9;       // the program uses #1 … #9; #20 … count loops
 constexpr double same_way = 1e-9;  // mm
 
 // ---- programs as trees
@@ -21,8 +21,8 @@ using Steps = std::vector<Step>;
 
 struct Step {
   enum class Kind { assign, move, unless, loop, leave } kind = Kind::assign;
-  int target = 1;        // assign: #target; loop: passes
-  Tree value;            // assign, move: of #target, of X
+  int target = 1;        // assign: target #; loop: number of passes
+  Tree value;            // assign, move: the value of #target, of X
   Tree left, right;      // unless, leave: IF[left relation right]GOTO after the body, or out of the loop
   std::string relation;  // … assign: "" or IF[…]THEN
   Steps body;
@@ -34,7 +34,7 @@ Tree plain_number(const std::string& text) {
   return t;
 }
 
-/// X stays within reach, whatever the tree gives.
+/// Bounds the value of the tree, so that X stays within its range.
 Tree within_reach(Tree tree) {
   Tree bounded;
   bounded.kind = Tree::Kind::pair;
@@ -77,7 +77,7 @@ Steps random_steps(Choices& choose, int depth, bool in_loop) {
   return steps;
 }
 
-/// Prints steps as a program. Loops stand in each other at most three deep: `depth` is their number.
+/// Prints steps as a program. Loops are nested at most three deep; `depth` is the current level.
 class ProgramPrinter {
  public:
   ProgramPrinter(Choices& choose, bool plain, bool unrolled = false, std::string scale = "")
@@ -142,13 +142,13 @@ class ProgramPrinter {
   int labels_ = 100;
 };
 
-/// What the steps do, without a text.
+/// Evaluates the steps directly, without their text.
 class Twin {
  public:
   std::vector<double> values = std::vector<double>(variables + 1, no_value());  // #1 … #9
-  std::vector<double> ends;                                                     // X of each motion that goes somewhere
+  std::vector<double> ends;                                                     // X of each motion that changes it
   std::optional<AlarmId> alarm;
-  bool unknown = false;  // it looked at a system variable: the twin has none
+  bool unknown = false;  // the program read a system variable, which the reference does not have
 
   enum class Next { on, left, stopped };
 
@@ -163,7 +163,7 @@ class Twin {
     if (is_empty(n)) return AlarmId::variable_unknown;
     const double nearest = std::round(n);
     if (nearest < 0 || std::fabs(n - nearest) > 1e-6) return AlarmId::variable_unknown;
-    if (std::fabs(n - nearest) > 0) unknown = true;  // how far from a whole number is whole?
+    if (std::fabs(n - nearest) > 0) unknown = true;  // the reference does not decide how close to a whole number counts as whole
     if (nearest > 20 && nearest <= 33) unknown = true;
     if (nearest <= 33) return nearest == 0 || nearest > variables ? no_value() : values[static_cast<std::size_t>(nearest)];
     if (nearest >= 100 && nearest <= 999) return no_value();
@@ -178,7 +178,7 @@ class Twin {
     return std::nullopt;
   }
 
-  /// Whether the condition holds; nothing: an alarm.
+  /// Returns whether the condition is true; nullopt if it raises an alarm.
   std::optional<bool> condition(const Step& step) {
     if (step.relation.empty()) return true;
     const auto left = value(step.left);
@@ -212,7 +212,7 @@ class Twin {
   }
 };
 
-/// X of each motion that goes somewhere.
+/// Returns X of each motion that changes the position.
 std::vector<double> ends_of(const Run& r) {
   std::vector<double> ends;
   for (const Motion& m : r.motions())
@@ -244,7 +244,7 @@ RC_GTEST_PROP(macro_programs, do_what_the_twin_does, ()) {
   if (ends_of(r) != twin.ends) RC_FAIL(text + "goes elsewhere");
 }
 
-// ---- blocks kept for a loop are the same blocks
+// ---- blocks that are kept for a loop stay the same blocks
 
 RC_GTEST_PROP(macro_programs, in_a_loop_do_what_they_do_unrolled, ()) {
   Choices choose = choices(400);
@@ -257,7 +257,7 @@ RC_GTEST_PROP(macro_programs, in_a_loop_do_what_they_do_unrolled, ()) {
   if (exactly(a.ending) != exactly(b.ending)) RC_FAIL(looped + "ends differently unrolled");
 }
 
-/// All kinds of words, some of them vacant now and then, again and again.
+/// Words of all types, some of them vacant now and then, in repeated passes.
 TEST(macro_blocks, in_a_loop_do_what_they_do_unrolled) {
   const char* bodies[] = {
       "G#2 X#1 Y-#3 Z[#1*2] F#4",
@@ -292,7 +292,7 @@ TEST(macro_blocks, in_a_loop_do_what_they_do_unrolled) {
 
 // ---- arguments
 
-/// The manual's table (23.3): variable, type 1, type 2.
+/// The manual's table (23.3): variable, letter of type 1, letter of type 2.
 struct ArgumentRow {
   int variable;
   const char* type_1;
@@ -311,10 +311,10 @@ struct Argument {
   double value;
 };
 
-/// The locals by the table, or nothing where a letter is illegal.
+/// Returns the locals by the table, or nullopt if a letter is illegal.
 std::optional<std::map<int, double>> locals_by_table(const std::vector<Argument>& arguments) {
   std::map<int, double> locals;
-  std::map<char, int> nth;  // place in its own row that I, J, K took last
+  std::map<char, int> nth;  // the last row of I, J, K that each letter used
   for (const Argument& a : arguments) {
     const bool row_of_ten = a.letter >= 'I' && a.letter <= 'K';
     int found = 0;
@@ -390,7 +390,7 @@ TEST(macro_arguments, are_no_codes_of_the_block) {
   EXPECT_EQ(variable_of(signs.ending, 120), -1.5);
 }
 
-// ---- calls and the same code inline
+// ---- calls compared with the same code inline
 
 RC_GTEST_PROP(macro_calls, do_what_the_body_does_inline, ()) {
   Choices choose = choices(400);
@@ -457,7 +457,7 @@ RC_GTEST_PROP(macro_programs, in_other_letters_and_with_blanks_are_the_same, ())
     RC_FAIL(text + "does something else");
 }
 
-/// Words of NC blocks and whole statements; between two of them blanks and comments may stand.
+/// Words of NC blocks and whole statements; blanks and comments are allowed between them.
 const std::vector<std::vector<std::string>> words_of_program = {
     {"N5", "G21", "G90", "F200"},
     {"#1=3"},
@@ -556,7 +556,7 @@ TEST(macro_loops, that_are_wrong_say_so) {
   EXPECT_EQ(first("WHILE[#1EQ#0]DO1\nDO2\nEND1\nEND2\n"), "loops_overlap");
   EXPECT_EQ(first("GOTO5\n"), "block_not_found");
   EXPECT_EQ(first("N1GOTO[1+1]\n"), "block_not_found");
-  EXPECT_EQ(first("#1=#1+1\nM99\n"), "");  // a main program that begins again is no loop: after --max-passes a note
+  EXPECT_EQ(first("#1=#1+1\nM99\n"), "");  // a main program that restarts is not a loop: a note follows after --max-passes
   EXPECT_EQ(first("DO1\n#1=#1+1\nEND1\n"), "endless_program");
   EXPECT_EQ(first("N1GOTO1\n"), "endless_program");
 }

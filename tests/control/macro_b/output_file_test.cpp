@@ -1,4 +1,4 @@
-// control/macro_b/output/output_file: modes, names, and that nothing outside the root is ever written. NCT 23.2.13, 14.4.2.
+// control/macro_b/output/output_file: modes and names of output files; nothing outside the root is ever written. NCT 23.2.13, 14.4.2.
 
 #include "control/macro_b/output/output_file.h"
 
@@ -32,7 +32,7 @@ std::string text_of(const fs::path& file) {
 
 void put(const fs::path& file, std::string_view text) { std::ofstream(file, std::ios::binary) << text; }
 
-/// An empty folder of its own, with `root` in it; goes with the object.
+/// A temporary folder that contains nothing but an empty folder `root`; the destructor removes it.
 struct Folder {
   Folder() {
     std::string name = (fs::temp_directory_path() / "kadr_output_XXXXXX").string();
@@ -113,8 +113,8 @@ RC_GTEST_PROP(path_in_root, has_no_step_that_could_climb, ()) {
 
 struct Mode {
   double number;
-  const char* exists;   // content then, or the alarm
-  const char* missing;  //
+  const char* exists;   // the content if the file existed, or the alarm
+  const char* missing;  // the same if the file did not exist
 };
 constexpr Mode modes[] = {{1, "file_exists data.txt", "B\r\n"},
                           {2, "B\r\n", "B\r\n"},
@@ -158,7 +158,7 @@ TEST(open_number, names_and_alarms) {  // golden 23-86, 23-88
   EXPECT_EQ(alarm_of(file.open_number(1, 12, "part.nct")), "program_file_exists O0012");
   EXPECT_EQ(alarm_of(file.open_number(1, 13, "part.nct")), "program_file_exists O00000013");
   EXPECT_EQ(alarm_of(file.open_number(3, 14, "part.nct")), "program_missing O0014");
-  EXPECT_EQ(alarm_of(file.open_number(5, 12, "part.prg")), "program_missing O0012");  // another extension
+  EXPECT_EQ(alarm_of(file.open_number(5, 12, "part.prg")), "program_missing O0012");  // another file-name extension
   EXPECT_EQ(alarm_of(file.open_number(3, 12345, "part.nct")), "program_missing O00012345");
   EXPECT_EQ(alarm_of(file.open_number(1, 0, "part.nct")), "value_out_of_range P 0");
   EXPECT_EQ(alarm_of(file.open_number(1, 1e8, "part.nct")), "value_out_of_range P 100000000");
@@ -206,16 +206,16 @@ TEST(open_device, name_from_the_first_print) {  // golden 23-83, 23-84
   EXPECT_EQ(alarm_of(file.print("A/B\r\n", dec)), "file_name A/B.nct");
   EXPECT_EQ(alarm_of(file.print("..\\A\r\n", dec)), "file_name ..\\A");
   EXPECT_EQ(alarm_of(file.print("\r\n", dec)), "file_name ");
-  ASSERT_TRUE(file.print("O 4567\r\n", dec));  // PNT=0: with the place for the sign
+  ASSERT_TRUE(file.print("O 4567\r\n", dec));  // PNT=0: with a column for the sign
   EXPECT_EQ(text_of(folder.root / "sub" / "O4567.nct"), "%\r\n");
   ASSERT_TRUE(file.print("X 1\r\n", dec));
-  EXPECT_EQ(text_of(folder.root / "sub" / "O4567.nct"), "%\r\nX 1\r\n");  // at once
+  EXPECT_EQ(text_of(folder.root / "sub" / "O4567.nct"), "%\r\nX 1\r\n");  // written at once
   EXPECT_EQ(alarm_of(file.close_file()), "file_not_open");
   ASSERT_TRUE(file.close_device(31));
   EXPECT_EQ(text_of(folder.root / "sub" / "O4567.nct"), "%\r\nX 1\r\n%\r\n");
   ASSERT_TRUE(file.open_device(31, "sub/part.nct"));
-  ASSERT_TRUE(file.print("O4567\r\n", dec));  // overwritten without asking
-  file.abort();                               // M30
+  ASSERT_TRUE(file.print("O4567\r\n", dec));  // overwritten without a question
+  file.abort();                               // what M30 does
   EXPECT_FALSE(file.is_open());
   EXPECT_EQ(text_of(folder.root / "sub" / "O4567.nct"), "%\r\n");
 }
@@ -263,7 +263,7 @@ TEST(output_file, a_statement_that_fails_halfway_is_taken_back) {
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
   const struct rlimit small { 5, limit.rlim_max };
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const Status failed = file.print("234\r\n", dec);  // two bytes still fit
+  const Status failed = file.print("234\r\n", dec);  // two more bytes fit
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
   std::signal(SIGXFSZ, before);
   EXPECT_EQ(alarm_of(failed), "file_write a.txt");
@@ -319,7 +319,7 @@ TEST(output_file, dry_knows_what_it_would_have_made) {
   EXPECT_TRUE(fs::is_empty(folder.root));
 }
 
-/// All files below a folder with their text; links not followed.
+/// Returns all files below a folder with their text; links are not followed.
 std::map<std::string, std::string> all_files(const fs::path& folder, const fs::path& but) {
   std::map<std::string, std::string> files;
   for (auto at = fs::recursive_directory_iterator(folder); at != fs::recursive_directory_iterator(); ++at) {
@@ -354,7 +354,7 @@ RC_GTEST_PROP(output_file, nothing_outside_the_root_ever_changes, ()) {
     } else {
       static_cast<void>(file.open_named(choose.between(1, 5), name, program));
     }
-    static_cast<void>(file.print("text\r\n", dec));  // it may become the file's name
+    static_cast<void>(file.print("text\r\n", dec));  // this text may become the file's name
     if (file.print("text\r\n", dec)) {
       const fs::path written = fs::canonical(folder.root / file.path());
       RC_ASSERT(written.string().rfind(fs::canonical(folder.root).string() + "/", 0) == 0);

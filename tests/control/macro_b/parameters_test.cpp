@@ -1,4 +1,4 @@
-// control/macro_b/variables/parameters: set-up, PRM (nct 24.2), G10 L52 (24.1), taking back, state at the end.
+// control/macro_b/variables/parameters: parameters from the set-up, PRM (nct 24.2), G10 L52 (24.1), undo, and the state at the end.
 
 #include "control/macro_b/variables/parameters.h"
 
@@ -22,14 +22,14 @@ ParameterStore store(const Parameters& given = {}, int channel = 1) { return {ro
 using Write = ParameterStore::Write;
 using Word = ParameterStore::Word;
 
-/// `N P Q R`; NaN: the word is not there.
+/// The words `N P Q R` of a block; NaN leaves the word out.
 constexpr double no = std::numeric_limits<double>::quiet_NaN();
 Write block(double n, double p, double q, double r) {
   const auto word = [](double value, std::uint32_t at) { return value == value ? std::optional(Word{value, {at, at + 1}}) : std::nullopt; };
   return {word(n, 0), word(p, 10), word(q, 20), word(r, 30), false, {0, 40}};
 }
 
-/// "2002 P" and the like: what the alarm tells.
+/// Returns the alarm with its arguments, for example "2002 P".
 std::string told(const Alarm& alarm) {
   std::string text(name_of(alarm.id));
   for (std::size_t i = 0; i < alarm.arg_count; ++i)
@@ -172,7 +172,7 @@ TEST(prm, reads_as_in_the_manuals_example) {  // 24.2
   EXPECT_EQ(read(p, 1339, {}, 2), "0.010000");
   EXPECT_EQ(read(p, 1746, 1), "1.000000");
   EXPECT_EQ(read(p, 2201), "100.000000");
-  EXPECT_EQ(read(p, 100, {}, 1), "88.000000");  // a restart parameter may be read
+  EXPECT_EQ(read(p, 100, {}, 1), "88.000000");  // a parameter that requires a restart can be read
 }
 
 TEST(prm, misses_its_arguments) {
@@ -231,7 +231,7 @@ TEST(g10_l52, clears_one_bit_and_leaves_the_others) {
 TEST(g10_l52, alarms) {
   const ParameterStore p = store();
   EXPECT_EQ(refused(p, block(107, 4, 0, 1)), "done");
-  EXPECT_EQ(refused(p, block(107, 32, 7, 0)), "value_out_of_range P 32");  // no such axis
+  EXPECT_EQ(refused(p, block(107, 32, 7, 0)), "value_out_of_range P 32");  // there is no such axis
   EXPECT_EQ(refused(p, block(109, no, no, 1)), "parameter_unknown 109");
   EXPECT_EQ(refused(p, block(-107, 4, 0, 1)), "parameter_unknown -107");
   EXPECT_EQ(refused(p, block(107, 33, 0, 1)), "value_out_of_range P 33");
@@ -291,7 +291,7 @@ TEST(undo, takes_back_the_block_only) {
   EXPECT_EQ(p.written(), before);
   const auto after = p.version();
   journal.undo();
-  EXPECT_EQ(p.version(), after);  // nothing left to take back
+  EXPECT_EQ(p.version(), after);  // nothing remains to undo
 }
 
 TEST(written, keeps_the_keys_of_the_set_up) {
@@ -323,7 +323,7 @@ TEST(written, of_a_value_for_all_channels_shows_the_own_one_when_it_was_written)
   EXPECT_EQ(next.value(next.find(1339), 1), 50);
 }
 
-/// Any set-up and any blocks, right or wrong.
+/// Returns parameters as a random set-up gives them.
 Parameters any_set_up() {
   Parameters given;
   for (int n = *rc::gen::inRange(0, 12); n > 0; --n) {

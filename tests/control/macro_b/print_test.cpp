@@ -1,4 +1,5 @@
-// control/macro_b/output/print: what DPRNT, BPRNT and messages make of variables; against printf and against whole numbers. NCT 23.2.13.
+// control/macro_b/output/print: how DPRNT, BPRNT and messages print variables,
+// compared with printf and with whole-number arithmetic. NCT 23.2.13.
 
 #include "control/macro_b/output/print.h"
 
@@ -18,7 +19,7 @@ using Values = std::vector<std::optional<double>>;
 constexpr auto spaces = PrintFill::spaces;
 constexpr auto none = PrintFill::none;
 
-/// `#` and digits; remembers what it read.
+/// Reads `#` and digits, and records what it has read.
 struct Reader {
   std::vector<std::string> read;
   Result<std::size_t> operator()(std::string_view rest) {
@@ -76,16 +77,16 @@ TEST(decimal_number, cases) {
       {std::nullopt, 5, 3, "     0.000", "0.000"},
       {std::nullopt, 4, 0, "    0", "0"},
       {4567.0, 4, 0, " 4567", "4567"},
-      {-0.0004, 3, 3, "   0.000", "0.000"},  // no minus before what rounds to zero
+      {-0.0004, 3, 3, "   0.000", "0.000"},  // no minus sign before a value that rounds to zero
       {-0.0, 1, 0, " 0", "0"},
       {0.25, 0, 2, " .25", ".25"},
       {5.25, 0, 2, " 5.25", "5.25"},
-      {12345.678, 2, 1, " 12345.7", "12345.7"},  // wider than its places: whole
+      {12345.678, 2, 1, " 12345.7", "12345.7"},  // wider than its columns: printed whole
       {99.96, 2, 1, " 100.0", "100.0"},
-      {0.5, 1, 0, " 1", "1"},  // half away from zero
+      {0.5, 1, 0, " 1", "1"},  // halves round away from zero
       {-2.5, 1, 0, "-3", "-3"},
       {0.125, 1, 2, " 0.13", "0.13"},
-      {1.005, 1, 2, " 1.00", "1.00"},  // the double lies below 1.005
+      {1.005, 1, 2, " 1.00", "1.00"},  // the double is below 1.005
       {1e300, 1, 0, nullptr, nullptr},
       {std::numeric_limits<double>::denorm_min(), 1, 9, " 0.000000000", "0.000000000"},
   };
@@ -99,11 +100,11 @@ TEST(decimal_number, cases) {
   }
 }
 
-/// The twin for values n/256, where everything is a whole number.
+/// The reference for values n/256, computed in whole numbers.
 std::string slow_number(long n, int after) {
   long long scale = 1;
   for (int i = 0; i < after; ++i) scale *= 10;
-  const long long scaled = std::llabs(n) * scale;  // over 256
+  const long long scaled = std::llabs(n) * scale;  // divided by 256 below
   const long long rounded = scaled / 256 + (scaled % 256 >= 128 ? 1 : 0);
   std::string text = std::to_string(rounded / scale);
   if (after > 0) {
@@ -125,9 +126,9 @@ RC_GTEST_PROP(decimal_number, agrees_with_printf, (double any)) {
   const double value = choose.one_in(2) ? any : choose.between(-99'999'999, 99'999'999) / std::pow(10, choose.between(0, 8));
   const int after = choose.between(0, 14);
   char buffer[1500];
-  std::snprintf(buffer, sizeof buffer, "%.1100f", value);  // exact
+  std::snprintf(buffer, sizeof buffer, "%.1100f", value);  // the exact decimal value
   const std::string rest = std::string(buffer).substr(std::string(buffer).find('.') + 1 + static_cast<std::size_t>(after));
-  RC_PRE(rest[0] != '5' || rest.find_first_not_of('0', 1) != std::string::npos);  // ties printf rounds to even
+  RC_PRE(rest[0] != '5' || rest.find_first_not_of('0', 1) != std::string::npos);  // printf rounds ties to even
   std::snprintf(buffer, sizeof buffer, "%.*f", after, value);
   std::string expected = buffer;
   if (expected.find_first_of("123456789") == std::string::npos && expected[0] == '-') expected.erase(0, 1);

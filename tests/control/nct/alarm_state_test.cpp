@@ -1,5 +1,5 @@
-// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls (design.md 4), as alarm_state_test.cpp does
-// it for the other controls.
+// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls (design.md 4). alarm_state_test.cpp does
+// the same for the other controls.
 
 #include "control/scene.h"
 
@@ -30,14 +30,14 @@ kadr::Setup machine() {
   return s;
 }
 
-/// Blocks that show all of the state, without an end of their own.
+/// Blocks that show the whole state; they contain no program end.
 const std::string shows =
     "#110=#4001\n#111=#4003\n#112=#4109\n#113=#4119\n#114=#4120\n#115=#4113\n#116=#5041\n#117=#5021\n#118=#8402\n#119=#10001\n#120=#5221\n"
     "#121=#4111\n#122=#4107\n#123=#4114\n#124=#1100\n#125=#3901\n#126=#4130\n#127=#199\n#128=#4115\n#129=PRM[1339]\n"
     "X7 Y3\nG91 X1 Y1 Z1 C10\nG90 G1 X1 F50\nG43 H1 Z3\nH2 Z4\nG49 Z5\nG55 X2\nG54 X3\nG54.1 P3 X4\nG54 G0 X0 Y0\nM3\nM5\nT72 M6\nT71\nM6\n"
     "G67\nG50.1\nG15\nG13.1\nG0 X2 C5\nG2 X8 Y1 R20\n";
 
-/// What a faulty motion may leave to those behind it, stated anew.
+/// Restates the modes and the position that a faulty motion may leave to the blocks after it.
 const std::string anew = "G90 G17 G21 G0 X0 Y0 Z0 C0\n";
 
 TEST(alarm_on_nct, leaves_everything_as_it_was) {
@@ -128,7 +128,7 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
     for (const char* fault : faults) EXPECT_EQ(differences(scene, fault, machine()), "") << scene.before << "fault: " << fault;
 }
 
-/// Codes and letters bound to programs that are not there, or cannot be called.
+/// Codes and letters are bound to programs that do not exist or cannot be called.
 TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
   kadr::Setup setup = machine();
   setup.parameters[key("N1704")] = 2000.0;
@@ -143,7 +143,7 @@ TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
 }
 
 TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
-  const std::string calls = "G66 P301\nG1 X2 F100\n";  // O301 moves and is called again inside: its like does not act there
+  const std::string calls = "G66 P301\nG1 X2 F100\n";  // O301's own motion does not call O301 again
   const auto good = run("nct", calls + "M30\nO301\nY1\nM99\n", machine());
   EXPECT_EQ(good.first_alarm(), "");
   const auto deep =
@@ -153,7 +153,8 @@ TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
   EXPECT_EQ(deep.ending.position[0], -100);
 }
 
-// The table itself, not only the frame that was in force: the next G54 reads it. M205 turns a spindle whose loop is open.
+// The table itself must be restored, not only the frame in force: the
+// next G54 reads the table. M205 turns a spindle whose loop is open.
 TEST(alarm_on_nct, a_work_offset_comes_back) {
   const auto setup = parse_setup(R"({"parameters": {"N0607.1#2": 1, "N0820.1": 201, "N0821.1": 10, "N0822.1": 30}})");
   for (const char* const system : {"L2 P1", "L2 P0"}) {

@@ -1,4 +1,4 @@
-// control/nct/axes/gearbox, coupling: what no trace of a case shows: the helix of a gearbox, errors of the set-up, warnings. NCT 20.
+// control/nct/axes/gearbox, coupling: what no case's trace shows: the helix of a gearbox, errors in the set-up, warnings. NCT 20.
 
 #include <cmath>
 
@@ -66,7 +66,7 @@ std::string setup_error(const std::string& json, const char* of = "nct") {
 TEST(coupling, the_set_up_must_name_a_master) {
   const std::string event = R"("axes": ["X", "Y", "V"], "events": [{"when": {"code": "M41"}, "do": "synchronise", "axes": ["V"]}])";
   EXPECT_EQ(setup_error(event), "events: N2101.V is not the number of another axis");
-  EXPECT_NE(setup_error(event + R"(, "parameters": {"N2101.V": 3})"), "");  // itself
+  EXPECT_NE(setup_error(event + R"(, "parameters": {"N2101.V": 3})"), "");  // an axis names itself
   EXPECT_EQ(setup_error(event, "fanuc"), "events: no parameter of this control says which axis V follows");
   EXPECT_EQ(setup_error(event + R"(, "parameters": {"N2101.V": 2})"), "");
 }

@@ -1,4 +1,4 @@
-// control/nct/tools/tools: data input between G10 L75, L76, L77 and G11. NCT 12.4.
+// control/nct/tools/tools: data input between G10 L75, L76 or L77 and G11. NCT 12.4.
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace kadr::nct::data_input_test {
 namespace {
 
-using Tables = kadr::Setup;  // in a test, Setup would be GoogleTest's
+using Tables = kadr::Setup;  // in a test, Setup would mean GoogleTest's Setup
 
 constexpr std::uint32_t uencv = 1, sencv = 17, sdlcv = 29;  // 12.3.1
 
@@ -21,7 +21,7 @@ Tables drills() {
   return setup;
 }
 
-/// "N2 T81501070": words and values, parted by blanks.
+/// A line such as "N2 T81501070": words and values, separated by blanks.
 struct Line {
   explicit Line(const std::string& text) : source(text) {
     for (std::size_t at = 0; at < source.size();) {

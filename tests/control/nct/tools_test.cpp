@@ -1,4 +1,4 @@
-// control/nct/tools/tools: tables, search, change, life, data input; the search against a slow twin. NCT 12.
+// control/nct/tools/tools: tables, search, change, life, data input. The search is compared with a slow reference. NCT 12.
 
 #include "control/nct/tools/tools.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 using test::Choices;
 using test::choices;
-using Tables = kadr::Setup;  // in a test, Setup would be GoogleTest's
+using Tables = kadr::Setup;  // in a test, Setup would mean GoogleTest's Setup
 
 constexpr std::uint32_t uencv = 1, uentv = 3, sencv = 17, sentv = 19, sdlcv = 29;  // 12.3.1
 constexpr std::uint32_t drill = 81501070, mill = 10002001;
@@ -34,7 +34,7 @@ Tables sample() {
   return setup;
 }
 
-/// Two drills of 12.5; an empty spindle.
+/// The two drills of 12.5 and an empty spindle.
 Tables drills(double counter = 131) {
   Tables setup;
   setup.tool_table = {{2, tool(drill, sencv, 2, counter, 200)}, {9, tool(drill, sencv, 1, 0, 180)}};
@@ -54,7 +54,7 @@ TEST(search, takes_the_largest_unexpired_counter) {  // 12.3.1, sample table
   const ToolManagement tools(sample());
   EXPECT_EQ(tools.search(mill), 2);
   EXPECT_EQ(tools.search(3210), 6);
-  EXPECT_EQ(tools.search(150), 4);  // not performed, but S
+  EXPECT_EQ(tools.search(150), 4);  // takes no part in life management, but S makes it searchable
   EXPECT_EQ(tools.search(7), 0);
 }
 
@@ -74,7 +74,7 @@ TEST(search, equal_counters_the_smaller_number_and_no_broken_ones) {
   EXPECT_EQ(ToolManagement(setup).search(555), 5);
 }
 
-/// The twin: each candidate is compared with each other.
+/// The reference compares each candidate with each other candidate.
 int slow_search(const std::map<int, ToolRow>& rows, std::uint32_t type) {
   const auto candidate = [&](const ToolRow& row) {
     const bool s = row.info / 16 % 2 == 1;
@@ -106,7 +106,7 @@ TEST(call, without_tables_only_the_number) {
   EXPECT_FALSE(tools.enabled());
   EXPECT_EQ(*tools.call(12, CallBy::type), (ToolCall{12, 0, 0, 0}));
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{12, 0, 0, 0}));
-  EXPECT_EQ(tools.change(10, CountUse::yes).tool, 12U);  // nothing prepared: it stays
+  EXPECT_EQ(tools.change(10, CountUse::yes).tool, 12U);  // no tool is prepared: the current tool stays
   EXPECT_TRUE(tools.places().empty());
 }
 
@@ -121,7 +121,7 @@ TEST(call, by_place) {  // 12.5.2
   EXPECT_EQ(alarm_of(tools.call(10013, CallBy::place)), AlarmId::tool_not_found);
 }
 
-TEST(call, by_place_takes_an_expired_tool) {  // 12.5.2: to take it out
+TEST(call, by_place_takes_an_expired_tool) {  // 12.5.2: to remove it from the magazine
   Tables setup = drills();
   setup.tool_table[2].status = 3;
   ToolManagement tools(setup);
@@ -157,7 +157,7 @@ TEST(change, expiry_makes_the_next_search_take_the_other) {  // golden 12-7
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 9, 1, 4}));
   EXPECT_EQ(tools.row(9)->status, 2U);  // not used → used
   EXPECT_EQ(tools.row(9)->counter, 1);
-  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling
+  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling: they swap pockets
 }
 
 TEST(change, not_counted_when_the_other_code_counts) {
@@ -174,7 +174,7 @@ TEST(change, the_tool_in_the_spindle_stays_and_is_counted_again) {
   ASSERT_TRUE(tools.call(drill, CallBy::type));
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 2, 10, 1}));
   EXPECT_EQ(tools.row(2)->counter, 133);
-  EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 2, 10, 1}));  // nothing prepared
+  EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 2, 10, 1}));  // no tool is prepared
   EXPECT_EQ(tools.row(2)->counter, 133);
 }
 
@@ -245,7 +245,7 @@ TEST(life, warning) {
   ToolManagement tools(setup);
   EXPECT_FALSE(tools.warning(2));
   EXPECT_TRUE(tools.warning(1));
-  EXPECT_FALSE(tools.warning(4));  // not in life management
+  EXPECT_FALSE(tools.warning(4));  // not in tool life management
   EXPECT_FALSE(tools.warning(99));
   tools.edit_row(2).counter = 188;
   EXPECT_TRUE(tools.warning(2));  // 200 - 188 = 12
@@ -281,12 +281,12 @@ TEST(offset_numbers, of_the_tool_in_the_spindle) {  // 12.5.1
   EXPECT_EQ(tools.offset_numbers().d, 23);
 }
 
-TEST(fits_beside, form_5_of_the_manual) {  // left 2 pockets, right half a pocket
+TEST(fits_beside, form_5_of_the_manual) {  // needs 2 pockets to the left and half a pocket to the right
   const ToolForm wide{4, 1, 0, 0, 0};
   const ToolForm normal{}, half{1, 1, 0, 0, 0};
   EXPECT_TRUE(fits_beside(5, normal, 6, normal));
   EXPECT_FALSE(fits_beside(5, wide, 6, normal));
-  EXPECT_TRUE(fits_beside(5, wide, 7, half));  // two halves share pocket 6
+  EXPECT_TRUE(fits_beside(5, wide, 7, half));  // two half pockets share pocket 6
   EXPECT_FALSE(fits_beside(3, normal, 5, wide));
   EXPECT_TRUE(fits_beside(2, normal, 5, wide));
   EXPECT_FALSE(fits_beside(5, normal, 5, normal));

@@ -1,4 +1,4 @@
-// Area milling: whatever the zone, the tool, the scheme and the plunge, the path keeps off the walls and leaves nothing it could reach.
+// Area milling: for every zone, tool, scheme and plunge the path stays clear of the walls and leaves nothing that the tool can reach.
 
 #include "path/area/mill.h"
 
@@ -44,7 +44,7 @@ TEST(Mill, EverySchemeAndPlungeInAPocket) {
       const auto path = verified_path(pocket, job);
       ASSERT_TRUE(path) << int(scheme) << ' ' << int(plunge) << ' ' << name_of(path.error().id);
       EXPECT_NEAR(path->outcome.nearest_wall, 5, tol::same_point);
-      EXPECT_NEAR(path->outcome.out_of_reach, (4 - pi) * 25, 0.01);  // four corners of the tool's radius
+      EXPECT_NEAR(path->outcome.out_of_reach, (4 - pi) * 25, 0.01);  // four corners with the tool's radius
       EXPECT_EQ(path->path.layers, 2U);
       EXPECT_EQ(path->path.holes.empty(), plunge != Plunge::hole);
     }
@@ -62,7 +62,7 @@ TEST(Mill, RingsAreExactArcs) {
 }
 
 TEST(Mill, NarrowPlacesSplitTheZone) {
-  // Two squares of 30 joined by a neck of 8: the tool of 10 does not pass.
+  // Two squares of 30 mm joined by a neck of 8 mm: a tool of 10 mm does not fit through the neck.
   const Edges dumbbell{{{0, 0}, {30, 0}},    {{30, 0}, {30, 11}},  {{30, 11}, {50, 11}}, {{50, 11}, {50, 0}},
                        {{50, 0}, {80, 0}},   {{80, 0}, {80, 30}},  {{80, 30}, {50, 30}}, {{50, 30}, {50, 19}},
                        {{50, 19}, {30, 19}}, {{30, 19}, {30, 30}}, {{30, 30}, {0, 30}},  {{0, 30}, {0, 0}}};
@@ -105,7 +105,7 @@ TEST(Mill, OpenZonesAreEnteredFromTheAir) {
     const auto path = verified_path(zones(edges), job);
     ASSERT_TRUE(path) << int(scheme);
     EXPECT_EQ(path->outcome.out_of_reach, 0);
-    const Vec3 down = path->path.moves[2].to;  // above, near, down
+    const Vec3 down = path->path.moves[2].to;  // the moves are: above, near, down
     const Vec2 nearest{std::clamp(down.x, 0.0, 60.0), std::clamp(down.y, 0.0, 40.0)};
     EXPECT_GE(length(Vec2{down.x, down.y} - nearest), 5) << int(scheme) << " X" << down.x << " Y" << down.y << " Z" << down.z;
   }
@@ -123,8 +123,8 @@ TEST(Mill, VerificationSeesAGougeAndAnUncutRest) {
   EXPECT_EQ(verified(pocket, Job(), moves).fault->id, AlarmId::mill_uncut);
 }
 
-/// Found by the property below with seed 7432448717896982861. A rest is crossed along the boundary; clipped there, the boundary begins with
-/// a chord of half a micrometre before the arc around a corner of the wall.
+/// Found by the property below with seed 7432448717896982861. The path crosses remaining stock along the boundary. Where it is clipped,
+/// the boundary begins with a chord of half a micrometre before the arc around a corner of the wall.
 TEST(Mill, ARestBesideAnArcAroundACorner) {
   const double radii[] = {24.644, 24.116, 24.534, 18, 24.666}, bulges[] = {0, 0, -0.1, 0, 0};
   const bool open[] = {false, true, false, true, true};
@@ -146,7 +146,7 @@ TEST(Mill, ARestBesideAnArcAroundACorner) {
 
 constexpr double most_left = 0.05;  // mm²
 
-/// A side of a drawing as text: from, to, bulge, open.
+/// Logs each side of a drawing as text: from, to, bulge, open.
 void log(const std::vector<Zone>& found, const Job& job) {
   RC_LOG() << "radius " << job.radius << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme)
            << " plunge " << int(job.plunge) << " angle " << job.angle << '\n';
@@ -156,12 +156,12 @@ void log(const std::vector<Zone>& found, const Job& job) {
         RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
 }
 
-/// found.md A20: beside a wall that ends at an open side the tool cuts from where its centre is outside the zone.
+/// At a wall that ends at an open side, the tool can cut from positions where its centre is outside the zone.
 TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
   const Edges triangle{{{0, 0}, {60, 0}}, {{60, 0}, {0, 22}, 0, true}, {{0, 22}, {0, 0}}};
   const Edges step{{{0, 0}, {40, 0}},    {{40, 0}, {40, 15}},  {{40, 15}, {48, 15}}, {{48, 15}, {48, 24}, 0, true},
                    {{48, 24}, {40, 24}}, {{40, 24}, {40, 40}}, {{40, 40}, {0, 40}},  {{0, 40}, {0, 0}}};
-  const Edges narrow{{{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // less than the tool's diameter
+  const Edges narrow{{{0, 0}, {40, 0}}, {{40, 0}, {40, 6}}, {{40, 6}, {0, 6}, 0, true}, {{0, 6}, {0, 0}}};  // narrower than the tool
   for (const Edges& edges : {triangle, step, narrow})
     for (const Scheme scheme : all_schemes)
       for (const double tool_part : {0.5, 1.0, 1.4}) {
@@ -175,13 +175,13 @@ TEST(Mill, NothingReachableIsLeftBesideOpenSides) {
       }
 }
 
-/// The grid sees what is left where the path is cut short, so that it can fail.
+/// If the path is cut short, the grid must find the remaining area; otherwise its check could never fail.
 TEST(Mill, TheGridSeesAnUncutRest) {
   const std::vector<Zone> pocket = zones(rectangle(60, 40));
   const auto path = area_path(pocket, Job());
   ASSERT_TRUE(path);
   const RasterReach raster(pocket, Job());
-  EXPECT_NEAR(raster.reachable(), 60 * 40 - (4 - pi) * 25, 0.04 * 200 + 2);  // the grid leaves out what is reached by less than its margin
+  EXPECT_NEAR(raster.reachable(), 60 * 40 - (4 - pi) * 25, 0.04 * 200 + 2);  // the grid ignores what is reached by less than its margin
   std::vector<Move> moves = path->moves;
   EXPECT_EQ(raster.left(moves, tol::area_cusp), 0);
   moves.resize(moves.size() / 2);

@@ -1,4 +1,4 @@
-// Ramps: never steeper than asked, within the field, back where they begin; none where the tool would drill.
+// Ramps: never steeper than requested, inside the field, and back where they begin. There is no ramp where the tool would drill.
 
 #include "path/area/ramp.h"
 
@@ -16,7 +16,7 @@ Zone rectangle(double width, double height) {
   return {{{{{0, 0}, {width, 0}}, {{width, 0}, {width, height}}, {{width, height}, {0, height}}, {{0, height}, {0, 0}}}}};
 }
 
-/// A pass too short for a ramp, from the lowest point of the field on.
+/// Returns a pass too short for a ramp, beginning at the lowest point of the field.
 Edges short_pass(const Field& field) {
   Vec2 low{0, 1e9};
   for (const Edges& loop : field.reach)
@@ -46,7 +46,7 @@ TEST(Ramp, LawsWhateverTheRoom) {
 }
 
 TEST(Ramp, NoneWhereTheToolWouldDrill) {
-  // The centre has 2 · 0.9 mm: less than ramp_core · 5 mm; with 1.1 mm more.
+  // The tool centre has 2 · 0.9 mm of room, less than ramp_core · 5 mm; with 1.1 mm it has more.
   const Job job;
   EXPECT_FALSE(ramp_for(fields_of(bore(5.9), job)[0], job, {{{-0.9, 0}, {-0.89, 0}}}, 2));
   EXPECT_TRUE(ramp_for(fields_of(bore(6.1), job)[0], job, {{{-1.1, 0}, {-1.09, 0}}}, 2));

@@ -1,5 +1,5 @@
 #pragma once
-// Random zones: star-shaped outlines of lines and arcs, islands, open sides; passages may be just as wide as the tool.
+// Random zones: star-shaped outlines of lines and arcs, islands, open sides. Passages may be exactly as wide as the tool.
 
 #include <rapidcheck.h>
 
@@ -12,7 +12,7 @@ namespace kadr::test {
 
 inline double share(int thousandths) { return thousandths / 1000.0; }
 
-/// A star around `centre`: corners at even angles, radii in [least, most]; some sides are arcs, some open.
+/// Returns a star around `centre`: its corners are at even angles, their radii in [least, most]; some sides are arcs, some are open.
 inline Edges random_star(Vec2 centre, double least, double most, bool may_be_open) {
   const int corners = *rc::gen::inRange(3, 9);
   std::vector<Vec2> points;
@@ -34,7 +34,7 @@ inline Edges circle(Vec2 centre, double radius) {
   return {{a, b, 1}, {b, a, 1}};
 }
 
-/// An outline about 60 mm wide, with up to three islands around its middle.
+/// Returns an outline about 60 mm wide with up to three islands around its middle.
 inline Edges random_drawing(bool may_be_open) {
   Edges edges = random_star({}, 18, 40, may_be_open);
   const int islands = *rc::gen::inRange(0, 4);

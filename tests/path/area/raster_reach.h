@@ -1,6 +1,6 @@
 #pragma once
-// RasterReach: what a path leaves of a zone although the tool could cut it, found point by point on a grid, with distances to exact lines
-// and arcs. It shares no polygon, offset or field with the milling that it judges.
+// RasterReach: finds the parts of a zone that a path leaves although the tool could cut them. It works point by point on a grid, with
+// distances to exact lines and arcs. It shares no polygon, offset or field with the milling that it judges.
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,14 @@ class RasterReach {
     for (int i = 0; i < ways; ++i) ways_.push_back({std::cos(2 * std::numbers::pi * i / ways), std::sin(2 * std::numbers::pi * i / ways)});
   }
 
-  /// mm² that the tool can reach and the moves leave, of the worst layer; cusps up to `cusp` mm aside.
+  /// Returns the area in mm² that the tool can reach and the moves leave, for the worst layer. Cusps of up to `cusp` mm do not count.
   double left(const std::vector<Move>& moves, double cusp) const {
     double most = 0;
     for (const double level : levels_of(job_)) most = std::max(most, left_at(level, moves, cusp));
     return most;
   }
 
-  /// mm² that the tool can reach.
+  /// Returns the area in mm² that the tool can reach.
   double reachable() const {
     std::size_t count = 0;
     for (std::size_t i = 0; i < inside_.size(); ++i)
@@ -46,13 +46,13 @@ class RasterReach {
 
  private:
   static constexpr double same_level = 0.01;  // mm: levels are rounded to the digits of a Z word
-  static constexpr double margin = 0.02;      // mm: a point that is reached by less than that is left out, as is a gap as narrow
+  static constexpr double margin = 0.02;      // mm: a point that is reached by less than this is ignored, and so is a gap of this width
 
   Vec2 point(std::size_t i) const {
     return box_.least + cell_ * Vec2{static_cast<double>(i % across_) + 0.5, static_cast<double>(i / across_) + 0.5};
   }
 
-  /// Even-odd along a row: crossings with chords far shorter than a cell is wide.
+  /// Fills a row by the even-odd rule: crossings with chords much shorter than a cell is wide.
   void fill(std::size_t row) {
     const double y = point(row * across_).y;
     std::vector<double> crossings;
@@ -94,8 +94,8 @@ class RasterReach {
         if (const std::size_t i = row * across_ + column; left[i] && distance(e, point(i)) <= radius) left[i] = false;
   }
 
-  /// A tool somewhere around p cuts it and touches no wall. It may stand in the zone or beyond an open side: between it and p there is no
-  /// wall, as p is nearer than every wall.
+  /// Returns true if a tool at some position near p cuts p and touches no wall. The tool may be in the zone or beyond an open side.
+  /// There is no wall between the tool and p, because p is nearer than every wall.
   bool can_be_cut(Vec2 p) const {
     const double off_walls = job_.radius + job_.allowance + margin;
     for (const double share : {1.0, 0.7, 0.3, 0.0})
@@ -113,7 +113,7 @@ class RasterReach {
   Bounds box_;
   std::size_t across_ = 0, up_ = 0;
   std::vector<bool> inside_;
-  std::vector<Vec2> ways_;  // unit vectors all around
+  std::vector<Vec2> ways_;  // unit vectors in all directions
 };
 
 }  // namespace kadr::area

@@ -1,4 +1,4 @@
-// Recovery of exact edges: short chords at the ends of an arc, which may point anywhere, do not spoil it.
+// Recovery of exact edges: short chords in any direction at the ends of an arc do not spoil it.
 
 #include "path/area/recover.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::area::recover_test {
 namespace {
 
-/// Corners on the circle of radius 5 around zero, from angle to angle, one a degree.
+/// Returns points on the circle of radius 5 around the origin, from one angle to the other, one per degree.
 Polygon corners_on_circle(int from_deg, int to_deg) {
   Polygon corners;
   for (int deg = from_deg; deg != to_deg; deg += deg < to_deg ? 1 : -1) corners.push_back(rotated(Vec2{5, 0}, deg));
@@ -38,7 +38,7 @@ TEST(Recover, ArcsBothWays) {
 }
 
 TEST(Recover, AFirstChordThatGoesBack) {
-  // What is left of a neighbouring line where a rim was clipped: half a micrometre, against the way of the arc.
+  // A remainder of a neighbouring line where a rim was clipped: half a micrometre long, against the direction of the arc.
   const Carriers carriers = on_circle();
   for (const int end : {40, -40}) {
     Polygon corners = corners_on_circle(0, end);

@@ -1,4 +1,4 @@
-// Room and sweep against Clipper alone, which is slow and sees everything at once.
+// Room and sweep compared with Clipper alone, which is slow and works on the whole area at once.
 
 #include "path/area/room.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::area::room_test {
 namespace {
 
-/// A star with a hole.
+/// Returns a star with a hole.
 Polygons star() {
   Polygons area(2);
   for (int i = 0; i < 40; ++i) area[0].push_back(rotated(Vec2{i % 2 == 0 ? 30.0 : 20.0, 0}, 9.0 * i));
@@ -37,7 +37,7 @@ TEST(Room, WhatSurelyLiesInsideDoes) {
     held += surely ? 1 : 0;
     EXPECT_EQ(room.holds(line, 1e-4), outside < 1e-4) << i;
   }
-  EXPECT_GT(held, inside * 99 / 100);  // what is inside is nearly always seen without Clipper
+  EXPECT_GT(held, inside * 99 / 100);  // points inside are nearly always recognised without Clipper
   EXPECT_GT(inside, 4000);
 }
 
