@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kadr convert: real programs to every other control: by the way that is written down in tests/convert_real/results.json, or refused.
+"""Tests kadr convert with real programs to every other control: by the method that tests/convert_real/results.json records, or refused.
 
     convert_real.py --kadr PROGRAM [--every N] [--jobs N] [--update]
 """
@@ -13,7 +13,7 @@ from conversions.pairs import CONTROLS
 from page_client.client import expect, result
 
 FILE = Path(__file__).resolve().parent / 'convert_real' / 'results.json'
-# From what keeps most to what keeps nothing.
+# From the method that keeps most of the program to the one that keeps nothing.
 WAYS = ('as it stands', 'word by word', 'with offsets and radius compensation as codes', "with the path of the tool's centre", 'with all offsets calculated in', 'refused')
 
 

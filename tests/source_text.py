@@ -1,17 +1,17 @@
-"""The text of source files that is written for people: comments and docstrings of code, every line of a page. For dev/words."""
+"""The text in source files that people read: comments and docstrings of code, every line of a page. Used by dev/words."""
 import io
 import re
 import tokenize
 from pathlib import Path
 
-# strings and characters first, so that a // in them is not taken for a comment
+# strings and characters come first, so that a // in them is not read as a comment
 C_LIKE = re.compile(r'R"(?P<mark>\w*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|`(?:\\.|[^`\\])*`|'
                     r'(?P<line>//[^\n]*)|(?P<block>/\*.*?\*/)', re.DOTALL)
 NUMBER_SIGN = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|(?P<line>(?:^|(?<=\s))#[^\n]*)', re.MULTILINE)
 
 
 def comments_of(name, text):
-    """(line, comment): lines of `//` or `#` that follow one another are one comment, without their signs; of a page every line."""
+    """Returns (line, comment): consecutive lines of `//` or `#` are one comment, without these signs; a page gives every line."""
     ending = Path(name).suffix
     if ending in {'.h', '.cpp', '.js', '.mjs', '.ts'}:
         return joined(matches(C_LIKE, text))
@@ -23,7 +23,7 @@ def comments_of(name, text):
 
 
 def matches(pattern, text):
-    """(line, column, text) of each comment."""
+    """Yields (line, column, text) of each comment."""
     at = line = 0
     for found in pattern.finditer(text):
         line, at = line + text.count('\n', at, found.start()), found.start()
@@ -45,7 +45,7 @@ def python_comments(text):
 
 
 def joined(rows):
-    """Comments that stand one below the other in the same column, as one."""
+    """Joins comments in the same column of consecutive lines."""
     all_rows, last, where = [], None, None
     for line, column, text in rows:
         plain = ' '.join(re.sub(r'^[/#*!<\s]+|\*/$|^["\']{3}|["\']{3}$', '', part.strip()) for part in text.splitlines()).strip()
