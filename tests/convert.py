@@ -263,7 +263,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
     options.add_argument('--mutations', type=int, default=40)
-    options.add_argument('--again', type=int, default=40, help='held against their sources by kadr diff')
+    options.add_argument('--again', type=int, default=40, help='number of results that kadr diff compares with their sources')
     options.add_argument('--seed', type=int, default=7)
     options.add_argument('--jobs', type=int, default=2)
     options.add_argument('--table', action='store_true', help='prints the table of docs/commands/convert.md')

@@ -56,10 +56,10 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
-    options.add_argument('--programs', type=int, default=90, help='random ones')
+    options.add_argument('--programs', type=int, default=90, help='number of random programs')
     options.add_argument('--seed', type=int, default=20261126)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--told', action='store_true', help='why a way back is refused')
+    options.add_argument('--told', action='store_true', help='print why a way back is refused')
     given = options.parse_args()
     jobs = [(control, file, to) for control, file in pairs.examples() for to in CONTROLS if to != control][::given.every]
     counts = collections.Counter()

@@ -129,7 +129,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=EVERY)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--out', type=Path, help='each outcome, a line')
+    options.add_argument('--out', type=Path, help='write each outcome to this file, one per line')
     options.add_argument('--update', action='store_true', help='with --every 1: writes the figures into the documents')
     given = options.parse_args()
     counts = collections.Counter()

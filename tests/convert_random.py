@@ -37,7 +37,7 @@ def main():
     options.add_argument('--programs', type=int, default=72)
     options.add_argument('--seed', type=int, default=20261126)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--keep', type=Path, help='programs, what is made of them and why not, there')
+    options.add_argument('--keep', type=Path, help='keep the programs, their results and the reasons of refusals in this folder')
     given = options.parse_args()
     counts, alarms = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as name:

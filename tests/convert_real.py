@@ -26,7 +26,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--update', action='store_true', help='write down what is')
+    options.add_argument('--update', action='store_true', help='write the results down as expected')
     given = options.parse_args()
     recorded = json.loads(FILE.read_text(encoding='utf-8'))
     jobs = [(row['control'], FILE.parent / row['program'], None, to) for row in recorded for to in CONTROLS if to != row['control']][::given.every]

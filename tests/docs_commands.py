@@ -408,11 +408,11 @@ def update(page, outcomes):
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('pages', nargs='*', type=Path, metavar='PAGE', help='only these pages')
-    parser.add_argument('--without', metavar='NAME', help='not the pages of that name, cut.md')
-    parser.add_argument('--list', action='store_true', help='only tell what would be done with each command')
+    parser.add_argument('--without', metavar='NAME', help='leave out the pages of that name, for example cut.md')
+    parser.add_argument('--list', action='store_true', help='only print what would be done with each command')
     parser.add_argument('--update', action='store_true', help='write what the program prints into the pages')
-    parser.add_argument('--times', action='store_true', help='tell the processor time of each command')
-    parser.add_argument('--jobs', type=int, default=harness.CORES, help='sections at a time')
+    parser.add_argument('--times', action='store_true', help='print the processor time of each command')
+    parser.add_argument('--jobs', type=int, default=harness.CORES, help='sections run at the same time')
     options = harness.parsed(parser)
     chosen = [page.resolve() for page in options.pages] or [page for page in pages() if page.name != options.without]
     for page in chosen:

@@ -26,9 +26,9 @@ EVERY = 50   # takes every 50th golden program, so that the test needs some 75 s
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--every', type=int, default=EVERY, help='of the golden programs every so many')
-    parser.add_argument('--examples-every', type=int, default=1, help='of the examples every so many')
-    parser.add_argument('--jobs', type=int, default=harness.CORES, help='programs at a time')
+    parser.add_argument('--every', type=int, default=EVERY, help='runs every Nth golden program')
+    parser.add_argument('--examples-every', type=int, default=1, help='runs every Nth example')
+    parser.add_argument('--jobs', type=int, default=harness.CORES, help='programs run at the same time')
     parser.add_argument('--only', default='*', help="only programs and limits of that name, e.g. 'examples/nct/*', 'limits*'")
     parser.add_argument('--open', action='store_true', help='print also each fault that OPEN names')
     options = harness.parsed(parser)

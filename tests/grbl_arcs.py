@@ -451,7 +451,7 @@ def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=23)
     parser.add_argument('--arcs', type=int, default=12000)
-    parser.add_argument('--show', action='store_true', help='print all that differ, not the first of each program')
+    parser.add_argument('--show', action='store_true', help='print all differences, not only the first of each program')
     options = harness.parsed(parser)
     oracle, tally = os.environ.get('KADR_GRBL_ORACLE'), harness.Tally()
     print(f'seed {options.seed}')

@@ -328,7 +328,7 @@ def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=19)
     parser.add_argument('--programs', type=int, default=600)
-    parser.add_argument('--lines', type=int, default=40, help='of a program')
+    parser.add_argument('--lines', type=int, default=40, help='lines of a program')
     parser.add_argument('--keep', type=Path, help='folder for the programs that differ')
     options = harness.parsed(parser)
     oracle, tally = os.environ.get('KADR_GRBL_ORACLE'), harness.Tally()

@@ -289,7 +289,7 @@ def main(text, checks, make=Kadr, jobs=CORES):
     that a check gets; `jobs` checks run in parallel.  returns the exit status"""
     parser = arguments(text)
     parser.add_argument('--only', default='*', help='only checks whose name matches, e.g. "clash*"')
-    parser.add_argument('--jobs', type=int, default=jobs, help='checks at a time')
+    parser.add_argument('--jobs', type=int, default=jobs, help='checks run at the same time')
     options = parsed(parser)
     named = checks_of(checks) if '__name__' in checks else checks
     chosen = {name: check for name, check in named.items() if fnmatch.fnmatch(name, options.only)}

@@ -277,7 +277,7 @@ class Runner(harness.Kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--only', help='one shape')
+    parser.add_argument('--only', help='run only this shape')
     options = harness.parsed(parser)
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(options.kadr, folder)

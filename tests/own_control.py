@@ -192,7 +192,7 @@ class Runner:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kadr", default=str(ROOT / "build/release/kadr"))
-    parser.add_argument("--every", type=int, default=4, help="of functions and controls, each so-manieth pair")
+    parser.add_argument("--every", type=int, default=4, help="tests every Nth pair of function and control")
     args = parser.parse_args()
     random.seed(15)
     with tempfile.TemporaryDirectory(prefix="kadr_own_control_") as folder:

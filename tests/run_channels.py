@@ -169,8 +169,8 @@ def check_setups(kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--seed', type=int, default=14, help='of the random programs')
-    parser.add_argument('--count', type=int, default=60, help='how many of them')
+    parser.add_argument('--seed', type=int, default=14, help='seed of the random programs')
+    parser.add_argument('--count', type=int, default=60, help='number of random programs')
     options = harness.parsed(parser)
     print(f'seed {options.seed}')
     rng, checks = random.Random(options.seed), harness.checks_of(globals())

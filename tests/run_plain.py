@@ -108,8 +108,8 @@ def main():
     parser.add_argument('--kadr', required=True)
     parser.add_argument('--seed', type=int, default=4)
     parser.add_argument('--count', type=int, default=60)
-    parser.add_argument('--every', type=int, default=1, help='for a build that is slow')
-    parser.add_argument('--all', action='store_true', help='every program with a plain block')
+    parser.add_argument('--every', type=int, default=1, help='run every Nth program, for a slow build')
+    parser.add_argument('--all', action='store_true', help='run every program with a plain block')
     options = parser.parse_args()
     kadr, choose = str(Path(options.kadr).resolve()), random.Random(options.seed)
     programs = [*enumerate([*random_programs(choose, options.count), *programs_of_cases()])][::options.every]

@@ -156,7 +156,7 @@ def check_alone(kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--every', type=int, default=1, help='of the examples every so many')
+    parser.add_argument('--every', type=int, default=1, help='runs every Nth example')
     options = harness.parsed(parser)
     tally = harness.Tally()
     with tempfile.TemporaryDirectory(prefix='kadr_summary_') as folder, harness.Kadr(options.kadr, Path(folder)) as kadr:

@@ -88,7 +88,7 @@ def switched_off(kadr, page, folder, name, file, control, setup):
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--only', default='*', help="programs of that name, e.g. 'nct/*'")
-    parser.add_argument('--every', type=int, default=EVERY, help='of the faulty programs every so many')
+    parser.add_argument('--every', type=int, default=EVERY, help='runs every Nth faulty program')
     options = harness.parsed(parser)
     programs = [p for p in [*of_examples(), *list(of_faulty())[::options.every]] if fnmatch.fnmatch(p[0], options.only)]
     if not programs:

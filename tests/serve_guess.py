@@ -72,7 +72,7 @@ def programs_of(folder):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--folder', type=Path, help='a folder of programs, in the place of all')
+    parser.add_argument('--folder', type=Path, help='a folder of programs to run instead of all')
     options = harness.parsed(parser)
     if options.folder:
         compare(options.kadr, options.folder.resolve(), programs_of(options.folder))

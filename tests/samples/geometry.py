@@ -195,7 +195,7 @@ def out_of_step(actions, names, rows, spindle):
         if len(at_start) == 0:
             faults.append(f'the chain to {legs[-1][1]} is not in the samples')
             break
-        leaves = np.flatnonzero(np.diff(at_start) > 1)  # the axis waits there during one segment of time, and may come back later
+        leaves = np.flatnonzero(np.diff(at_start) > 1)  # the axis stays at the start for some time, and may return later
         begin = at_start[leaves[0] if len(leaves) else -1]
         at_end = np.flatnonzero(lengths(rows[begin + 1:, 1:] - legs[-1][1]) < STANDS) + begin + 1
         if len(at_end) == 0:

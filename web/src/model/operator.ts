@@ -63,7 +63,7 @@ export class Operator {
     });
   }
 
-  /// Sends a request and reports a refusal; the panel shows the result at once, unless the page only watches.
+  /// Sends a request and reports a refusal; the panel shows the result at once if `acts`.
   async ask<K extends keyof Questions>(what: K, body: Questions[K][0], acts = true): Promise<Questions[K][1] | null> {
     if (!this.client) return null;
     try {

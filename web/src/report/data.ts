@@ -131,7 +131,7 @@ function part_frame(c: Columns, data: ReportData): ArrayBuffer {
   });
 }
 
-/// Writes the next `columns` as rows: the first ones of the `each` values in `to`.
+/// Writes the next `columns` columns into rows of `each` values in `to`, as the first values of each row.
 function put(
   c: Columns,
   to: Float32Array | Uint32Array | Uint16Array | Uint8Array,
