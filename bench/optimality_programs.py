@@ -1,4 +1,4 @@
-"""The programs of bench/optimality: (name, blocks), RS-274, mm. Deterministic."""
+"""The programs that bench/optimality plans: (name, blocks) pairs in RS-274, lengths in mm. They are the same in every run."""
 import math
 
 
@@ -7,7 +7,7 @@ def line(x=None, y=None, z=None):
 
 
 def surface():
-    """A freeform surface, back and forth in rows of segments of 0.5 mm."""
+    """A freeform surface, machined back and forth in rows of 0.5 mm segments."""
     yield 'G0 X-5'
     for row in range(8):
         y = row * 0.5
@@ -17,7 +17,7 @@ def surface():
             yield line(x, y, 2 * math.sin(0.3 * x + 0.4 * y) + 0.7 * math.cos(0.9 * x - 0.2 * y))
 
 
-LETTERS = {  # strokes: lists of points; 'ccw' or 'cw' with a radius before a point: an arc that ends there; 4 wide, 6 high
+LETTERS = {  # strokes: lists of points; 'ccw' or 'cw' with a radius before a point is an arc that ends there; 4 wide, 6 high
     'K': [[(0, 0), (0, 6)], [(4, 6), (0, 2)], [(1.333, 3.333), (4, 0)]],
     'A': [[(0, 0), (2, 6), (4, 0)], [(0.667, 2), (3.333, 2)]],
     'D': [[(0, 0), (0, 6), (1, 6), ('cw', 3), (4, 3), ('cw', 3), (1, 0), (0, 0)]],
@@ -53,7 +53,7 @@ def stroked(stroke):
 
 
 def pocket():
-    """Rings of rounded rectangles from the inside out."""
+    """Rings of rounded rectangles, from the inside outwards."""
     yield line(0, 0)
     for ring in range(1, 25):
         x, y, r = 8 + ring, 3 + ring, 0.5 + 0.4 * ring
@@ -69,7 +69,7 @@ def pocket():
 
 
 def circles():
-    """Full circles of several radii, a hole plate."""
+    """Full circles of several radii, as on a plate with bores."""
     for row in range(3):
         for column, r in enumerate((0.5, 1, 2, 3, 5, 8, 12)):
             yield f'G0 X{column * 25 + r:.3f} Y{row * 25}'
@@ -80,7 +80,7 @@ def circles():
 
 
 def spiral():
-    """An Archimedean spiral of short lines."""
+    """An Archimedean spiral of short line segments."""
     for i in range(541):
         angle = math.radians(6 * i)
         r = 0.5 + 1.5 * angle / (2 * math.pi)
@@ -88,7 +88,7 @@ def spiral():
 
 
 def zigzag():
-    """Parallel passes of 20 mm, 0.6 mm apart."""
+    """Parallel passes 20 mm long, 0.6 mm apart."""
     for i in range(90):
         yield line(0 if i % 2 == 0 else 20, i * 0.6)
         yield line(20 if i % 2 == 0 else 0, i * 0.6)
@@ -98,5 +98,5 @@ PROGRAMS = [surface, engraving, pocket, circles, spiral, zigzag]
 
 
 def text_of(program, feed):
-    """Returns the text of a program; `feed` in mm/min."""
+    """Returns the text of a program; `feed` is in mm/min."""
     return '\n'.join([f'G21 G90 G17 G91.1 G64 P0.01 F{feed}', 'G0 Z1', *program(), 'M30', ''])

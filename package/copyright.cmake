@@ -1,5 +1,5 @@
-# The package's copyright file: FROM, in whose head the notices of all that is embedded are put as a comment, as `kadr --licences` prints them
-# without our own licence, which Debian has. cmake -DKADR=kadr -DFROM=copyright -DTO=build/copyright -P copyright.cmake
+# Writes the package's copyright file: FROM, with the notices of everything embedded as a comment in its head, as `kadr --licences` prints
+# them, without Kadr's own licence, which Debian has. cmake -DKADR=kadr -DFROM=copyright -DTO=build/copyright -P copyright.cmake
 execute_process(COMMAND ${KADR} --licences OUTPUT_VARIABLE notices RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "kadr --licences: ${status}")

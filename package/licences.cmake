@@ -1,13 +1,13 @@
-# Writes PAGE/licences.txt, what `kadr --licences` prints: cmake -DROOT=. -DPAGE=build/web/report -P licences.cmake. Packages of the page by the
-# bundler's own lists (web/bundling/notices.ts refuses a licence that may not be embedded), headers that are compiled in by what Debian says of
-# them; libraries that are only linked are named.
+# Writes PAGE/licences.txt, which `kadr --licences` prints: cmake -DROOT=. -DPAGE=build/web/report -P licences.cmake. Packages of the page
+# come from the bundler's own lists (web/bundling/notices.ts refuses a licence that may not be embedded), compiled-in headers from
+# Debian's copyright files; libraries that are only linked are named.
 cmake_policy(SET CMP0057 NEW)
-set(allowed MIT Expat BSD-2-Clause BSD-3-Clause BSD-3-clause ISC Apache-2.0 BSL-1.0 CC0-1.0)  # CC0: no rights are kept
+set(allowed MIT Expat BSD-2-Clause BSD-3-Clause BSD-3-clause ISC Apache-2.0 BSL-1.0 CC0-1.0)  # CC0: no rights are reserved
 set(rule "--------------------------------------------------------------------------------\n")
 file(READ ${ROOT}/LICENSE apache)
 set(text "Kadr: Apache License 2.0, whose text stands at the end.\n\n")
 
-# What is compiled in: NAME, licence, Debian's package.
+# Compiled-in libraries: NAME, licence, Debian's package.
 set(compiled "CLI11|BSD-3-clause|libcli11-dev" "JSON for Modern C++|Expat|nlohmann-json3-dev" "tl::expected|CC0-1.0|libexpected-dev" "fast_float|Expat|libfast-float-dev"
     "Boost|BSL-1.0|libboost-dev")
 set(boost "Boost Software License - Version 1.0 - August 17th, 2003
@@ -43,7 +43,7 @@ foreach(row IN LISTS compiled)
   endif()
   set(notice /usr/share/doc/${package}/copyright)
   string(APPEND text "${rule}${name} (${licence})\n\n")
-  if(name STREQUAL "Boost")  # Debian's text is that of all its libraries, 2 MB
+  if(name STREQUAL "Boost")  # Debian's text covers all Boost libraries, 2 MB
     string(APPEND text "${boost}\n\n")
   elseif(EXISTS ${notice})
     file(READ ${notice} said)
@@ -56,7 +56,7 @@ foreach(row IN LISTS compiled)
   endif()
 endforeach()
 
-# What the page is made of, by name: once where both have it.
+# The packages of the page, by name: once if both page and viewer contain it.
 set(told "")
 foreach(list page-parts report-parts)
   if(NOT EXISTS ${PAGE}/${list}.json)

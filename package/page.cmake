@@ -1,5 +1,5 @@
-# Builds the page of kadr serve and the viewer of kadr report: cmake -DFROM=web -DTO=build/web -DNPM=npm -DWANTED=1 -P page.cmake. Into TO/dist and
-# TO/report. Where npm's registry cannot be reached there is neither, which is said; all else is built.
+# Builds the page of kadr serve and the viewer of kadr report: cmake -DFROM=web -DTO=build/web -DNPM=npm -DWANTED=1 -P page.cmake. They
+# are written into TO/dist and TO/report. If npm's registry cannot be reached, neither is built, with a message; everything else is built.
 file(REMOVE_RECURSE ${TO}/dist ${TO}/report)
 file(MAKE_DIRECTORY ${TO}/report)
 if(NOT WANTED)

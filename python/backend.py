@@ -1,4 +1,4 @@
-"""The build backend: setuptools, that of the system where pip hides it (Debian: python3-setuptools, python3-wheel)."""
+"""The build backend: setuptools, also the system's where pip hides it (Debian: python3-setuptools, python3-wheel)."""
 import sys
 
 DEBIAN = '/usr/lib/python3/dist-packages'
@@ -15,5 +15,5 @@ from setuptools.build_meta import *  # noqa: E402,F401,F403
 
 
 def get_requires_for_build_wheel(config_settings=None):
-    """Nothing is fetched: setuptools would ask for wheel, which is there."""
+    """Returns no requirements, so that pip fetches nothing: setuptools would request wheel, which is installed already."""
     return []

@@ -1,7 +1,7 @@
-"""The extension is built by CMake, from the tree this folder stands in.
+"""CMake builds the extension from the source tree that contains this folder.
 
-Environment: KADR_BUILD names a build folder of Kadr to build it in (then it is quick where Kadr is built already); default: one of its own,
-which goes away. JOBS: how many compilers at once.
+Environment: KADR_BUILD names a build folder of Kadr to build in (quick if Kadr is already built there); by default a temporary folder is
+used and removed. JOBS: how many compilers run in parallel.
 """
 import os
 import re
@@ -19,7 +19,7 @@ ROOT = HERE.parent
 
 
 def version():
-    """That of CMakeLists.txt."""
+    """Returns the version that CMakeLists.txt states."""
     lists = ROOT / 'CMakeLists.txt'
     found = lists.is_file() and re.search(r'^project\(kadr VERSION (\S+)', lists.read_text(), re.M)
     if not found:
@@ -28,7 +28,7 @@ def version():
 
 
 class BuildByCMake(build_ext):
-    """Target kadr_python."""
+    """Builds the CMake target kadr_python."""
 
     def build_extension(self, ext):
         named = os.environ.get('KADR_BUILD')
@@ -40,7 +40,7 @@ class BuildByCMake(build_ext):
             if shutil.which('ninja'):
                 options += ['-G', 'Ninja']
         else:
-            options = ['-DKADR_PYTHON=ON']   # as it was configured
+            options = ['-DKADR_PYTHON=ON']   # keeps the folder's own configuration
         jobs = os.environ.get('JOBS', str(os.cpu_count() or 1))
         subprocess.run(['cmake', '-S', ROOT, '-B', folder, *options], check=True)
         subprocess.run(['cmake', '--build', folder, '--target', 'kadr_python', '--parallel', jobs], check=True)
@@ -52,6 +52,6 @@ class BuildByCMake(build_ext):
         shutil.copy2(made[0], to)
 
 
-# what setuptools makes on the way does not stay in the source tree
+# intermediate files of setuptools are kept out of the source tree
 way = tempfile.TemporaryDirectory()
 setup(options={'build': {'build_base': way.name}, 'egg_info': {'egg_base': way.name}}, version=version(), ext_modules=[Extension('kadr._kadr', [])], cmdclass={'build_ext': BuildByCMake})

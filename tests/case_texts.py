@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The reader of our own cases, tests/cases/reader.py: what a text means, and what it refuses with which line.
+"""Tests the reader of our own cases, tests/cases/reader.py: how it reads a text, and which texts it refuses, naming the line.
 
     case_texts.py [--kadr build/kadr]
 """
@@ -11,7 +11,7 @@ from cases import reader
 HEAD = '== a | 1.1 | rule\nA title\nderivation by hand\n'
 CASE = {'id': 'a', 'control': 'nct', 'source': '1.1', 'title': 'A title', 'basis': 'rule', 'runnable': True, 'derivation': 'by hand',
         'notes': '', 'setup': {}, 'program': 'G0 X1', 'expect': {}}
-READ = [  # text behind HEAD, the keys of the case that differ from CASE
+READ = [  # text after HEAD, the keys of the case that differ from CASE
     ('    G0 X1\n', {}),
     ('    G0 X1  -> rapid X1\n', {'expect': {'trace': [{'do': 'rapid', 'to': {'X': 1}}]}}),
     ('    G0 X1  -> rapid X1 -> motion X2=-.5\n           -> feed feed 0.1\n',
@@ -36,7 +36,7 @@ READ = [  # text behind HEAD, the keys of the case that differ from CASE
      {'variants': [{'name': 'one', 'setup': {'feed': 1}},
                    {'name': 'two of them', 'program': 'G1', 'expect': {'trace': [{'do': 'feed', 'to': {'X': 1}}], 'open': True}}]}),
 ]
-REFUSED = [  # whole text, what is said of it
+REFUSED = [  # whole text, the expected error message
     ('', '1: no case'), ('# only a remark\n', '1: no case'), ('end X1\n', '1: a line before the first case'),
     ('== a | 1.1\nA title\n', '1: a case begins with'), ('== a | 1.1 | rule\n    G0\n', '1: the title is missing'), (HEAD, '1: no program'),
     (HEAD + '    G0\nfeeds 5\n', "5: unknown key 'feeds'"), (HEAD + '  G0\n', "4: unknown key ''"), (HEAD + '    G0 \n', '4: this line'),

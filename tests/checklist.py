@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-"""Runner of the checklist (docs/checklist.md): mistakes planted into clean programs are told at their line, and nothing else is told.
+"""Tests the checklist (docs/checklist.md): `kadr check` reports mistakes planted into clean programs at their line, and reports nothing
+else.
 
     checklist.py --kadr build/kadr                   all
     checklist.py --kadr build/kadr --only 'arc*'     mistakes of some ids
-    checklist.py --kadr build/kadr --table           what is found, by id and control, and each that is not
-    checklist.py --kadr build/kadr --update          writes tests/checklist/found.tsv anew
+    checklist.py --kadr build/kadr --table           what is found and what is missed, by id and control
+    checklist.py --kadr build/kadr --update          rewrites tests/checklist/found.tsv
 
-Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*.nc and those of examples/ and makes each one mistake whose
-line and id it knows. The places are drawn by a fixed seed, at most so many of a kind in a program. What the control itself refuses (an alarm) is
-drawn again: advice is for what runs. 95 of 100 must be found, and no id that tests/checklist/found.tsv names may be lost. What a rule does not see
-yet stands in tests/checklist/open.tsv with the reason: it counts in that share all the same, and its row must go once all of it is found.
-Clean: those programs, each with a tools file of its tools beside it, and all others of examples/ that check without an alarm, have no advice.
-Innocent: neither have the programs of tests/checklist/innocent.txt, which look like mistakes and are none: `== CONTROL name`, the program, and
-before it `setup: {…}` where one is needed, and `tools: […]`, the numbers of a tools file beside it.
+Planted: tests/planted/mistakes.py parses the programs tests/checklist/CONTROL/*.nc and the programs of examples/ and adds to each one
+mistake whose line and id it knows. A fixed seed draws the locations, at most PLACES of a type in a program. Where the control itself
+refuses the program (an alarm), another location is drawn: advice is for programs that run. 95 of 100 mistakes must be found, and no id
+that tests/checklist/found.tsv names may be lost. What a rule does not detect yet is listed in tests/checklist/open.tsv with the reason:
+it still counts in that share, and its row must go once all of it is found. Clean: the same programs, each with a tools file of its
+tools, and all other programs of examples/ that check without an alarm, get no advice. Innocent: the programs of
+tests/checklist/innocent.txt, which look wrong but are correct, get no advice either. The file has `== CONTROL name` and the program;
+before the program, where needed, `setup: {…}`, and `tools: […]` with the numbers for a tools file.
 """
 import collections
 import fnmatch
@@ -32,12 +34,12 @@ EXAMPLES = harness.ROOT / 'examples'
 FOUND = HERE / 'found.tsv'
 CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
 ENDINGS = ('.nc', '.tap', '.ngc', '.nct')
-SEED, PLACES = 20261128, 4   # of a kind in a program
+SEED, PLACES = 20261128, 4   # the most locations per type of mistake in a program
 LEAST_FOUND = 0.95
 
 
 def open_rows():
-    """What is wrong today, of open.tsv: id and control, or `clean`/`innocent` and a name; with the reason."""
+    """Returns the known faults of open.tsv: id and control, or `clean`/`innocent` and a name; with the reason."""
     rows = [line.split('\t') for line in (HERE / 'open.tsv').read_text(encoding='utf-8').splitlines()[1:]]
     return {(what, of): why for what, of, why in rows}
 
@@ -46,13 +48,14 @@ OPEN = open_rows()
 
 
 def judge_without(tally, what, name, faults):
-    """As Tally.judge; what is open must still fail, else its row must go."""
+    """Judges like Tally.judge, but what open.tsv lists must still fail; if it passes, its row must go."""
     if (what, name) in OPEN:
         faults = [] if faults else ['it is mended: its row of open.tsv must go']
     tally.judge(f'{what} {name}', faults)
 
 
-# Their place is the first cut with it, which another block, or a subprogram, may make. The program without the mistake has no advice.
+# These are reported at the first cut with the tool, which another block, or a subprogram, may make. The unchanged program has
+# no advice.
 AT_FIRST_CUT = {'feed_too_small', 'feed_too_large', 'feed_per_tooth', 'cut_without_spindle', 'length_of_other', 'length_not_called'}
 
 
@@ -64,7 +67,8 @@ MACHINE = 'id = "own"\nspindle_speed = {}\n[axes]\nX = {{ rapid = 10000 }}\n'
 
 
 def findings(kadr, control, text, setup, tools=None, most_rpm=None):
-    """What `kadr check` finds, and whether the control stops. `tools`: numbers of a tools file beside the program. `most_rpm`: of the machine."""
+    """Returns what `kadr check` finds, and whether the control stops. `tools`: the numbers for a tools file. `most_rpm`: the machine's
+    limit."""
     with tempfile.TemporaryDirectory(prefix='kadr_check_') as folder:
         bench = harness.Kadr(kadr, folder)
         bench.file('p.nc', '\n'.join(text) + '\n')
@@ -90,10 +94,10 @@ def shown(advice):
     return '; '.join(f'{a["line"]} {a["id"]}' for a in advice) or 'nothing'
 
 
-# ---- planted
+# ---- planted mistakes
 
 def programs():
-    """The programs that mistakes are planted into."""
+    """Returns the programs that mistakes are planted into."""
     bases = [Program(control, path) for control in CONTROLS for path in sorted((HERE / control).glob('*.nc'))]
     for control in CONTROLS:
         for path in sorted((EXAMPLES / control).iterdir()):
@@ -103,7 +107,7 @@ def programs():
 
 
 def drawn(kadr, program):
-    """Of each kind the first places, in an order of the seed, at which the control does not stop.  returns mistakes with what was found"""
+    """Returns, for each type, the first locations in an order given by the seed at which the control does not stop, with what was found."""
     own = random.Random(f'{SEED} {program.name}')
     kinds = collections.defaultdict(list)
     for m in mistakes.all_of(program):
@@ -125,7 +129,7 @@ def drawn(kadr, program):
 
 
 def table(results):
-    """Of each id, by control: found of planted."""
+    """Returns the number found and the number planted, by id and control."""
     counts = collections.defaultdict(lambda: [0, 0])
     for program, m, _, found in results:
         for key in ((m.ids[0], program.control), (m.ids[0], 'all')):
@@ -167,10 +171,10 @@ def write_found(results):
     FOUND.write_text('\n'.join(['id\tfound\tplanted', *rows]) + '\n', encoding='utf-8')
 
 
-# ---- clean, innocent
+# ---- clean and innocent programs
 
 def examples():
-    """Each program of examples/ with its control and its set-up; what belongs to no control is read as Kadr guesses."""
+    """Yields each program of examples/ with its control and set-up; a program that names no control is read as Kadr guesses."""
     for path in sorted(EXAMPLES.rglob('*')):
         if path.suffix in ENDINGS and path.parent.name not in ('docs', 'library'):
             setup = path.with_suffix('.json')
@@ -185,12 +189,12 @@ def faults_of_example(kadr, example):
     try:
         found = json.loads(done.stdout)
     except json.JSONDecodeError:
-        return []   # none of Kadr's languages, without its control
+        return []   # it is not G-code of any kind that Kadr reads without being given a control
     return [f'{f["line"]} {f["id"]}: {f["line_text"].strip()}: {f["text"]}' for f in found if f['severity'] == 'advice']
 
 
 def innocents():
-    """The programs of innocent.txt: name, control, text, set-up."""
+    """Returns the programs of innocent.txt: name, control, text, set-up."""
     for part in re.split(r'^== ', (HERE / 'innocent.txt').read_text(encoding='utf-8'), flags=re.M)[1:]:
         head, *lines = part.rstrip('\n').split('\n')
         control, name = head.split(' ', 1)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The command line: help in both languages, usage errors in both, what was perhaps meant, ids in any case, kadr machines.
+"""Tests the command line: help and usage errors in both languages, spelling suggestions, ids in any case, kadr machines.
 
     command_line.py --kadr build/kadr
 
-The commands are found by their own help, so a new one, or a new option, without its Russian text fails here. Prints a line per failure,
-then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+The test finds the commands through their own help, so a new command or option without its Russian text fails here. Prints a line per
+failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import os
 import re
@@ -16,7 +16,7 @@ import harness
 CYRILLIC = re.compile('[а-яё]', re.I)
 LATIN_SENTENCE = re.compile(r'(?<![-\w./<=])[a-z]{3,} (?:[a-z]+ )*[a-z]{3,}')   # two English words in a row
 
-# command line, its language, pieces of what is said, pieces that are not
+# command line, its language, text that the message contains, text that it does not contain
 MISTAKES = [
     ('rnu x.nc', 'en', ["no command 'rnu'", "did you mean 'run'?"], []),
     ('rnu x.nc', 'ru', ['команды «rnu» нет', 'возможно, «run»?', 'Справка: kadr --help'], []),
@@ -68,7 +68,7 @@ MISTAKES = [
     ('run PROGRAM --tool x', 'ru', ['--tool x: нужно НОМЕР:'], []),
 ]
 
-# What may be written in capitals: command line, a piece of standard output or error
+# What may be written in capitals: command line, a part of the expected output (standard output or error)
 CAPITALS = [
     ('run PROGRAM --control NCT', 'blocks'),
     ('run PROGRAM --control NcT --machine GENERIC', 'blocks'),
@@ -83,7 +83,7 @@ CAPITALS = [
     ('completion BASH', 'complete '),
 ]
 
-# --lang anywhere, LANG: arguments, LANG, whether the answer is Russian
+# --lang anywhere, LANG: arguments, LANG, whether the answer is in Russian
 LANGUAGES = [
     (['--lang', 'ru', 'run', '--help'], 'C', True), (['run', '--help', '--lang', 'ru'], 'C', True), (['run', '--lang=ru', '--help'], 'C', True),
     (['--help'], 'ru_RU.UTF-8', True), (['--help'], 'en_US.UTF-8', False), (['--help', '--lang', 'en'], 'ru_RU.UTF-8', False),
@@ -110,7 +110,7 @@ class Kadr(harness.Kadr):
 
 
 def sections(page):
-    """The titles of a help page, each with its lines."""
+    """Returns the titles of a help page, each with its lines."""
     found, title = {}, ''
     for line in page.splitlines():
         if line.endswith(':') and not line.startswith(' '):
@@ -128,7 +128,7 @@ def commands_of(kadr, command=()):
 
 
 def entries(page, titles):
-    """Options and commands of a help page: name → what it is, wrapped lines put together."""
+    """Returns the options and commands of a help page: name → description, with wrapped lines joined."""
     found, name = {}, None
     for title in titles:
         for line in sections(page).get(title, [])[1:]:
@@ -146,7 +146,7 @@ def entries(page, titles):
 
 
 def help_faults(kadr, command):
-    """Both pages have the same options and commands, each told in its language; so have the examples."""
+    """Checks that both pages list the same options, commands and examples, each described in the page's language."""
     en, ru = kadr.help(command, 'en'), kadr.help(command, 'ru')
     if CYRILLIC.search(re.sub('ПС|2С42|ЗИГЗАГ|А?СПИР|ШТИП|ЗАСВ|КАС|СПУСК', '', en)):
         yield 'the English page has Russian words'
@@ -204,7 +204,7 @@ def machine_checks(kadr):
             name = re.search(rf'{lang} = "([^"]+)"', file.read_text())[1]
             faults += [] if name in rows.get(file.stem, '') else [f'{file.stem}: no {name!r}']
         yield f'machines ({lang})', faults
-    # machines/mach3-router.toml by hand
+    # compares with machines/mach3-router.toml, whose values are repeated here
     out = kadr('machines')[1]
     yield 'rapid rates', [] if re.search(r'^mach3-router .* X Y 6000|^mach3-router .*A 3600, X Y 6000, Z 3000$', out, re.M) else [out]
     out = kadr('machines mach3-router')[1]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Completion of the command line, as bash, fish and zsh would ask for it, and the manual page.
+"""Tests the completion of the command line as bash, fish and zsh would request it, and the manual page.
 
     completion.py --kadr build/kadr
 
-bash is really asked: the script is read, COMP_WORDS set, its function called. fish and zsh, where they are there, read their scripts. Prints
-a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+bash runs: the test sources the script, sets COMP_WORDS and calls the script's function. fish and zsh, where installed, parse their
+scripts. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import re
 import shutil
@@ -14,7 +14,7 @@ import tempfile
 
 import harness
 
-told = set()  # what is not looked at here
+told = set()  # not checked here
 
 # the line up to the cursor, what must be offered, what must not
 LINES = [

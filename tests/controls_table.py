@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Holds controls/*.toml against their rules and against the engine's headers. python3 tests/controls_table.py
+"""Checks controls/*.toml against their rules and against the engine's headers. Run: python3 tests/controls_table.py
 
-The loader (src/config/control_file) refuses most of this too; here every fault is listed at once, without a build,
-and what the loader does not look at is checked: both languages, the manual's section, alarm texts and their arguments.
+The loader (src/config/control_file) refuses most of these faults too. This check lists all faults at once, without a build, and checks
+what the loader does not: both languages, the manual's section, alarm texts and their arguments.
 """
 import pathlib
 import re
@@ -19,7 +19,7 @@ def header(name):
 
 
 def macro_rows(text, macro):
-    """The X(…) rows of `#define MACRO(X)`, comments taken out."""
+    """Returns the X(…) rows of `#define MACRO(X)`, without comments."""
     body = re.search(r"#define " + macro + r"\(X\)((?:.*\\\n)*.*)", text)[1]
     return re.findall(r"X\(([^)]*)\)", re.sub(r"/\*.*?\*/", "", body))
 
@@ -50,7 +50,7 @@ OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
 EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
 MOST_AXES = 16
 
-# Keys that are not named as the field they fill.
+# Keys that differ from the name of the field they fill.
 GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address", "custom_macros",
                                                                              "expression"}
 GRAMMAR_KEYS |= {"macro", "formal_parameter", "parameters_in", "label", "section", "most_codes"}
@@ -73,10 +73,11 @@ ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_wor
                      "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word", "machine_axis",
                      "increment_axis", "argument_only", "auxiliary_word", "spindle_word", "spindle_axis_word", "tool_call",
                      "length_number", "radius_number", "tool_of_table", "speed_of_spindle"}
-COMMA_WORDS = {"c": ",C", "r": ",R", "a": ",A"}  # in `takes`; `*`: every axis of the channel
-TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text is written by the program
+COMMA_WORDS = {"c": ",C", "r": ",R", "a": ",A"}  # as written in `takes`; `*`: every axis of the channel
+TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text comes from the program
 
-# Names of parameters, "0107" or "CLRG", that the rooms which obey parameters ask for; runs of them (N1704 …) are counted there.
+# Names of the parameters, "0107" or "CLRG", that the rooms which obey parameters read; ranges of parameters (N1704 …) are
+# counted there.
 OBEYED = {number for room in ("control", "motion", "machine", "session") for path in sorted((ROOT / "src" / room).rglob("*.cpp"))
           for number in re.findall(r'"(\d{4}|[A-Z]{4})"', path.read_text(encoding="utf-8"))}
 
@@ -114,7 +115,7 @@ def check_keys(row, known, where):
 
 
 def descriptor_letters(text):
-    """Addresses of a format: `3G2` is G."""
+    """Returns the addresses of a format: `3G2` gives G."""
     return {m[1] for m in re.finditer(r"(?<!\S)\d?([A-Z])(?=[+±*\d])\S*", text)}
 
 
@@ -124,7 +125,7 @@ def code_name(letter, key):
 
 
 class Control:
-    """One file of a control, merged with what it extends."""
+    """One file of a control, merged with the file it extends."""
 
     def __init__(self, path, table):
         self.name, self.t = path.name, table
@@ -338,7 +339,7 @@ class Control:
 
 
 def is_parameters(path):
-    """A table of parameters of a control, which is none itself."""
+    """True for a table of parameters, which is not a control itself."""
     return path.name.endswith("-parameters.toml") and path.is_file()
 
 
@@ -381,7 +382,7 @@ def check_alarms(table):
 
 
 def split_arguments(text):
-    """Arguments of a call whose '(' has just been passed; None if the call does not end in the text."""
+    """Returns the arguments of a call, from after its '('; None if the call does not end in the text."""
     parts, depth, part, quote = [], 0, "", ""
     for before, c in zip(" " + text, text):
         if quote:
@@ -403,7 +404,7 @@ def split_arguments(text):
 
 
 def check_alarm_calls(table):
-    """Every alarm(AlarmId::x, where, …) of the sources gives at least the arguments that the text uses."""
+    """Checks that every alarm(AlarmId::x, where, …) of the sources gives at least the arguments that the alarm's text uses."""
     for path in sorted((ROOT / "src").rglob("*.cpp")) + sorted((ROOT / "src").rglob("*.h")):
         text = path.read_text(encoding="utf-8")
         for call in re.finditer(r"\b(?:alarm|warning)\(\s*AlarmId::(\w+)\s*,", text):
@@ -415,7 +416,7 @@ def check_alarm_calls(table):
 
 
 def merged(path, depth=0):
-    """A control's table laid over what it extends, as src/config does."""
+    """Lays a control's table over the one it extends, as src/config does."""
     table = load(path)
     if table is None or "extends" not in table or depth == 8:
         return table
@@ -428,10 +429,10 @@ def lay(under, over):
         both = isinstance(value, dict) and isinstance(under.get(key), dict)
         if key == "alarms" and isinstance(value, dict) and value.pop("alone", False):
             under[key] = value
-        elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol takes the place of the one below
+        elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol replaces the row below it
             symbols = {row.get("symbol") for row in value} - {None}
             under[key] = value + [row for row in under[key] if row.get("symbol") not in symbols]
-        elif value is False and isinstance(under.get(key), dict):  # a row that this control does not have
+        elif value is False and isinstance(under.get(key), dict):  # the control removes this row
             del under[key]
         else:
             under[key] = lay(under[key], value) if both else value
@@ -439,7 +440,7 @@ def lay(under, over):
 
 
 def check_names():
-    """Ids and aliases: each means one control. Rows of [guess]: a weight each."""
+    """Checks that each id and alias means one control, and that each row of [guess] has a weight."""
     meant = {}
     tables = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in sorted(CONTROLS.glob("*.toml"))
               if path.name not in ("alarms.toml", "dialects.toml") and not is_parameters(path)}
@@ -454,7 +455,7 @@ def check_names():
 
 
 def check_guess(where, guess):
-    """Rows of [guess] and of its tables: a weight each."""
+    """Checks that each row of [guess] and of its tables has a weight."""
     check(set(guess) & {"text", "comment", "name"} == {key for key, row in guess.items() if isinstance(row, dict)}, f"{where}: [guess]: tables")
     for rows in [guess, *(row for row in guess.values() if isinstance(row, dict))]:
         for pattern, weight in rows.items():
@@ -463,7 +464,7 @@ def check_guess(where, guess):
 
 
 def check_dialects(table, controls):
-    """The languages that Kadr does not read: each has its names, and something that tells it."""
+    """Checks that each language that Kadr does not read has its names and something that identifies it."""
     for name, row in table.items():
         where = f"dialects.toml: {name}"
         check(set(row) <= {"name", "guess", "refused_by"}, f"{where}: {sorted(row)}")

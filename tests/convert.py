@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr convert: every example of every control to every other is proven equal, or refused with the place; what is written is held against
-its source once more by `kadr diff`, and a changed word of it is found.
+"""Tests kadr convert with every example of every control to every other: each conversion is proven equal, or refused with the location.
+`kadr diff` compares each result with its source again, and must find a changed word in it.
 
     convert.py --kadr PROGRAM [--every N] [--mutations N] [--again N] [--seed N] [--jobs N]
 """
@@ -17,9 +17,9 @@ from conversions import pairs
 from conversions.pairs import CONTROLS, EXAMPLES, run
 from page_client.client import expect, result
 
-# Proven so far, of all: fewer is a step back. The others are refused (docs/commands/convert.md). S12000 of two Grbl examples has no room in S of
-# the 2С42 and GOST; before, the speed cut by $30 was written. A lathe's program (gost/shaft_turning) is none
-# for a Fanuc or a Haas mill.
+# The least number of conversions that must be proven; fewer is a regression. The others are refused (docs/commands/convert.md).
+# S12000 of two Grbl examples does not fit in S of the 2С42 and GOST; formerly the speed limited by $30 was written. A lathe
+# program (gost/shaft_turning) cannot become one for a Fanuc or a Haas mill.
 LEAST_PROVEN = 203
 
 
@@ -41,7 +41,7 @@ def every_pair(kadr, folder, given):
 
 
 def table(made):
-    """As docs/commands/convert.md has it: proven of all, from each control to each."""
+    """The table of docs/commands/convert.md: proven and all conversions, from each control to each."""
     counts = collections.Counter((one.control, one.to, one.proven()) for one in made)
     yield f'{sum(one.proven() for one in made)} of {len(made)} proven, {sum("word by word" in one.outcome for one in made)} word by word'
     for control in CONTROLS:
@@ -50,14 +50,14 @@ def table(made):
 
 
 def again(kadr, proven, given):
-    """`kadr diff` opens both from their files: the set-up that is written belongs to the program."""
+    """`kadr diff` opens both from their files: the written set-up belongs to the program."""
     chosen = random.sample(proven, min(given.again, len(proven)))
     for one, got in zip(chosen, pairs.all_of(lambda one: pairs.diff(kadr, one), chosen, given.jobs)):
         expect(got.returncode == 0, f'{one.name()}: {got.stdout[:300]}{got.stderr[:300]}')
 
 
 def larger(letter):
-    """The number of a word of that letter, changed by more than its format's rounding."""
+    """Increases the number of a word of that letter by more than the rounding of its format."""
     def change(word):
         sign, whole, rest = re.fullmatch(r'[A-Z](-?)(\d*)(\.?\d*)', word).groups()
         step = 2 if '.' in rest else 2000 if letter in 'XYZ' else 1
@@ -65,7 +65,7 @@ def larger(letter):
     return change
 
 
-# What is changed: how such words look, and what becomes of one.
+# The mutations: a pattern of the words, and how such a word is changed.
 NUMBER = r'-?\d*\.?\d+\.?'
 MUTATIONS = {
     'a coordinate': (rf'[XYZ]{NUMBER}', larger('X')),
@@ -78,7 +78,7 @@ MUTATIONS = {
 
 
 def mutant(text, kind):
-    """The text with one word changed, and what was; comments and expressions are left alone."""
+    """Returns the text with one word changed, and the original word; comments and expressions stay unchanged."""
     pattern, change = MUTATIONS[kind]
     blank = re.sub(r'\([^)\n]*\)|;.*|\[[^]\n]*\]', lambda gone: ' ' * len(gone.group()), text)
     words = [word for word in re.finditer(rf'(?m)(?:(?<=[ \d])|^)(?:{pattern})(?=[ A-Z\n]|$)', blank) if '#' not in line_of(blank, word)]
@@ -94,7 +94,7 @@ def line_of(text, word):
 
 
 def mutations(kadr, proven, folder, given):
-    """A word that is changed is found, or changes nothing of what is done: a feed that is said again, an end that comes anyway."""
+    """A changed word is found, or has no effect: a repeated feed, an end that comes anyway."""
     jobs = []
     while len(jobs) < given.mutations:
         one, kind = random.choice(proven), random.choice(list(MUTATIONS))
@@ -119,7 +119,7 @@ def mutations(kadr, proven, folder, given):
     expect(found > given.mutations // 2, f'changed words: {found}')
 
 
-# Exact stops as each control has them: by a mode, by a code of the block; none where it has none.
+# Exact stops of each control: by a modal code, by a non-modal code; none where it has none.
 EXACT = {
     's2c42': '% ПС\nN1 G90 G1 X10000 F120 ПС\nN2 G9 X20000 ПС\nN3 G9 Y10000 ПС\nN4 X0 ПС\nN5 Y0 ПС\nN6 M2 ПС\n',
     'gost': '%\nN1 G90 G01 X10000 F1200\nN2 G60 X20000\nN3 G09 Y10000\nN4 X0\nN5 Y0\nN6 M02\n',
@@ -130,7 +130,8 @@ EXACT_WORDS = r'\bG0?9\b|\bG6[014]\b'
 
 
 def exact_stops(kadr, folder, given):
-    """They are written in the other control's words, block by block and written out, and one that is gone or never ends is found."""
+    """Exact stops are written with the other control's codes, block by block and in expanded form; a removed or never cancelled one is
+    found."""
     jobs = []
     for control, text in EXACT.items():
         file = folder / f'exact_{control}.nc'
@@ -158,12 +159,13 @@ def exact_stops(kadr, folder, given):
         one, file, _ = job
         return run(kadr, 'diff', one.file, file, '--control-a', one.control, '--control-b', one.to, '--tolerance', pairs.tolerance_of(one.control, one.to), '--lang', 'en').returncode
     for (one, file, word), status in zip(mutants, pairs.all_of(outcome, mutants, given.jobs)):
-        # A mode that is in force already at power-on, or that the next block says again, may be gone.
+        # A mode that is in force at power-on, or that the next block repeats, may be removed without effect.
         again = len(re.findall(rf'{word}', one.out.read_text(encoding='utf-8'))) > 1
         expect(status == 1 or (status == 0 and word in ('G61', 'G64') and again), f'exact stops: {one.name()}: without {word} {status} in {file.read_text(encoding="utf-8")}')
 
 
-# Corners as the NCT and Fanuc have them: slower inside, not slowed down, as usual; within a contour, between places that are written out.
+# Corner modes of the NCT and Fanuc (slower at inside corners, not slowed down, usual), within a contour and between expanded
+# positions.
 CORNERS = '''G21 G90 G17 G64
 G0 X0. Y0. Z5.
 G1 X10. F300.
@@ -182,7 +184,7 @@ M2
 
 
 def corner_modes(kadr, folder, given):
-    """G62 and G63 are written in blocks that are written out; without one it is not equal."""
+    """G62 and G63 are written in expanded blocks; a program with one of them removed is not equal."""
     file = folder / 'corners.nc'
     file.write_text(CORNERS, encoding='utf-8')
     jobs = [(control, to, way) for control, to in (('nct', 'fanuc'), ('fanuc', 'nct')) for way in ((), ('--flat',), ('--flat', '--way', 'plain'))]
@@ -202,7 +204,7 @@ def corner_modes(kadr, folder, given):
         expect(said == '', f'corners: {job}: {said[:600]}')
 
 
-# Subprograms with numbers and names, called from another one, several times, beside a line that the 2С42 has to have written out.
+# Subprograms with numbers and names, called from another one, several times, next to a line that must be expanded for the 2С42.
 SUBPROGRAMS = {
     'fanuc': 'O0001\nG90 G54\nG0 X0. Y0. Z5.\nM98 P2 L3\nG90 G0 X50.\nM98 P1234\nM30\nO0002\nG91 G1 X5. F200.\n(UP)\nM98 P1234\nG90\nM99\nO1234\nG91 G1 Y2. F100.\nG1 X4. Y1.\nG90\nM99\n',
     'mach3': 'G90 G40\nG0 X0 Y0 Z5\nM98 P100 L2\nM98 P7\nM30\nO100\nG91 G1 X5 F200\nG90\nM99\nO7\nG1 X1 Y1\nM99\n',
@@ -212,7 +214,7 @@ SECTIONS = {'fanuc': (('L02', 'L0203', 'N02001'), 2), 'mach3': (('L07', 'N07001'
 
 
 def sections(kadr, folder):
-    """Subprograms become those of the 2С42, before the program, under their numbers where these are two digits."""
+    """Subprograms become those of the 2С42, before the program, and keep their numbers where these have two digits."""
     for control, text in SUBPROGRAMS.items():
         file = folder / f'sections_{control}.nc'
         file.write_text(text, encoding='utf-8')
@@ -226,7 +228,7 @@ def sections(kadr, folder):
 
 
 def set_ups(kadr, folder):
-    """What the other control has not is left out of its set-up; several channels are refused."""
+    """Entries that the other control does not have are left out of its set-up; several channels are refused."""
     file, setup = folder / 'given.ngc', folder / 'given.json'
     file.write_text('G21 G90\nG1 X#100 F100\nG1 Y[#31 * 2]\nM2\n', encoding='utf-8')
     setup.write_text(json.dumps({'variables': {'#100': 7, '#5161': 10, '#5181': 20, '#31': 3}}), encoding='utf-8')
@@ -261,7 +263,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
     options.add_argument('--mutations', type=int, default=40)
-    options.add_argument('--again', type=int, default=40, help='held against their sources by kadr diff')
+    options.add_argument('--again', type=int, default=40, help='number of results that kadr diff compares with their sources')
     options.add_argument('--seed', type=int, default=7)
     options.add_argument('--jobs', type=int, default=2)
     options.add_argument('--table', action='store_true', help='prints the table of docs/commands/convert.md')

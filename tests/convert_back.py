@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""kadr convert there and back: a program for another control, and what is written again for its own: `kadr diff` finds it equal to the
-program. Examples for all others, and random programs over each control's grammar for one. Refused ways back are counted.
+"""Tests kadr convert there and back: a program is converted for another control, and the result is converted back; `kadr diff` finds the
+last program equal to the first. Examples are converted to all others, random programs over each control's grammar to one. Refused ways
+back are counted.
 
     convert_back.py --kadr PROGRAM [--every N] [--programs N] [--seed N] [--jobs N]
 """
@@ -16,10 +17,11 @@ from conversions import pairs, random_programs
 from conversions.pairs import CONTROLS
 from page_client.client import expect, result
 
-# Each of the two is as near as half an increment of the coarser word: thousandths of an inch's tenth at the worst, and what GOST adds.
+# Each of the two is within half an increment of the coarser word: a ten-thousandth of an inch at worst, plus the rounding of
+# GOST.
 TOLERANCE = 0.005
-LOST = re.compile(r'how corners are gone round|what is done between: (G9 ?)+ — nothing|spindle: \S+ M[34] — M5$')  # M30 there stops the spindle, which is said then
-# Of those that are proven there, so many at least are proven back.
+LOST = re.compile(r'how corners are gone round|what is done between: (G9 ?)+ — nothing|spindle: \S+ M[34] — M5$')  # M30 there stops the spindle, which is then written explicitly
+# The least share of the proven conversions that must be proven on the way back too.
 LEAST_SHARE = 0.6
 
 
@@ -34,7 +36,7 @@ def random_jobs(given, folder):
 
 
 def there_and_back(kadr, job, folder):
-    """The outcome, and what is wrong about it."""
+    """Returns the outcome, and what is wrong with it."""
     number, (control, file, to) = job
     there = pairs.convert(kadr, control, file, to, folder / f'{number}_there.nc', pairs.setup_of(file))
     if not there.proven():
@@ -46,7 +48,7 @@ def there_and_back(kadr, job, folder):
     got = pairs.diff(kadr, whole, tolerance=TOLERANCE + pairs.tolerance_of(control, to))
     told = [line for line in got.stdout.splitlines()[:-1] if not line.startswith('  ')]
     if got.returncode == 1 and 'not carried over' in there.said and all(LOST.search(line) for line in told if line):
-        return 'equal but for corners, as told', ''  # G64 P or exact stops, which the control between has not
+        return 'equal but for corners, as told', ''  # G64 P or exact stops, which the other control does not have
     return ('equal', '') if got.returncode == 0 else ('wrong', got.stdout[:400] + got.stderr[:300])
 
 
@@ -54,10 +56,10 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
-    options.add_argument('--programs', type=int, default=90, help='random ones')
+    options.add_argument('--programs', type=int, default=90, help='number of random programs')
     options.add_argument('--seed', type=int, default=20261126)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--told', action='store_true', help='why a way back is refused')
+    options.add_argument('--told', action='store_true', help='print why a way back is refused')
     given = options.parse_args()
     jobs = [(control, file, to) for control, file in pairs.examples() for to in CONTROLS if to != control][::given.every]
     counts = collections.Counter()

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""kadr convert: every golden program of every control to every other is proven equal and written, or refused with the place. No third
-outcome: no crash, no hang, no file of a refused one.
+"""Tests kadr convert with every golden program of every control to every other: each conversion is proven equal and written, or refused
+with the location. There is no third outcome: no crash, no hang, no file after a refusal.
 
     convert_golden.py --kadr PROGRAM [--every N] [--jobs N] [--out FILE] [--update]
 
-docs/commands/convert.md and its Russian sister say how many there are, and of which control; that is always held against the golden programs.
-What becomes of them is held against both where all are gone through (--every 1), and written there by --update.
+docs/commands/convert.md and its Russian page state the number of programs of each control; the test always compares that with the golden
+programs. It compares the outcomes with both pages only if it converts all programs (--every 1); --update writes them there.
 """
 import argparse
 import collections
@@ -23,7 +23,7 @@ from page_client.client import expect, result
 
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
 GOLDEN = Path(__file__).resolve().parent / 'golden'
-EVERY = 15  # some 20 s; no multiple of 8, else it is one other control alone
+EVERY = 15  # takes some 20 s; not a multiple of 8, which would always select the same target control
 
 
 def jobs(every):
@@ -64,13 +64,13 @@ def convert(kadr, job):
 
 
 class Document:
-    """What docs/commands/convert.md or its sister says of the golden programs: the figures of a sentence, and a table."""
+    """The statements of docs/commands/convert.md or its Russian page about the golden programs: the figures of a sentence, and a table."""
 
     DOCS = Path(__file__).resolve().parent.parent / 'docs'
     BEGINS = {'commands/convert.md': 'Of the golden programs', 'ru/commands/convert.md': 'Эталонные программы'}
     NAMES = {'2С42': 's2c42', 'Mach3': 'mach3', 'correctors': 'correctors', 'с корректорами': 'correctors', 'GOST': 'gost', 'ГОСТ': 'gost', 'NCT': 'nct',
              'LinuxCNC': 'linuxcnc', 'Fanuc': 'fanuc', 'Haas': 'haas', 'Grbl': 'grbl'}
-    FIGURE = r'(?<![\w`])\d{1,3}(?:,\d{3})+|(?<![\w`])\d{3,}'   # of hundreds and more
+    FIGURE = r'(?<![\w`])\d{1,3}(?:,\d{3})+|(?<![\w`])\d{3,}'   # figures of three digits and more
 
     def __init__(self, name):
         self.name, self.path = name, self.DOCS / name
@@ -81,20 +81,20 @@ class Document:
         self.sentence, self.table = self.text.split('\n\n', 1)
 
     def figures(self):
-        """All conversions, proven, word by word, refused, of these stopped by an alarm."""
+        """Returns the numbers of all conversions, proven, word by word, refused, and refused because of an alarm."""
         return [int(figure.replace(',', '')) for figure in re.findall(self.FIGURE, self.sentence)]
 
     def programs(self):
-        """By control: how many programs it has."""
+        """Returns the number of programs by control."""
         return {self.NAMES[name]: int(count) for name, count in re.findall(r'^\| ([^|]+) \((\d+)\) \|', self.table, re.M)}
 
     def proven(self):
-        """By (from, to)."""
+        """Returns the number of proven conversions by (from, to)."""
         rows = [[cell.strip() for cell in row.strip('|').split('|')] for row in self.table.splitlines()]
         return {(self.NAMES[row[0].split(' (')[0]], self.NAMES[to]): int(cell) for row in rows[2:] for to, cell in zip(rows[0][1:], row[1:]) if cell}
 
     def written(self, figures, programs, proven):
-        """The text with these figures."""
+        """Returns the text with these figures."""
         rest = iter(figures)
         with_comma = ',' in re.search(self.FIGURE, self.sentence)[0]
         sentence = re.sub(self.FIGURE, lambda _: f'{next(rest):,}' if with_comma else str(next(rest)), self.sentence)
@@ -106,7 +106,7 @@ class Document:
 
 
 def hold_documents(all_jobs, outcomes, update):
-    """`outcomes`: by job, of all of them; None: they have not all been gone through."""
+    """`outcomes`: of all conversions, by job; None if not all were made."""
     programs = collections.Counter(job[0] for job in all_jobs)
     programs = {control: programs[control] // (len(CONTROLS) - 1) for control in CONTROLS}
     for name in Document.BEGINS:
@@ -129,7 +129,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=EVERY)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--out', type=Path, help='each outcome, a line')
+    options.add_argument('--out', type=Path, help='write each outcome to this file, one per line')
     options.add_argument('--update', action='store_true', help='with --every 1: writes the figures into the documents')
     given = options.parse_args()
     counts = collections.Counter()

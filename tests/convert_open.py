@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr convert without a set-up: whatever zeros, lengths, radii and reference points the machine has then, the other control goes to the same
-places of the machine, or the program is refused. Places are taken from the trace of both, not from Kadr's own comparison.
+"""Tests kadr convert without a set-up: for any work offsets, lengths, radii and reference points of the machine, the other control moves to
+the same machine positions, or the program is refused. Positions come from the trace of both, not from Kadr's own comparison.
 
     convert_open.py --kadr PROGRAM [--states N] [--seed N] [--jobs N]
 """
@@ -18,7 +18,7 @@ from page_client.client import expect, result
 CONTROLS = ('fanuc', 'haas', 'nct', 'linuxcnc', 'mach3', 'grbl')
 SAME = 0.0021  # mm: both texts are rounded
 
-# What is said of places of the machine, each with the words that must stand in what is made of it for the controls that have them.
+# Programs with machine positions, each with the words that the result must contain for controls that have them.
 PROGRAMS = {
     'a tool is changed at the reference point': ('fanuc', 'G0 Z5.\nT2\nG91 G28 Z0 M06\nG90 G0 X10.\nM30\n', 'G28'),
     'machine coordinates between increments': ('haas', 'G0 Z5.\nG91 G1 X1. F100.\nG53 Z0.\nM30\n', 'G53'),
@@ -35,14 +35,14 @@ PROGRAMS = {
 
 
 def state(chance, tools=(1, 2)):
-    """Any state of a machine: what no set-up states."""
+    """A random state of a machine: everything that no set-up states."""
     axes = lambda least, most: {axis: round(chance.uniform(least, most), 2) for axis in 'XYZ'}
     return {'zeros': {n: axes(-500, -20) for n in range(1, 7)}, 'references': {'1': axes(-40, 40), '2': axes(-40, 40)},
             'offsets': {str(n): {'length': round(chance.uniform(20, 200), 2), 'radius': round(chance.uniform(0.2, 3), 2)} for n in tools}}
 
 
 def setup_for(control, of, folder):
-    """The state in the words of a control's set-up."""
+    """Writes the state as a set-up of the control."""
     zeros = {'work_offsets': {f'G{53 + n}': values for n, values in of['zeros'].items()}}
     setup = {**zeros, 'reference_points': of['references'], **({} if control == 'grbl' else {'offsets': of['offsets']})}
     file = folder / f'{control}_{random.getrandbits(64):x}.json'
@@ -51,7 +51,7 @@ def setup_for(control, of, folder):
 
 
 def places(kadr, file, control, setup):
-    """Machine coordinates where motions end; None: the control stops, or does not take the set-up."""
+    """Returns the machine coordinates where motions end; None if the control stops, or refuses the set-up."""
     got = pairs.run(kadr, 'run', file, '--control', control, '--setup', setup, '--trace', '-', '--quiet')
     if got.returncode == 2:
         sys.exit(f'{control} {setup.read_text()}: {got.stderr}')
@@ -67,7 +67,7 @@ def places(kadr, file, control, setup):
 
 
 def held(kadr, one, chance, folder, count):
-    """In so many states both go to the same places; how often the program itself came to its end."""
+    """Checks that both move to the same positions in `count` states; returns how often the source program itself ran to its end."""
     told = 0
     for _ in range(count):
         of = state(chance)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kadr convert for a factory's own control: its M functions by the table [convert] there and back, and the letters that a text may hold.
+"""Tests kadr convert for a user's own control: its M functions by the table [convert] in both directions, and the letters that a text may
+contain.
 
     convert_own.py --kadr PROGRAM
 """

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kadr convert: random programs of every control to two others: proven or refused, no third outcome; what is proven is equal by `kadr diff` too.
+"""Tests kadr convert with random programs of every control to two others: each is proven or refused, with no third outcome; `kadr diff`
+finds each proven result equal too.
 
     convert_random.py --kadr PROGRAM [--programs N] [--seed N] [--jobs N] [--keep FOLDER]
 """
@@ -14,7 +15,7 @@ from conversions import pairs, random_programs
 from conversions.pairs import CONTROLS
 from page_client.client import expect, result
 
-# Of them, at least: so that the programs stay such as can be converted, and the conversion good.
+# The least share that must be proven: it shows that the programs can still be converted, and that the conversion is still good.
 LEAST_PROVEN = 0.75
 
 
@@ -36,7 +37,7 @@ def main():
     options.add_argument('--programs', type=int, default=72)
     options.add_argument('--seed', type=int, default=20261126)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--keep', type=Path, help='programs, what is made of them and why not, there')
+    options.add_argument('--keep', type=Path, help='keep the programs, their results and the reasons of refusals in this folder')
     given = options.parse_args()
     counts, alarms = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as name:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kadr convert: real programs to every other control: by the way that is written down in tests/convert_real/results.json, or refused.
+"""Tests kadr convert with real programs to every other control: by the method that tests/convert_real/results.json records, or refused.
 
     convert_real.py --kadr PROGRAM [--every N] [--jobs N] [--update]
 """
@@ -13,7 +13,7 @@ from conversions.pairs import CONTROLS
 from page_client.client import expect, result
 
 FILE = Path(__file__).resolve().parent / 'convert_real' / 'results.json'
-# From what keeps most to what keeps nothing.
+# From the method that keeps most of the program to the one that keeps nothing.
 WAYS = ('as it stands', 'word by word', 'with offsets and radius compensation as codes', "with the path of the tool's centre", 'with all offsets calculated in', 'refused')
 
 
@@ -26,7 +26,7 @@ def main():
     options.add_argument('--kadr', required=True, type=Path)
     options.add_argument('--every', type=int, default=1)
     options.add_argument('--jobs', type=int, default=2)
-    options.add_argument('--update', action='store_true', help='write down what is')
+    options.add_argument('--update', action='store_true', help='write the results down as expected')
     given = options.parse_args()
     recorded = json.loads(FILE.read_text(encoding='utf-8'))
     jobs = [(row['control'], FILE.parent / row['program'], None, to) for row in recorded for to in CONTROLS if to != row['control']][::given.every]

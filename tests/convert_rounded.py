@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""kadr convert where words must be rounded: chains of arcs and lines whose ends and centres have nine decimals, as CAM systems write them
-for LinuxCNC, in mm and in inches, to every control: proven, never refused because of the rounding. And what is written for Fanuc is read
-here by a reader of its own: each arc lies as near to the true one as rounding its end and its centre once can leave it, which is the
-tolerance that docs/commands/convert.md names.
+"""Tests kadr convert where words must be rounded: chains of arcs and lines whose ends and centres have nine decimals, as CAM systems write
+them for LinuxCNC, in mm and in inches, to every control. Each is proven, never refused because of the rounding. A separate reader here
+reads the programs written for Fanuc: each arc is as close to the true one as a single rounding of its end and its centre allows, which
+is the tolerance that docs/commands/convert.md names.
 
     convert_rounded.py --kadr PROGRAM [--programs N] [--seed N]
 """
@@ -16,13 +16,13 @@ import harness
 from commands.programs import CONTROLS
 
 HALF = 0.0005                                    # mm, half an increment
-AROUND = math.hypot(3 * HALF, 3 * HALF) + 1e-6   # in the plane: where it begins once, its centre twice
+AROUND = math.hypot(3 * HALF, 3 * HALF) + 1e-6   # mm, in the plane: rounding of the start once, of the centre twice
 INCH = 25.4
-POINTS = 24   # of an arc that are looked at
+POINTS = 24   # points checked on each arc
 
 
 class Chain:
-    """Lines and arcs in XY, each from where the last one ended: (end, centre or None, counterclockwise)."""
+    """Lines and arcs in XY, each from the end of the last one: (end, centre or None, counterclockwise)."""
 
     def __init__(self, chance):
         self.at, self.pieces = (0.0, 0.0), []
@@ -57,7 +57,8 @@ class Chain:
 
 
 def written_pieces(text):
-    """(begin, end, centre or None, counterclockwise) of the motions at feed in XY of a program in mm with centres counted from the beginning."""
+    """Returns (start, end, centre or None, counterclockwise) of the feed motions in XY of a program in mm with arc centres relative to the
+    start."""
     at, code, pieces = (0.0, 0.0), '', []
     for line in text.splitlines():
         words = re.findall(r'([A-Z])(-?\d*\.?\d+|-?\d+\.)', re.sub(r'\(.*?\)', '', line))
@@ -80,7 +81,7 @@ def points_of(begin, end, centre, ccw):
 
 
 def farthest(chain, written):
-    """mm between the true arcs and those that are written, across the path; a complaint where they are not the same pieces."""
+    """Returns the distance in mm between the true and the written arcs, across the path; a complaint if the segments do not correspond."""
     if len(written) != len(chain.pieces):
         return f'{len(written)} motions, not {len(chain.pieces)}'
     most, before = 0.0, (0.0, 0.0)
@@ -108,7 +109,7 @@ def main():
             chain, unit = Chain(chance), (1, INCH)[n % 2]
             kadr.file('a.ngc', chain.program(unit))
             for to in CONTROLS:
-                if to in ('linuxcnc', 'gost', 'correctors'):  # the same control; hundredths, feeds by code
+                if to in ('linuxcnc', 'gost', 'correctors'):  # linuxcnc is the source itself; the others have hundredths, or feeds by code
                     continue
                 for way in ('words', 'codes'):
                     out = kadr.folder / 'b.nc'

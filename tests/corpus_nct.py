@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Programs of other shops under --control nct: each runs to its end, or stops where the table of tests/corpus_nct/README.md says.
+"""Tests programs of other shops under --control nct: each runs to its end, or stops where the table of tests/corpus_nct/README.md states.
 
     corpus_nct.py --kadr build/kadr
 
-A program without a row, a row without its program, a table that is not understood fail.
+A program without a row, a row without a program, and a table that cannot be read are failures.
 """
 import argparse
 import json
@@ -21,7 +21,7 @@ FINDING = re.compile(r'(\d+) ([a-z_]+)')
 
 
 class Row:
-    """A line of the table: what a program does under these conditions."""
+    """A row of the table: the result of a program under these conditions."""
 
     def __init__(self, found):
         self.program, self.condition, does = (cell.strip() for cell in found.groups())
@@ -54,7 +54,7 @@ def kadr(options, row, command, *more):
 
 
 def judge(options, row):
-    """None, or why the row does not hold."""
+    """Returns None, or why the row is not true."""
     checked = json.loads(kadr(options, row, 'check', '--format', 'json').stdout)
     findings = [(f['line'], f['id']) for f in checked if f['severity'] == 'alarm']
     if findings != row.findings:

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""`kadr debug` by scripts on standard input, `kadr run --from --to`, and what both refuse.
+"""Tests `kadr debug` by scripts on standard input, `kadr run --from --to`, and what both refuse.
 
     debug.py --kadr build/kadr
 
-Expectations are by hand. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed.
+Expected results are worked out by hand. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed.
 """
 import json
 import signal
@@ -30,7 +30,7 @@ Y20
 M99
 '''
 
-# (name, script, lines that come in this order on standard output, exit status)
+# (name, script, lines expected in this order on standard output, exit status)
 SCRIPTS = [
     ('a place is file:line: text', 'step\n', ['p.nc:1: N10 G21 G90 G17', 'p.nc:2: N20 #100=1'], 0),
     ('into a call, and out of it', 'until 3\nstep 2\nwhere\nfinish\n',

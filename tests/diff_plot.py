@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`kadr diff --plot`: what both do, what only one does, what is changed, numbers and lines as in the text; close up what is tiny; files kept as
-those of any command. Pictures are read again as SVG.
+"""Tests `kadr diff --plot`: what both programs do, what only one does, what is changed, numbers and lines as in the text; enlargements of
+tiny differences; output files treated as by any command. The test parses the pictures as SVG.
 
     diff_plot.py --kadr PROGRAM [--mutations N]
 """
@@ -35,12 +35,12 @@ class Picture:
         return [] if part is None else [''.join(e.itertext()) for e in part.iter(NS + 'text')]
 
     def numbers(self, name):
-        """Those that stand at places of a view."""
+        """The numbers at positions of a view."""
         part = self.part(name)
         return [] if part is None else [e.text for e in part.iter(NS + 'text') if e.get('font-weight') == 'bold' and e.get('fill') == '#ffffff']
 
     def strokes(self, name, kind):
-        """Each path of that kind: its line, its file, its points."""
+        """Each path of that type: its line, its file, its points."""
         part = self.part(name)
         found = []
         for group in [] if part is None else part.iter(NS + 'g'):
@@ -52,7 +52,7 @@ class Picture:
         return {int(line) for line, _, _, _ in self.strokes(name, kind)}
 
     def size(self, name, kind):
-        """Greatest extent of what is drawn, units of the page."""
+        """Greatest extent of the drawing, in units of the page."""
         points = [p for _, _, stroke, _ in self.strokes(name, kind) for p in stroke]
         return max(max(c) - min(c) for c in zip(*points)) if points else 0
 
@@ -67,7 +67,7 @@ class Kadr(harness.Kadr):
         return self.call('diff', *arguments, **more)
 
     def picture(self, a, b, *options, lang='en', control='linuxcnc'):
-        """The output, its status, the picture."""
+        """Returns the output, its status, the picture."""
         for name, text in (('a.nc', a), ('b.nc', b)):
             (self.folder / name).write_text(text)
         plot = self.folder / 'd.svg'
@@ -149,7 +149,7 @@ def zigzag(lines=150):
 
 
 def check_tiny(kadr):
-    """0.02 mm of 300: it is seen close up, at its place."""
+    """A difference of 0.02 mm in 300 mm is shown enlarged, at its position."""
     a = zigzag()
     b = list(a)
     b[104] = b[104].replace('X300', 'X300.02')
@@ -166,7 +166,7 @@ def check_tiny(kadr):
 
 
 def check_long(kadr):
-    """Ways that are thinned: the whole is still there, and the place close up is as it is."""
+    """Paths that are simplified: the whole is still drawn, and the enlargement is exact."""
     a = zigzag(70_000)
     b = list(a)
     b[90_004] = b[90_004].replace('X300', 'X300.02').replace('X0', 'X0.02')
@@ -205,7 +205,7 @@ def check_stopped(kadr):
 
 
 def check_rotary(kadr):
-    """The axes of the tool's place are the same; only the table differs."""
+    """The tool's positions in the axes are the same; only the table differs."""
     text = 'G21 G90\nG0 X0 Y0 Z5 A0\nG1 X10 A0 F100\nX20 A{}\nX30 A0\nM2\n'
     got, picture = kadr.picture(text.format(0), text.format(5))
     expect(got.returncode == 1 and picture.lines('view-xy', 'a') and picture.lines('view-xy', 'b'), f'a rotary axis: {got.stdout}')
@@ -222,7 +222,7 @@ def check_work_zero(kadr):
 
 
 def check_names(kadr):
-    """Without folders; with them where the names are the same."""
+    """Names have no folders, unless the file names are the same."""
     for folder in ('old', 'new'):
         (kadr.folder / folder).mkdir()
         (kadr.folder / folder / 'p.nc').write_text(BASE if folder == 'old' else changed(('X10\n', 'X11\n')))
@@ -236,7 +236,7 @@ def check_names(kadr):
 
 
 def check_files(kadr):
-    """Inputs are never written over, the picture is there whole or not at all."""
+    """Input files are never overwritten; the picture is written completely or not at all."""
     for name in ('a.nc', 'b.nc'):
         (kadr.folder / name).write_text(BASE)
     for plot, word in (('a.pdf', 'a plot is .svg or .png'), ('no/folder/d.svg', 'no/folder'), ('d', 'a plot is')):
@@ -269,7 +269,7 @@ def check_files(kadr):
 
 
 def mutations(kadr, count):
-    """Examples of all controls with a number changed: a picture each, with as many numbers in its list as the text has."""
+    """Examples of all controls with a number changed: each picture lists as many numbers as the text."""
     random_ = random.Random(20261126)
     programs = [f for control in ('mach3', 'linuxcnc', 'nct', 's2c42', 'gost', 'correctors', 'fanuc', 'haas', 'grbl')
                 for f in sorted((EXAMPLES / control).glob('*')) if f.suffix not in ('.json', '.toml', '.md', '.tbl', '.txt', '.svg', '.png')]

@@ -1,24 +1,27 @@
 #!/usr/bin/env python3
-"""Every command that the pages print runs, and prints what the page says: README*.md, CONTRIBUTING.md, docs/**/*.md.
+"""Runs every command that the pages print and compares its output with the page: README*.md, CONTRIBUTING.md, docs/**/*.md.
 
     docs_commands.py --kadr build/release/kadr [PAGE…] [--list] [--update] [--times]
 
 A page prints commands in blocks of code, indented or between ```:
 
     $ kadr controls             a command; what it prints follows, up to the next `$ ` or the end of the block
-    …                           on a line of its own: any lines; `...` is the same. At the end of a line, or without blanks around it: anything
+    …                           on a line of its own: any lines; `...` is the same. At the end of a line, or without blanks around it:
+                                anything
     (kadr) step                 typed at the prompt of `kadr debug`, which is a terminal then
-    kadr mill face PLATE …      in a block without `$ `: a form with placeholders; the command and its options must be in `kadr COMMAND --help`
-    kadr check FILE             without placeholders: it must run to its end with status 0, whatever it prints
+    kadr mill face PLATE …      in a block without `$ `: a form with placeholders; the command and its options must be in `kadr COMMAND
+                                --help`
+    kadr check FILE             without placeholders: it must end with status 0; its output is not compared
 
 A command within a sentence (`kadr check --strict`) is a form too.
 
-The commands of a section run in order, in a fresh folder with `examples/` (a copy, which they must leave as it is) and with `kadr` in the PATH:
-one may use what another has written, and nothing is written into the checkout. `kadr serve` is stopped when it has said where it is. Not run is
-what NOT_RUN names, with the reason. Both outputs are taken as they come. MASKS make equal what differs from run to run.
+The commands of a section run in order, in a fresh folder with `examples/` (a copy, which they must leave as it is) and with `kadr` in the
+PATH: a command may use files that an earlier one wrote, and nothing is written into the checkout. `kadr serve` is stopped when it has
+printed its address. NOT_RUN names the commands that are not run, with the reason. Standard output and standard error are compared as one
+text. MASKS replace what differs from run to run.
 
---list tells what would be done with each command, --update writes what the program prints into the pages, around their `…`; --times tells the
-processor time of each. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+--list prints what would be done with each command, --update writes what the program prints into the pages, around their `…`; --times prints
+the processor time of each. Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import dataclasses
 import difflib
@@ -37,7 +40,7 @@ from pathlib import Path
 import harness
 from harness import ROOT, TIME_LIMIT_S, expect
 
-# The first word of a command, or its beginning, and why it is not run here.
+# The first word of a command, or its beginning, and why the test does not run it.
 NOT_RUN = {
     'make': 'builds, tests or installs the whole of Kadr',
     'dev/': 'a tool for those who build Kadr, which builds, tests or installs',
@@ -61,18 +64,18 @@ MASKS = [(re.compile(pattern), mask) for pattern, mask in (
 
 
 def told(page):
-    """A page as it is named in a message."""
+    """The name of a page in messages."""
     return page.relative_to(ROOT) if page.is_relative_to(ROOT) else page
 
 
 @dataclasses.dataclass
 class Command:
-    """A command of a page, and what the page says that it prints."""
+    """A command of a page, and the output that the page shows."""
     page: Path
-    line: int          # of the page, from 1
-    section: int       # of the page, counted by its headings
+    line: int          # in the page, from 1
+    section: int       # in the page, counted by headings
     indent: str
-    prompted: bool     # behind `$ `
+    prompted: bool     # after `$ `
     text: str
     printed: list
 
@@ -80,11 +83,11 @@ class Command:
         return f'{told(self.page)}:{self.line}: {self.text}'
 
     def not_run(self):
-        """Why it is not run, or None."""
+        """Why the command is not run, or None."""
         return next((why for start, why in NOT_RUN.items() if self.text.startswith(start)), None)
 
     def done(self):
-        """What is done with it, for --list."""
+        """What the test does with the command, for --list."""
         if why := self.not_run():
             return f'not run: {why}'
         if self.prompted:
@@ -92,11 +95,11 @@ class Command:
         return 'form' if PLACEHOLDER.search(self.text) else 'run'
 
     def said(self):
-        """What the page says that it prints; blank lines before the next command only part the two."""
+        """The output that the page shows; blank lines before the next command only separate the two."""
         return self.printed[:max((number for number, line in enumerate(self.printed, 1) if line.strip()), default=0)]
 
     def typed(self):
-        """What is typed at the prompt of `kadr debug`."""
+        """The input at the prompt of `kadr debug`."""
         return [line.removeprefix(PROMPT) for line in self.printed if line.startswith(PROMPT)]
 
 
@@ -107,7 +110,7 @@ def pages():
 
 
 def blocks(lines):
-    """(section, number of the first line from 1, its lines) of each block of code of a page."""
+    """Yields (section, number of the first line from 1, lines) of each block of code of a page."""
     section, block, first, fenced, before = 0, None, 0, False, ''
     for number, line in enumerate([*lines, ''], 1):
         if line.lstrip().startswith('```'):
@@ -130,13 +133,13 @@ def blocks(lines):
 
 
 def commands_of(page):
-    """The commands of a page, in their order."""
+    """Returns the commands of a page, in order."""
     commands = []
     for section, first, block in blocks(page.read_text(encoding='utf-8').splitlines()):
         indent = min((re.match(' *', line)[0] for line in block if line.strip()), key=len, default='')
         lines = [line.removeprefix(indent) for line in block]
         prompted = any(line.startswith('$ ') for line in lines)
-        printed = []   # of the command above
+        printed = []   # output of the command above
         for number, line in enumerate(lines, first):
             if line.startswith('$ ') if prompted else COMMAND.match(line):
                 printed = []
@@ -146,7 +149,7 @@ def commands_of(page):
     return commands
 
 
-# ---- what a page says, and what the program prints
+# ---- comparing a page with the program's output
 
 def masked(line):
     for pattern, mask in MASKS:
@@ -159,7 +162,7 @@ def any_lines(line):
 
 
 def pattern_of(line):
-    """What a line of a page, which is not `…` alone, stands for. ` … ` between two figures is the program's own."""
+    """Returns the pattern of a line of a page that is not `…` alone. ` … ` between two figures is the program's own text."""
     return '.*'.join(map(re.escape, re.split(r'(?<=\S)…|…$', masked(line))))
 
 
@@ -168,9 +171,9 @@ def same(said, line):
 
 
 def aligned(printed, got):
-    """Pairs (line of the page or None, line of the program or None), which differ as little as possible; `…` of a page takes any lines.
-    returns them and whether all are alike"""
-    alone = 1.0   # a line that only one of them has; two that have nothing in common cost as much as two alone
+    """Returns pairs (line of the page or None, line of the program or None) that differ as little as possible, and whether all are equal;
+    `…` of a page matches any lines."""
+    alone = 1.0   # cost of an unmatched line; two lines that have nothing in common cost as much as two unmatched ones
     cost = [[0.0] * (len(got) + 1) for _ in range(len(printed) + 1)]
     step = [[''] * (len(got) + 1) for _ in range(len(printed) + 1)]
     for i in range(len(printed), -1, -1):
@@ -195,7 +198,7 @@ def aligned(printed, got):
 
 
 def faults_of(printed, got):
-    """How what a page says differs from what the program prints."""
+    """Returns how the page differs from the program's output."""
     pairs, alike = aligned(printed, got)
     if alike:
         return
@@ -208,7 +211,7 @@ def faults_of(printed, got):
 
 
 def renewed(printed, got):
-    """The lines of a page as they should be: those of the program, where they differ, around the `…` of the page."""
+    """Returns the corrected lines of a page: the program's lines where they differ, with the `…` of the page kept."""
     for said, line in aligned(printed, got)[0]:
         if said is not None and (any_lines(said) or line is not None and same(said, line)):
             yield said
@@ -219,16 +222,16 @@ def renewed(printed, got):
 # ---- running them
 
 def contents(folder):
-    """Every file of a folder, with what it holds."""
+    """Returns every file of a folder with its contents."""
     return {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob('*') if path.is_file()}
 
 
 class Folder:
-    """Where the commands of a section run: the examples, `kadr` in the PATH, else nothing."""
+    """The folder where the commands of a section run: it has the examples, and `kadr` in the PATH."""
 
     def __init__(self, kadr, examples, at):
         self.at = Path(at)
-        self.place = self.at / 'kadr'   # the root of the project, as far as a reader needs it
+        self.place = self.at / 'kadr'   # the root of the project, as far as readers need it
         for link, to in ((self.at / 'bin/kadr', kadr), (self.place / 'build/release/kadr', kadr), (self.place / 'examples', examples)):
             link.parent.mkdir(parents=True, exist_ok=True)
             link.symlink_to(to)
@@ -237,7 +240,7 @@ class Folder:
             self.environment.pop(name, None)
 
     def run(self, command):
-        """Carries out a command.  returns its status, what it printed, as lines, and its processor time, s"""
+        """Executes a command.  returns its status, its output as lines, and its processor time in s"""
         printed, typed = self.at / 'printed', command.typed()
         ends = typing(typed) if typed else (subprocess.DEVNULL,)
         with open(printed, 'wb') as out:
@@ -256,13 +259,13 @@ class Folder:
         expect(process.returncode != -signal.SIGKILL, f'no end within {TIME_LIMIT_S} s')
         status = 0 if endless and process.returncode in (143, -signal.SIGTERM) else process.returncode
         text = printed.read_bytes().decode('utf-8', 'replace')
-        for line in typed:   # the prompt is printed, what is typed is not
+        for line in typed:   # the prompt is printed, the input is not
             text = text.replace(PROMPT, f'\0{line}\n', 1)
         return status, text.replace('\0', PROMPT).splitlines(), used.ru_utime + used.ru_stime
 
 
 def typing(lines):
-    """A terminal on which the lines are typed, without an echo.  returns its two ends; the second is the program's"""
+    """Opens a terminal without echo on which the lines are typed.  returns its two ends; the second is the program's"""
     keyboard, terminal = pty.openpty()
     attributes = termios.tcgetattr(terminal)
     attributes[3] &= ~termios.ECHO
@@ -273,13 +276,13 @@ def typing(lines):
 
 @functools.cache
 def options_of(kadr, *command):
-    """The options that the help of a command names; None where there is no such command."""
+    """Returns the options in the help of a command; None if there is no such command."""
     done = subprocess.run([kadr, *command, '--help', '--lang', 'en'], capture_output=True, text=True, timeout=TIME_LIMIT_S)
     return None if done.returncode else set(OPTION.findall(done.stdout))
 
 
 def form_faults(kadr, text):
-    """What of a form (`kadr COMMAND FILE [--option]`, several on a line with two blanks between) the help does not know."""
+    """Returns the parts of a form (`kadr COMMAND FILE [--option]`, several on a line with two blanks between) that the help does not list."""
     for form in re.split(r'\s{2,}(?=kadr )', text):
         words = form.split()[1:]
         length = 0 if words[0].startswith('-') or words[0].isupper() else 2 if words[0] in WITH_SUBCOMMANDS else 1
@@ -296,8 +299,8 @@ def form_faults(kadr, text):
 class Outcome:
     command: Command
     faults: list
-    got: list | None = None    # what a command printed that is compared
-    seconds: float = 0         # of the processor
+    got: list | None = None    # the output that is compared
+    seconds: float = 0         # of processor time
 
 
 def outcome_of(folder, kadr, command):
@@ -316,7 +319,7 @@ def outcome_of(folder, kadr, command):
 
 
 def outcomes_of(kadr, examples, commands):
-    """The outcomes of the commands of a section; where a tool is not installed, of those before it."""
+    """Returns the outcomes of the commands of a section; if a tool is not installed, of the commands before it."""
     outcomes = []
     with tempfile.TemporaryDirectory(prefix='kadr_docs_') as at:
         folder = Folder(kadr, examples, at)
@@ -330,7 +333,7 @@ def outcomes_of(kadr, examples, commands):
 
 
 def sections_of(commands):
-    """The commands that are run, section by section."""
+    """Groups the commands that are run by section."""
     found = {}
     for command in commands:
         if not command.not_run():
@@ -338,7 +341,7 @@ def sections_of(commands):
     return list(found.values())
 
 
-# ---- this runner, and what the pages name
+# ---- tests of this runner, and of names in the pages
 
 PAGE = """# Title
 
@@ -363,7 +366,7 @@ kadr controls
 
 
 def judge_itself(tally, folder):
-    """What is read of a page, and what is alike."""
+    """Tests how a page is read, and what counts as equal."""
     page = Path(folder) / 'page.md'
     page.write_text(PAGE, encoding='utf-8')
     read = [(c.line, c.section, c.text, c.said(), c.done()) for c in commands_of(page)]
@@ -376,22 +379,22 @@ def judge_itself(tally, folder):
 
 
 def judge_sentences(tally, kadr, page):
-    """Commands within the sentences of a page, `kadr check --strict`: they are forms."""
+    """Tests commands within the sentences of a page, `kadr check --strict`: they are forms."""
     for number, line in enumerate(page.read_text(encoding='utf-8').splitlines(), 1):
         for text in re.findall(r'`(kadr [^`]+)`', line):
             tally.judge(f'{told(page)}:{number}: {text}', form_faults(kadr, text))
 
 
 def judge_examples(tally):
-    """The files that are there for the pages alone."""
+    """The example files that exist only for the pages."""
     text = ''.join(page.read_text(encoding='utf-8') for page in pages())
     tally.judge('examples/docs', [f'no page names {path.name}' for path in sorted((ROOT / 'examples/docs').iterdir()) if f'examples/docs/{path.name}' not in text])
 
 
-# ---- the pages anew
+# ---- updating the pages
 
 def update(page, outcomes):
-    """Writes into a page what the program prints."""
+    """Writes the program's output into a page."""
     lines = page.read_text(encoding='utf-8').splitlines()
     for outcome in reversed(outcomes):
         command = outcome.command
@@ -405,11 +408,11 @@ def update(page, outcomes):
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('pages', nargs='*', type=Path, metavar='PAGE', help='only these pages')
-    parser.add_argument('--without', metavar='NAME', help='not the pages of that name, cut.md')
-    parser.add_argument('--list', action='store_true', help='only tell what would be done with each command')
+    parser.add_argument('--without', metavar='NAME', help='leave out the pages of that name, for example cut.md')
+    parser.add_argument('--list', action='store_true', help='only print what would be done with each command')
     parser.add_argument('--update', action='store_true', help='write what the program prints into the pages')
-    parser.add_argument('--times', action='store_true', help='tell the processor time of each command')
-    parser.add_argument('--jobs', type=int, default=harness.CORES, help='sections at a time')
+    parser.add_argument('--times', action='store_true', help='print the processor time of each command')
+    parser.add_argument('--jobs', type=int, default=harness.CORES, help='sections run at the same time')
     options = harness.parsed(parser)
     chosen = [page.resolve() for page in options.pages] or [page for page in pages() if page.name != options.without]
     for page in chosen:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The pages docs/controls/ID.md, docs/setup.md and docs/ru/setup.md are what dev/docs makes of the controls built into the program, and each control has its notes.
+"""Checks that the pages docs/controls/ID.md, docs/setup.md and docs/ru/setup.md are what dev/docs generates from the controls built into
+the program, and that each control has its notes.
 
     docs_fresh.py --kadr build/kadr
 
@@ -17,17 +18,17 @@ from harness import TIME_LIMIT_S
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / 'docs' / 'controls'
-SETUP = {'setup.md': ROOT / 'docs' / 'setup.md', 'setup.ru.md': ROOT / 'docs' / 'ru' / 'setup.md'}   # not of one control
+SETUP = {'setup.md': ROOT / 'docs' / 'setup.md', 'setup.ru.md': ROOT / 'docs' / 'ru' / 'setup.md'}   # pages that belong to no single control
 
 
 def made_by(kadr, folder):
-    """Name → text of the pages that dev/docs writes now."""
+    """Returns name → text of the pages that dev/docs generates."""
     subprocess.run([ROOT / 'dev' / 'docs', folder], env={**os.environ, 'KADR': kadr}, check=True, timeout=TIME_LIMIT_S)
     return {page.name: page.read_text(encoding='utf-8') for page in sorted(Path(folder).iterdir())}
 
 
 def faults_of(name, text):
-    """What is wrong with one page."""
+    """Returns what is wrong with one page."""
     page = SETUP.get(name, PAGES / name)
     if not page.is_file():
         yield 'is missing'

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Every command that takes a program, over every example and a share of the golden programs; then every command where something is short:
-threads, memory, open files, room on the disk, a reader, time.
+"""Runs every command that reads a program over every example and a share of the golden programs; then every command where a resource is
+short: threads, memory, open files, disk space, a reader, time.
 
     every_command.py --kadr PROGRAM [--every N] [--examples-every N] [--jobs N] [--only 'limits*'] [--open]
 
-Whatever the program is, a command ends with the exit status 0, 1 or 2, by no signal, within a minute of processor time and 2 GiB of memory;
-says something where the status is not 0; writes no file that nobody asked for, and each that was asked for whole or not at all; sends no
-control character to a pipe; its JSON is JSON. The folder of the examples stays as it is.
+With any program, a command ends with the exit status 0, 1 or 2 and without a signal, within a minute of processor time and 2 GiB of
+memory; prints a message if the status is not 0; writes only the requested files, each completely or not at all; sends no control
+character to a pipe; its JSON is valid. The folder of the examples stays unchanged.
 
-What is known to be wrong stands in tests/commands/known.py.
+Known faults are listed in tests/commands/known.py.
 """
 import fnmatch
 import subprocess
@@ -21,14 +21,14 @@ from commands.limits import over_limits
 from commands.observed import Kadr, listing
 from commands.programs import EXAMPLES, over_programs
 
-EVERY = 50   # of the golden programs, so that the whole takes some 75 s of processor time; all of them: ten minutes
+EVERY = 50   # takes every 50th golden program, so that the test needs some 75 s of processor time; all of them take ten minutes
 
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--every', type=int, default=EVERY, help='of the golden programs every so many')
-    parser.add_argument('--examples-every', type=int, default=1, help='of the examples every so many')
-    parser.add_argument('--jobs', type=int, default=harness.CORES, help='programs at a time')
+    parser.add_argument('--every', type=int, default=EVERY, help='runs every Nth golden program')
+    parser.add_argument('--examples-every', type=int, default=1, help='runs every Nth example')
+    parser.add_argument('--jobs', type=int, default=harness.CORES, help='programs run at the same time')
     parser.add_argument('--only', default='*', help="only programs and limits of that name, e.g. 'examples/nct/*', 'limits*'")
     parser.add_argument('--open', action='store_true', help='print also each fault that OPEN names')
     options = harness.parsed(parser)

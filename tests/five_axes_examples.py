@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The programs of examples/five-axes: clean under `kadr check` on the machine that examples/README.md names, within the axes' limits; the samples of
-those that lead the tip keep the tip on its way and the axes within speed, acceleration and jerk.
+"""Tests the programs of examples/five-axes: `kadr check` reports nothing on the machine that examples/README.md names, and the axes stay
+within their limits. Samples of programs with tool centre point control keep the tip on its path and the axes within speed, acceleration
+and jerk.
 
     five_axes_examples.py --kadr build/kadr
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Samples of programs that lead the tool's tip, judged one by one by tests/golden/five_axis_samples.py: tip, direction, speed, limits.
+"""Tests samples of programs with tool centre point control; tests/golden/five_axis_samples.py judges each: tip, direction, speed, limits.
 
     five_axis_samples.py --kadr build/kadr
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What kadr prints of a program's findings: of each warning the first whole, those like it counted; `--every`, `--disable`, the set-up's key
-'disable'. Alarms are printed each, whatever is disabled.
+"""Tests how kadr prints the findings of a program: the first warning of each id in full, similar ones counted; `--every`, `--disable`, the
+set-up's key 'disable'. Every alarm is printed, whatever is disabled.
 
     found.py --kadr PROGRAM
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The golden cases of controls that have open ones: all pass but those that tests/golden/CONTROL-open.txt names, each with its
-reason; one that is named and passes is a fault too, so that the list stays true."""
+"""Runs the golden cases of controls that have open ones: all pass except those that tests/golden/CONTROL-open.txt names, each with its
+reason; a named case that passes is a fault too, so that the list stays true."""
 import argparse
 import json
 import subprocess
@@ -24,7 +24,7 @@ def open_cases(control):
 
 
 def run(control, kadr):
-    """Passed cases that may, faults."""
+    """Returns the number of passed cases, and the faults."""
     known = open_cases(control)
     with tempfile.NamedTemporaryFile(suffix=".json") as report:
         subprocess.run([sys.executable, HERE / "golden" / "check.py", "--kadr", kadr, "--jobs", "2", "--json", report.name,

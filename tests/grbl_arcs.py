@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Grbl's arcs in 32 bits: what Kadr makes of them against a twin of Grbl's arithmetic, and against Grbl itself where it is at hand.
+"""Tests Grbl's arcs in 32 bits: Kadr's result against a twin of Grbl's arithmetic, and against Grbl itself where it is available.
 
     grbl_arcs.py --kadr build/kadr [--seed N] [--arcs N] [--show]
-    KADR_GRBL_ORACLE=… grbl_arcs.py --kadr build/release/kadr --arcs 1000000         dev/grbl_oracle makes the oracle
+    KADR_GRBL_ORACLE=… grbl_arcs.py --kadr build/release/kadr --arcs 1000000         dev/grbl_oracle builds the oracle
 
-The twin (class Twin) rounds each sum, product and root to 32 bits by itself, in the order of gcode.c and mc_arc; a second one (class Exact)
-does not round. Arcs by chance and by ill will: short parts of large circles, full circles, R of half the chord, radii at the limits of
-their errors, far from zero, in inches, in increments, helices in each plane. Of each arc:
-    refused     Kadr refuses it with Grbl's number, and nothing else
-    its path    at a quarter, a half, three quarters it is where Grbl's lines end, within NEAR and the rounding of 32 bits
-    a warning   single_arc_… stands there if the twins part by more than NEAR, and only then
-With the environment variable KADR_GRBL_ORACLE the executable that it names, Grbl's own source, is asked for the same, and the twin too.
+The twin (class Twin) rounds each sum, product and root to 32 bits separately, in the order of gcode.c and mc_arc; a second one (class
+Exact) does not round. Arcs are random and adversarial: short parts of large circles, full circles, R of half the chord, radii at the
+limits of their errors, far from the origin, in inches, in increments, helices in each plane. Checked for each arc:
+    refused     Kadr refuses it with Grbl's number, and refuses no other
+    its path    at a quarter, a half, three quarters it is where Grbl's line segments end, within NEAR and the rounding of 32 bits
+    a warning   single_arc_… is reported if the twins differ by more than NEAR, and only then
+If the environment variable KADR_GRBL_ORACLE names an executable, Grbl's own source, Kadr and the twin are compared with it as well.
 The seed is printed. Exit status: 0 all passed, 1 some failed.
 """
 import json
@@ -25,8 +25,8 @@ import sys
 import harness
 from harness import Failure
 
-NEAR, DOUBT = 0.01, 0.002    # mm: Kadr tells what parts by more; the sums of both sides may differ by so much
-BATCH = 4000                 # arcs of a program
+NEAR, DOUBT = 0.01, 0.002    # mm: Kadr reports a difference larger than NEAR; the sums of both sides may differ by DOUBT
+BATCH = 4000                 # arcs per program
 EPSILON, PI = 5e-7, math.pi
 WARNINGS = {'single_arc_turns', 'single_arc_path', 'single_arc_refused', 'single_arc_passed'}
 AXES = 'XYZ'
@@ -35,7 +35,7 @@ _FLOAT = struct.Struct('f')
 
 
 def single(value):
-    """The nearest number of 32 bits."""
+    """Returns the nearest 32-bit number."""
     try:
         return _FLOAT.unpack(_FLOAT.pack(value))[0]
     except OverflowError:
@@ -49,7 +49,7 @@ class Twin:
 
     def __init__(self):
         r = self.rounded
-        self.edge = False                                # R is half of the chord: of exact figures too a rounding would decide
+        self.edge = False                                # R is half of the chord: rounding would decide even with exact figures
         self.at, self.zeros, self.shift = [0.0] * 3, [[0.0] * 3 for _ in range(7)], [0.0] * 3
         self.system, self.absolute, self.inch, self.plane, self.motion = 1, True, False, 'G17', 'G0'
         self.mm, self.tolerance, self.epsilon, self.turn = r(25.4), r(0.002), r(EPSILON), r(2 * r(PI))
@@ -57,7 +57,7 @@ class Twin:
     rounded = staticmethod(single)
 
     def number(self, text):
-        """read_float: eight digits, then products with a hundredth, a tenth, ten."""
+        """read_float: eight digits, then multiplied by a hundredth, a tenth, ten."""
         r = self.rounded
         digits, power, count, fraction = 0, 0, 0, False
         for c in text:
@@ -184,7 +184,7 @@ class Twin:
 
 
 class Exact(Twin):
-    """The same in 64 bits: no rounding decides, and a full circle is one whose ends coincide."""
+    """The same in 64 bits: rounding decides nothing, and a full circle is one whose ends coincide."""
 
     rounded = staticmethod(lambda value: value)
 
@@ -203,7 +203,7 @@ class Exact(Twin):
 
 
 def points_of(found, plane):
-    """Where an arc is at its quarters, in machine coordinates of the plane; the start and the end of all axes are in `found`."""
+    """Returns the positions of an arc at its quarters, in machine coordinates of the plane; `found` has the start and the end of all axes."""
     first, second, _ = PLANES[plane]
     (x0, y0), (x1, y1) = ((found[k][first], found[k][second]) for k in ('start', 'end'))
     if found['straight']:
@@ -217,7 +217,7 @@ def points_of(found, plane):
 
 
 def apart(one, other, plane):
-    """mm between two arcs, at most."""
+    """Returns the greatest distance in mm between two arcs."""
     return max(math.hypot(a[1] - b[1], a[2] - b[2]) for a, b in zip(points_of(one, plane), points_of(other, plane)))
 
 
@@ -229,7 +229,7 @@ def text_of(rng, value, least=3):
 
 
 def arc_lines(rng):
-    """A place, and an arc there."""
+    """Returns the lines of a position, and an arc there."""
     plane = rng.choice(('G17', 'G17', 'G17', 'G18', 'G19'))
     first, second, third = (AXES[a] for a in PLANES[plane])
     offsets = dict(zip(AXES, 'IJK'))
@@ -270,7 +270,7 @@ def arc_lines(rng):
     else:
         by = f'{offsets[first]}{to(center[0])} {offsets[second]}{to(center[1])}'
     lines = [f'{plane} G90 G0 {place}', f'{code} {words} {by}']
-    if kind == 6:                                       # there in increments
+    if kind == 6:                                       # the end in increments
         lines[0:1] = [f'{plane} G90 G0 {place}', 'G91'] + [f'G0 {first}0.1 {second}-0.1'] * 10 + [f'G0 {first}-1 {second}1', 'G90']
     if kind == 7:
         lines[1] = f'G91 {code} {first}{to(end[0])} {second}{to(end[1])} {by}'
@@ -282,15 +282,15 @@ def program(seed, arcs):
     lines = ['G21 G90 F500']
     for n in range(arcs):
         if n % 40 == 0:
-            lines += ['G90 G0 X1.1 Y2.2 Z3.3', rng.choice(('G54', 'G55', 'G10 L2 P2 X12.345 Y-7.891 Z3.3', 'G92 X1.234 Y0', 'G10 L20 P1 X0 Z1.27', 'G56'))]  # behind a refused arc Kadr stands at its end
+            lines += ['G90 G0 X1.1 Y2.2 Z3.3', rng.choice(('G54', 'G55', 'G10 L2 P2 X12.345 Y-7.891 Z3.3', 'G92 X1.234 Y0', 'G10 L20 P1 X0 Z1.27', 'G56'))]  # after a refused arc Kadr is at its end
         lines += arc_lines(rng)
     return lines
 
 
-# ---- what Kadr makes of them
+# ---- Kadr's results
 
 def findings(kadr, lines):
-    """{line: (error, warnings)} of `kadr check`."""
+    """Returns {line: (error, warnings)} of `kadr check`."""
     kadr.file('p.nc', '\n'.join(lines) + '\n')
     done = kadr.run('check', 'p.nc', '--control', 'grbl', '--format', 'json', '--every', '--lang', 'en', '-q', expected=(0, 1))
     out = {}
@@ -305,7 +305,7 @@ def findings(kadr, lines):
 
 
 def motions(kadr, lines):
-    """{line: action} of `kadr run`."""
+    """Returns {line: action} of `kadr run`."""
     kadr.file('q.nc', '\n'.join(lines) + '\n')
     done = kadr.run('run', 'q.nc', '--control', 'grbl', '--trace', '-', '-q', '--lang', 'en', expected=(0, 1))
     out = [json.loads(x) for x in done.stdout.splitlines() if x.startswith('{')]
@@ -334,7 +334,7 @@ def kadr_points(action, start, parts, plane):
 
 
 def rounding(found, center, radius):
-    """mm that 32 bits and Grbl's sums leave along an arc."""
+    """Returns the deviation in mm that 32 bits and Grbl's sums cause along an arc."""
     near = 3e-6 * (radius + max(map(abs, (*center, *found['start'], *found['end']))))
     return near + min(3e-4 / max(radius, 1e-9), 3 * radius)
 
@@ -345,7 +345,7 @@ class Batch:
     def __init__(self, seed, arcs):
         self.lines = program(seed, arcs)
         twin, exact = Twin(), Exact()
-        self.arcs, self.edges = {}, set()                # line: plane, twin's, exact's; lines of which a warning means nothing
+        self.arcs, self.edges = {}, set()                # line: plane, twin's, exact's; lines whose warning is not judged
         for number, line in enumerate(self.lines, 1):
             before, exact.edge = exact.at, False
             found, other = twin.line(line), exact.line(line)
@@ -354,13 +354,13 @@ class Batch:
             self.arcs[number] = (twin.plane, found, other)
             self.edges |= {number} if exact.edge else set()
             if 'error' in found:
-                exact.at = before                        # Grbl stays
+                exact.at = before                        # Grbl does not move
             elif 'error' in other:
                 exact.at = self.meant(exact, line)
 
     @staticmethod
     def meant(exact, line):
-        """Where a line leads to that only the twin lets pass."""
+        """Returns the end of a line that only the twin accepts."""
         as_line = Exact()
         as_line.__dict__.update(exact.__dict__)
         as_line.line(re.sub('G[23] ', 'G1 ', line))
@@ -389,7 +389,7 @@ class Batch:
             parted = 'error' not in found or 'error' not in exact
             return None if parted == bool(warned) else f'warnings {warned}, the exact figures give {exact}, 32 bits {found}'
         distance = apart(found, exact, plane)
-        doubt = DOUBT + 3e-7 * max(map(abs, (*found['center'], *found['start'], *found['end'])))  # of where both stand
+        doubt = DOUBT + 3e-7 * max(map(abs, (*found['center'], *found['start'], *found['end'])))  # for the position of both
         if distance > NEAR + doubt and not warned:
             return f'no warning where the readings part by {distance} mm'
         if distance < NEAR - doubt and warned:
@@ -404,7 +404,7 @@ class Batch:
         start = (found['start'][first], found['start'][second])
         wanted = points_of(found, plane)
         ends = [math.hypot(found[k][first] - found['center'][0], found[k][second] - found['center'][1]) for k in ('start', 'end')]
-        near = NEAR + DOUBT + (0 if found['straight'] else abs(ends[1] - ends[0]))  # Kadr spreads the error over the arc
+        near = NEAR + DOUBT + (0 if found['straight'] else abs(ends[1] - ends[0]))  # Kadr distributes the error over the arc
         near += rounding(found, found['center'], math.hypot(start[0] - found['center'][0], start[1] - found['center'][1]))
         for (_, x, y), (mx, my) in zip(wanted, kadr_points(action, start, [p for p, _, _ in wanted], plane)):
             if not math.hypot(mx - x, my - y) <= near:
@@ -412,7 +412,7 @@ class Batch:
         return None
 
     def oracle_faults(self, oracle):
-        """The twin against Grbl's own source."""
+        """Compares the twin with Grbl's own source."""
         done = subprocess.run([oracle], input='\n'.join(self.lines).encode(), capture_output=True, timeout=harness.TIME_LIMIT_S, check=True)
         theirs = {x['line']: x for x in map(json.loads, done.stdout.splitlines())}
         for number, (plane, found, _) in self.arcs.items():
@@ -438,7 +438,7 @@ class Batch:
         x0, y0 = found['start'][first] - cx, found['start'][second] - cy
         radius = math.hypot(x0, y0)
         if radius > 100 and abs(found['angle']) / grbl['segments'] > 0.02:
-            return None                                  # the count of lines has passed 65535: Grbl makes no circle of so few
+            return None                                  # the number of segments exceeded 65535: Grbl never makes a circle of so few
         near = 1e-3 + rounding(found, (cx, cy), radius)
         for part, (x, y) in grbl['points']:
             c, s = math.cos(found['angle'] * part), math.sin(found['angle'] * part)
@@ -451,7 +451,7 @@ def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=23)
     parser.add_argument('--arcs', type=int, default=12000)
-    parser.add_argument('--show', action='store_true', help='print all that differ, not the first of each program')
+    parser.add_argument('--show', action='store_true', help='print all differences, not only the first of each program')
     options = harness.parsed(parser)
     oracle, tally = os.environ.get('KADR_GRBL_ORACLE'), harness.Tally()
     print(f'seed {options.seed}')

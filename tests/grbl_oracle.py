@@ -3,24 +3,24 @@
 
     grbl_oracle.py --kadr build/kadr [--seed N] [--programs N] [--lines N] [--keep FOLDER]
 
-The oracle is an executable named by the environment variable KADR_GRBL_ORACLE (dev/grbl_oracle makes it out of Grbl's source); without it
-all is skipped, which is said. It reads a
-program on stdin, as Grbl would get it line by line, and prints a JSON object a line for what Grbl's gcode.c calls, in its order:
+The oracle is an executable named by the environment variable KADR_GRBL_ORACLE (dev/grbl_oracle builds it from Grbl's source); without it
+the whole test is skipped, with a message. The oracle reads a program on stdin, as Grbl would receive it line by line, and prints one JSON
+object per line for each call that Grbl's gcode.c makes, in order:
     {"line": 3, "error": 20}                      the answer to a line that is refused
     {"line": 3, "alarm": 5}                       ALARM:5; nothing follows
     {"line": 3, "do": "rapid" | "feed" | "probe", "to": [X, Y, Z], "feed": F, "inverse": false}        machine position, mm
     {"line": 3, "do": "arc_cw" | "arc_ccw", the same keys, "center": [first, second axis of the plane], "plane": "ZX", "turns": 0.5,
-     "segments": 12}                              lines that Grbl makes of the arc
+     "segments": 12}                              lines that approximate the arc
     {"line": 3, "do": "dwell", "seconds": 0.5}, "stop" (M0), "home"
     {"line": 3, "do": "spindle", "dir": "cw" | "ccw" | "off", "rpm": 500}; "coolant" with "flood": true
-It starts with the settings of the generic build, at machine zero; the signal of its probe does not change: no contact is found, and
-none is lost.
+It starts with the settings of the generic build, at machine zero; its probe signal does not change: the probe finds no contact and loses
+none.
 
-Random programs of valid lines, changed ones and mere words are given to both. Each line that Grbl refuses must stop Kadr with the same
-number, behind nothing but right lines; with the refused ones left out motions, dwells, stops and what spindle and coolant do then must be
-the same (`kadr run --trace`).
+Both get random programs of valid lines, changed lines and bare words. Each line that Grbl refuses must stop Kadr with the same number
+when only correct lines precede it; without the refused lines, motions, dwells, stops and the spindle and coolant state during them must
+be the same (`kadr run --trace`).
 
-Grbl counts in 32-bit floats: positions may differ by NEAR mm and by FLOAT of the largest coordinate so far. Where a rounding of a
+Grbl calculates in 32-bit floats: positions may differ by NEAR mm and by FLOAT of the largest coordinate so far. Where the rounding of a
 float decides (a radius equal to half of the chord, an arc error at its limit) the generator keeps a distance from the limit:
 tests/grbl_arcs.py does not.
 The seed is printed. Exit status: 0 all passed or skipped, 1 some failed.
@@ -38,7 +38,7 @@ import harness
 from harness import Failure
 
 NEAR = 1e-4    # mm
-FLOAT = 1e-6   # of the largest coordinate: some roundings of 2^-24 one upon the other
+FLOAT = 1e-6   # of the largest coordinate: several accumulated roundings of 2^-24
 MOTIONS = ('rapid', 'feed', 'arc_cw', 'arc_ccw', 'probe', 'home')
 AXES = 'XYZ'
 
@@ -63,20 +63,20 @@ def number(rng, most=60.0):
 
 
 def some_axes(rng, most=60.0, axes=AXES):
-    """`X1.5Z-3`: one to three axis words in any order."""
+    """Returns `X1.5Z-3`: one to three axis words in any order."""
     chosen = rng.sample(axes, rng.randint(1, len(axes)))
     return [letter + number(rng, most) for letter in chosen]
 
 
 def arc(rng):
-    """Lines that make an arc in increments: exact, in tolerance, out of it; by centre or radius."""
+    """Returns lines of an arc in increments: exact, in tolerance, out of it; by centre or radius."""
     plane, first, second, third = rng.choice((('G17', 'X', 'Y', 'Z'), ('G18', 'Z', 'X', 'Y'), ('G19', 'Y', 'Z', 'X')))
     offset = dict(zip(AXES, 'IJK'))
     radius = rng.choice((1, 5, 10, 12.5, 40))
     begin, swept = rng.uniform(0, 2 * math.pi), rng.uniform(0.05, 6.2)
     center = (round(-radius * math.cos(begin), 4), round(-radius * math.sin(begin), 4))
     end = (radius * math.cos(begin + swept), radius * math.sin(begin + swept))
-    # 5.2: 0.005 mm, then 0.1 % of the radius up to 0.5 mm; never nearer to a limit than 0.0005
+    # 5.2: 0.005 mm, then 0.1 % of the radius up to 0.5 mm; never closer to a limit than 0.0005
     error = rng.choice((0, 0, 0, 0.003, -0.0042, 0.0058, -0.007, 0.001 * radius - 0.0008, 0.001 * radius + 0.0009, 0.45, 0.6, -3))
     scale = (radius + error) / radius
     delta = (center[0] + end[0] * scale, center[1] + end[1] * scale)
@@ -85,7 +85,7 @@ def arc(rng):
     kind = rng.randrange(8)
     if kind < 4:
         words += [f'{offset[first]}{center[0]:.4f}', f'{offset[second]}{center[1]:.4f}']
-    elif kind == 4:  # a full turn
+    elif kind == 4:  # a full circle
         words = [code, f'{first}0', f'{offset[first]}{radius}'] + ([f'{second}0'] if rng.random() < 0.5 else [])
     elif kind == 5:
         half = math.hypot(*delta) / 2
@@ -98,7 +98,7 @@ def arc(rng):
 
 
 def plain(rng):
-    """A line, mostly right."""
+    """Returns a line that is usually correct."""
     kind = rng.randrange(24)
     if kind < 6:
         return [[rng.choice(('G0', 'G1', 'G00', 'G01'))] + some_axes(rng) + (['F' + str(rng.randint(1, 2000))] if rng.random() < 0.6 else [])]
@@ -153,7 +153,7 @@ def one_word(rng):
 
 
 def changed(rng, words):
-    """A valid line with something wrong, or only written otherwise."""
+    """Returns a valid line with an error in it, or only written differently."""
     words = list(words)
     for _ in range(rng.randint(1, 2)):
         kind = rng.randrange(9)
@@ -183,7 +183,7 @@ def joined(rng, words):
 
 
 def program(rng, lines):
-    """The last line may be one that Grbl stops at by an alarm."""
+    """The last line may be one that stops Grbl with an alarm."""
     text = ['G21 G90 G94 F100']
     limits = rng.random() < 0.2
     if limits:
@@ -193,7 +193,7 @@ def program(rng, lines):
         for words in [[one_word(rng) for _ in range(rng.randint(1, 5))]] if kind < 0.15 else plain(rng):
             words = changed(rng, words) if rng.random() < 0.22 else words
             line = joined(rng, words)
-            if not re.search(r'(?i)^\W*\$\W*[CHNRS]', line):  # they change the machine, not the program
+            if not re.search(r'(?i)^\W*\$\W*[CHNRS]', line):  # these change the machine, not the program
                 text.append(line)
         if rng.random() < 0.1:
             text.append('G53 G0 X-10 Y-10 Z-10' if limits else 'G90 G0 X0 Y0 Z0')
@@ -202,7 +202,7 @@ def program(rng, lines):
     return text
 
 
-# ---- both answers
+# ---- results of both
 
 def oracle_of(oracle, text):
     done = subprocess.run([oracle], input='\n'.join(text).encode(), capture_output=True, timeout=harness.TIME_LIMIT_S, check=True)
@@ -219,7 +219,7 @@ def kadr_actions(kadr, text):
 # ---- comparison
 
 def with_state(actions):
-    """Motions, dwells, stops, each with what spindle and coolant do then."""
+    """Returns motions, dwells, stops, each with the spindle and coolant state during it."""
     spindle, flood, out = ('off', 0.0), False, []
     for a in actions:
         what = a.get('do')
@@ -246,7 +246,7 @@ def compare_arc(mine, theirs, near, start):
     work = [mine['center'][first], mine['center'][second]]
     shift = [mine['machine'][axis] - mine['to'][axis] for axis in (first, second)]
     center = [w + s for w, s in zip(work, shift)]
-    # By R the centre stands on the root of 4R² - d²; its rounding counts for more the smaller the root is.
+    # By R the centre depends on the root of 4R² - d²; the smaller the root, the more its rounding matters.
     radius = theirs['radius']
     ends = [position(theirs)[AXES.index(axis)] - start[AXES.index(axis)] for axis in (first, second)]
     root = math.sqrt(max(4 * radius * radius - ends[0] ** 2 - ends[1] ** 2, 1e-9))
@@ -262,9 +262,9 @@ def compare_arc(mine, theirs, near, start):
 
 
 def compare(mine, theirs, largest, start):
-    """One action."""
+    """Compares one action."""
     (a, *state), (b, *expected) = mine, theirs
-    straight = b.get('segments') == 1 and b['do'].startswith('arc')  # Grbl makes one line of the arc
+    straight = b.get('segments') == 1 and b['do'].startswith('arc')  # Grbl approximates the arc by a single line
     if (a['do'] != b['do'] and not (straight and a['do'] == 'feed')) or a['line'] != b['line']:
         raise Failure(f"line {a['line']} {a['do']}, Grbl line {b['line']} {b['do']}")
     if state[1] != expected[1] or state[0][0] != expected[0][0] or abs(state[0][1] - expected[0][1]) > 1e-3:
@@ -287,18 +287,18 @@ def compare(mine, theirs, largest, start):
 
 
 def refusal_of(actions):
-    """(line, "error:20") of the alarm that ended the run; nothing: it went through."""
+    """Returns (line, "error:20") of the alarm that ended the run; nothing if the program ran to its end."""
     last = actions[-1]
     return (last['line'], last['text'].split(' ')[0]) if last['do'] == 'alarm' else None
 
 
 def compare_program(kadr, oracle, text):
-    """Returns how many lines were compared."""
+    """Compares both; returns the number of lines compared."""
     theirs = oracle_of(oracle, text)
     faults = {a['line']: f"error:{a['error']}" for a in theirs if 'error' in a}
     alarm = next(((a['line'], f"ALARM:{a['alarm']}") for a in theirs if 'alarm' in a), None)
     last = alarm[0] if alarm else len(text)
-    for fault in faults.items():  # each refused line behind nothing but right ones
+    for fault in faults.items():  # each refused line after correct ones only
         upto = ['' if n in faults and n != fault[0] else line for n, line in enumerate(text[:fault[0]], 1)]
         refusal = refusal_of(kadr_actions(kadr, upto))
         if refusal != fault:
@@ -328,7 +328,7 @@ def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--seed', type=int, default=19)
     parser.add_argument('--programs', type=int, default=600)
-    parser.add_argument('--lines', type=int, default=40, help='of a program')
+    parser.add_argument('--lines', type=int, default=40, help='lines of a program')
     parser.add_argument('--keep', type=Path, help='folder for the programs that differ')
     options = harness.parsed(parser)
     oracle, tally = os.environ.get('KADR_GRBL_ORACLE'), harness.Tally()

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Which control `kadr check` takes programs for when none is named: what decides, what is weak, what the programs of a folder share.
+"""Tests which control `kadr check` guesses when none is named: what decides, what is weak evidence, what the programs of a folder share.
 
     guess.py --kadr build/kadr
 
-tests/guess_cases holds programs of languages that Kadr does not know. The programs of CASES and FOLDERS are written out here; each stands
-for a section of its control's spec. Exit status: 0 all passed, 1 some failed.
+tests/guess_cases has programs in languages that Kadr does not support. The programs of CASES and FOLDERS are written out here; each
+represents a section of its control's spec. Exit status: 0 all passed, 1 some failed.
 """
 import argparse
 import subprocess
@@ -22,7 +22,7 @@ name = { en = "Shop 7", ru = "Цех 7" }
 'M51' = 14
 '''
 
-# A program and what is said of it.
+# A program and the expected message.
 CASES = [
     ('N10 G54\nM97 P10\nM30\n', 'looks like haas (line 2: M97P'),
     ('%\nO00030\nG154 P3\nG0 X0. Y0.\nM30\n%\n', 'looks like haas (line 2: O00030, line 3: G154P'),
@@ -50,7 +50,7 @@ CASES = [
     ('%\nO0001\nN10 G0 X1.\n#1=5\nWHILE [#1 GT 0] DO1\n#1=#1-1\nEND1\nM30\n%\n', 'perhaps fanuc: a weak guess'),
 ]
 
-# Programs of a folder, some in folders below it; what is said of each.
+# Programs of a folder, some in subfolders; the expected message of each.
 FOLDERS = [
     ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2 F100\n', 'sub/c.nc': 'G0 X2.5\n'},
      {'a.nc': 'looks like haas', 'b.nc': 'perhaps haas, as a.nc is (line 1: G154P', 'sub/c.nc': 'perhaps haas, as a.nc is'}),
@@ -65,9 +65,9 @@ FOLDERS = [
 LATHE = '%\nO0001\nG21 G40 G99\nT0101\nG97 S1000 M03\nG00 X40. Z2.\nG01 Z-20. F0.2\nX44.\nG00 X100. Z50.\nM30\n%\n'
 MILL = 'G21\nG90 G54\nG0 X10. Y5. Z5.\nG1 Z-1. F100.\nX20.\nM30\n'
 
-# Files, what `kadr check` is asked, its exit status, what it says and what it does not.
+# Files, arguments of `kadr check`, its exit status, what the output must and must not contain.
 COMMANDS = [
-    # found.md A2: a lathe's program is no milling program, whoever says so; a control of one's own is taken at its word
+    # found.md A2: a lathe program is no milling program, even if --control says so; a user's own control is accepted as named
     ({'a.nc': LATHE}, ['a.nc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y", 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc'], 2, "a lathe's program, line 3: G99, line 4: T0101, line 5: G97, no Y; of fanuc Kadr reads milling", 'errors'),
     ({'a.nc': LATHE}, ['a.nc', '--control', 'HAAS-VF'], 2, 'of haas Kadr reads milling programs alone', 'errors'),
@@ -76,10 +76,10 @@ COMMANDS = [
     ({'a.nc': LATHE}, ['a.nc', '--control', 'fanuc', '--lang', 'ru'], 2, 'программа токарного станка, строка 3: G99', 'Ошибок'),
     ({'a.nc': LATHE, 'mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n'}, ['a.nc', '--control', 'mine.toml'], 0,
      '1 program checked', "lathe's"),
-    # a folder with nothing that Kadr reads; a mill's program beside a lathe's
+    # a folder without anything that Kadr reads; a mill program next to a lathe program
     ({'a.nc': LATHE, 'b.nc': LATHE}, ['.'], 2, "a lathe's program", 'errors'),
     ({'a.nc': LATHE, 'b.nc': '%\nO00012\nG53 Z0.\nG0 X1. Y1.\nM30\n%\n'}, ['.'], 0, '1 program checked', None),
-    # .kadr.toml: of the folder, of one above; patterns; --control before it; what is wrong with it
+    # .kadr.toml: in the folder, in one above; patterns; --control has priority over it; faults in it
     ({'.kadr.toml': 'control = "grbl"\n', 'a.nc': MILL}, ['a.nc'], 0, '1 program checked', 'perhaps'),
     ({'.kadr.toml': 'control = "grbl"\n', 'b/c/a.nc': MILL}, ['b/c/a.nc'], 0, '1 program checked', 'unknown'),
     ({'.kadr.toml': 'control = "grbl"\n[control_for]\n"*.nct" = "nct"\n', 'a.nct': 'G54.1 P1\nM30\n'}, ['a.nct'], 0, '1 program checked', 'looks'),
@@ -88,14 +88,14 @@ COMMANDS = [
      ['a.nc'], 0, '1 program checked', 'perhaps'),
     ({'.kadr.toml': 'controll = "grbl"\n', 'a.nc': MILL}, ['a.nc'], 0, ".kadr.toml:1: 'control', a text, and [control_for]", None),
     ({'.kadr.toml': 'control = "nosuch"\n', 'a.nc': MILL}, ['a.nc'], 2, "no control 'nosuch'", 'checked'),
-    # nothing decides: one that reads it without a fault wins over those that do not know G12.1
+    # nothing decides: the control that reads it without a fault is preferred to those that do not have G12.1
     ({'a.nc': 'G0 X10 Z5\nG12.1\nG1 X20 C5 F100\nG13.1\nM30\n'}, ['a.nc'], 1, 'perhaps nct: a weak guess', None),
-    # a second file of the folder is looked at, though it is not named
+    # a second file of the folder is read as evidence, though the command does not name it
     ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2. F100.\n'}, ['b.nc'], 0, 'perhaps haas, as a.nc is (line 1: G154P', None),
     ({'a.nc': '%00000\nN0 T1.1\nN1 M6\n', 'b.nc': '%00001\nN0 T2.2\nN1 M6\n', 'c.nc': 'N1 G0 X5 Y5\n'}, ['c.nc'], 2, 'Fagor, line 1: %00000, line 2: T1.1, as in a.nc', None),
 ]
 
-# A file of tests/guess_cases and what is said of it.
+# A file of tests/guess_cases and the expected message.
 UNKNOWN = {
     'heidenhain.h.txt': 'Heidenhain, line 1: BEGINPGM', 'heidenhain-lines.txt': 'Heidenhain, line 1: LX+20',
     'sinumerik.mpf.txt': 'Sinumerik, line 3: T="', 'sinumerik-jump.txt': 'Sinumerik, line 1: R1=',
@@ -104,7 +104,7 @@ UNKNOWN = {
 
 
 def said(kadr, folder, *names):
-    """{file: what is said of it}."""
+    """Returns {file: the message about it}."""
     done = subprocess.run([kadr, 'check', *names, '--lang', 'en', '--max-blocks', '100'], cwd=folder, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=TIME_LIMIT_S)
     lines = [line.removeprefix('kadr: ').replace('./', '') for line in done.stderr.splitlines()]
@@ -118,14 +118,14 @@ def laid_out(folder, files):
 
 
 def checked(kadr, folder, *arguments):
-    """Exit status and all that is said."""
+    """Returns the exit status and all output."""
     done = subprocess.run([kadr, 'check', *(() if '--lang' in arguments else ('--lang', 'en')), *arguments], cwd=folder, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=TIME_LIMIT_S)
     return done.returncode, done.stdout + done.stderr.replace('./', '')
 
 
 def remembering(kadr, folder):
-    """What --remember writes, and that nothing is written without it: (what, got, expected)."""
+    """Yields (what, got, expected): what --remember writes, and that nothing is written without it."""
     laid_out(folder, {'a.nc': MILL, 'sub/b.nc': MILL, 'sub/mine.toml': 'extends = "fanuc"\nid = "mine"\nname = { en = "Mine", ru = "Мой" }\n'})
     memory = folder / '.kadr.toml'
     checked(kadr, folder, 'a.nc', '--control', 'haas')

@@ -1,7 +1,7 @@
-"""What the runners beside this file share: how a runner is called, the program under test in a folder of its own, how checks are counted
-and summed up.
+"""The common parts of the test runners in this folder: their command line, the program under test in a folder of its own, and the counting
+of checks.
 
-A runner whose checks are functions looks like this; each check gets a fresh folder, and fails by `expect` or by any exception:
+A runner whose checks are functions looks like this; each check gets a fresh folder, and fails if `expect` fails or any exception is raised:
 
     import harness
     from harness import expect
@@ -16,8 +16,9 @@ A runner whose checks are functions looks like this; each check gets a fresh fol
 A runner that counts each expectation has a Tally, and ends with `return tally.result()`. Both print a line per failure, then
 `N passed, N failed`. Exit status: 0 all passed or skipped, 1 some failed, 2 wrong usage.
 
-No check depends on how busy the machine is. A limit of time only ends what hangs, so it is generous (TIME_LIMIT_S). Whoever waits for
-something names it (`until`, `at_work`), and how soon a program ends is told by the processor time that it spends (`spent_after`).
+No check depends on how busy the machine is. A time limit only ends a hanging program, so it is generous
+(TIME_LIMIT_S). A check that waits names the condition (`until`, `at_work`), and measures how soon a program ends by its processor time
+(`spent_after`).
 """
 import argparse
 import concurrent.futures
@@ -32,17 +33,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 CONTROLS = tuple(sorted(path.stem for path in (ROOT / 'controls').glob('*.toml') if f'\nid = "{path.stem}"\n' in path.read_text(encoding='utf-8')))   # built in
-TIME_LIMIT_S = 120   # of one run of the program; it ends only what hangs
+TIME_LIMIT_S = 120   # for one run of the program; it only ends a hanging one
 CORES = len(os.sched_getaffinity(0))
-TICKS = os.sysconf('SC_CLK_TCK')   # of processor time, a second
+TICKS = os.sysconf('SC_CLK_TCK')   # of processor time, per second
 
 
 class Failure(Exception):
-    """Why a check failed, for a person."""
+    """The reason why a check failed."""
 
 
 def expect(holds, why):
-    """Ends the check where that does not hold."""
+    """Fails the check unless the condition holds."""
     if not holds:
         raise Failure(why)
 
@@ -50,7 +51,7 @@ def expect(holds, why):
 # ---- counting
 
 class Tally:
-    """Counts what holds and what does not, and prints a line for each fault. Threads may share one."""
+    """Counts passed and failed checks, and prints a line for each fault. Threads may share one."""
 
     def __init__(self):
         self.passed, self.failed, self.skipped = 0, 0, 0
@@ -65,7 +66,7 @@ class Tally:
             self.passed, self.failed = self.passed + (not faults), self.failed + bool(faults)
 
     def expect(self, holds, what, *more):
-        """Counts one check that is named by what must hold; `more` is printed beside a failure."""
+        """Counts one check, named by what must be true; `more` is printed with a failure."""
         with self.lock:
             self.passed, self.failed = self.passed + bool(holds), self.failed + (not holds)
             if not holds:
@@ -76,25 +77,25 @@ class Tally:
         self.judge(what, [] if got == wanted else [f'\n  got    {got!r}\n  wanted {wanted!r}'[:2000]])
 
     def skip(self, reason):
-        """Tells that something is not looked at here; a run in which all is skipped has not failed."""
+        """Reports that something is not checked here; a run in which everything is skipped has not failed."""
         self.skipped += 1
         skipped(reason)
 
     def result(self):
-        """Prints the sum.  returns the exit status"""
+        """Prints the totals.  returns the exit status"""
         print(f'{self.passed} passed, {self.failed} failed', flush=True)
         return 1 if self.failed or not (self.passed or self.skipped) else 0
 
 
 def skipped(reason):
-    """Tells that something is not looked at here, for want of a tool or of a part of the build. dev/test gathers these lines."""
+    """Reports that something is not checked here, because a tool or a part of the build is missing. dev/test collects these lines."""
     print(f'skipped: {reason}', flush=True)
 
 
 # ---- the program under test
 
 class Kadr:
-    """The program under test in a folder of its own. A subclass may set `language`: it is asked for in every run that names none."""
+    """The program under test in a folder of its own. A subclass may set `language`: it is passed in every run that names none."""
 
     language = None
 
@@ -109,25 +110,25 @@ class Kadr:
         return path
 
     def command(self, words):
-        """The words of a command line."""
+        """Returns the words of a command line."""
         words = [word if isinstance(word, bytes) else str(word) for word in words]
         return [self.program, *words, *(['--lang', self.language] if self.language and '--lang' not in words else [])]
 
     def streams(self, more, binary=False):
-        """How a process is started: in the folder, nothing on standard input, both outputs kept; `more` decides otherwise."""
+        """Returns how a process is started: in the folder, without standard input, both outputs captured; `more` overrides this."""
         nothing = {} if 'input' in more else {'stdin': subprocess.DEVNULL}
         form = {} if binary else {'encoding': 'utf-8', 'errors': 'replace'}
         return {'cwd': self.folder, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **nothing, **form, **more}
 
     def call(self, *words, binary=False, **more):
-        """Runs the program to its end.  returns its status and what it wrote, as text or as bytes"""
+        """Runs the program to its end.  returns its status and its output, as text or as bytes"""
         try:
             return subprocess.run(self.command(words), timeout=TIME_LIMIT_S, check=False, **self.streams(more, binary))
         except subprocess.TimeoutExpired:
             raise Failure(f'{" ".join(map(str, words))}: no end within {TIME_LIMIT_S} s') from None
 
     def run(self, *words, expected=0, **more):
-        """The same; the check fails where the exit status is not the expected one, or none of several."""
+        """Runs the program like call(); the check fails if the exit status is not the expected one, or one of several."""
         done = self.call(*words, **more)
         wanted = expected if isinstance(expected, tuple) else (expected,)
         said = f'{done.stdout or ""} {done.stderr or ""}'
@@ -135,13 +136,13 @@ class Kadr:
         return done
 
     def printed(self, *words):
-        """What the program prints on standard output in English."""
+        """Returns the program's standard output in English."""
         done = self.call(*words, env={**os.environ, 'LANG': 'C'})
         expect(done.returncode == 0, f'{" ".join(map(str, words))}: exit status {done.returncode}; {done.stderr[:300]}')
         return done.stdout
 
     def start(self, *words, **more):
-        """Starts the program and goes on; what still runs behind the check is killed."""
+        """Starts the program without waiting; it is killed if it still runs after the check."""
         self.started.append(subprocess.Popen(self.command(words), **self.streams(more, binary=True)))
         return self.started[-1]
 
@@ -155,14 +156,14 @@ class Kadr:
                     process.kill()
 
     def left_over(self):
-        """Files of Kadr's own that should have gone."""
+        """Returns Kadr's temporary files that should have been removed."""
         return [str(path) for path in self.folder.rglob('.kadr-*')]
 
 
-# ---- what takes time
+# ---- time
 
 def until(condition, seconds=TIME_LIMIT_S):
-    """Waits for a condition.  returns whether it came"""
+    """Waits for a condition.  returns whether it became true"""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
@@ -172,12 +173,12 @@ def until(condition, seconds=TIME_LIMIT_S):
 
 
 def ended(process):
-    """Whether a process is over; it is still to be waited for."""
+    """True if a process has ended; its status has still to be collected."""
     return os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
 
 def times_of(process):
-    """The fields of /proc/PID/stat behind the name; they are there until the process is waited for."""
+    """Returns the fields of /proc/PID/stat after the name; they exist until the process's status is collected."""
     return Path(f'/proc/{process.pid}/stat').read_text(encoding='ascii', errors='replace').rsplit(')', 1)[1].split()
 
 
@@ -187,23 +188,23 @@ def spent(process):
 
 
 def spent_by_children():
-    """Processor time of all processes that this one has waited for, s."""
+    """Processor time of all processes whose status this one has collected, s."""
     times = os.times()
     return times.children_user + times.children_system
 
 
 def at_work(process, seconds=0.3):
-    """Waits until a process has spent so much processor time, or is over.  returns whether it is still at work"""
+    """Waits until a process has spent that much processor time, or has ended.  returns whether it still works"""
     until(lambda: ended(process) or spent(process) >= seconds)
     return not ended(process)
 
 
 def stands(process, seconds=1.0):
-    """Waits until a process has slept for so long without spending any processor time: it waits for something.  returns whether it does"""
+    """Waits until a process spends no processor time for that long: it waits for something.  returns whether it does"""
     end, before, since = time.monotonic() + TIME_LIMIT_S, None, time.monotonic()
     while time.monotonic() < end:
         now = times_of(process)[0], spent(process)
-        if now[0] == 'Z':   # it is over
+        if now[0] == 'Z':   # it has ended
             return False
         if now != before or now[0] != 'S':
             before, since = now, time.monotonic()
@@ -214,8 +215,8 @@ def stands(process, seconds=1.0):
 
 
 def spent_after(process, sign):
-    """Sends a signal and waits for the end; what does not end within the limit is killed, and the check fails.
-    returns the processor time that the process has spent since, s; its status is then in `returncode`"""
+    """Sends a signal and waits for the end; a process that does not end within the limit is killed, and the check fails.
+    returns the processor time that the process has spent since the signal, s; its status is then in `returncode`"""
     before = spent(process)
     process.send_signal(sign)
     if not until(lambda: ended(process)):
@@ -228,7 +229,7 @@ def spent_after(process, sign):
 
 
 def each(function, items, jobs=CORES):
-    """The function of every item, in threads; the runs of the program do the work.  returns the results in the order of the items"""
+    """Applies the function to every item, in threads; the runs of the program do the work.  returns the results in the order of the items"""
     with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
         yield from pool.map(function, items)
 
@@ -236,14 +237,14 @@ def each(function, items, jobs=CORES):
 # ---- the runner
 
 def arguments(text):
-    """A parser of the runner's command line that knows --kadr; `text` is the runner's own docstring."""
+    """Returns a parser for the runner's command line, with --kadr; `text` is the runner's own docstring."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--kadr', required=True, help='the program under test')
     return parser
 
 
 def parsed(parser):
-    """The options; `kadr` is the whole path of a program that is there, else the runner ends with status 2."""
+    """Parses the options; `kadr` becomes the absolute path of an existing program, else the runner ends with status 2."""
     options = parser.parse_args()
     options.kadr = os.path.abspath(options.kadr)
     if not os.path.isfile(options.kadr) or not os.access(options.kadr, os.X_OK):
@@ -252,18 +253,18 @@ def parsed(parser):
 
 
 def kadr_of(text):
-    """The program that the command line names, for a runner without other options."""
+    """Returns the program that the command line names, for a runner without other options."""
     return parsed(arguments(text)).kadr
 
 
 def checks_of(namespace):
-    """The functions check_… of a module by their names: check_a_fifo is a-fifo."""
+    """Returns the functions check_… of a module by name: check_a_fifo becomes a-fifo."""
     return {name.removeprefix('check_').replace('_', '-'): check for name, check in namespace.items()
             if name.startswith('check_') and callable(check)}
 
 
 def in_a_folder(check, program, make=Kadr):
-    """Carries out a check in a fresh folder.  returns the faults: none, or why it failed"""
+    """Runs a check in a fresh folder.  returns the faults: none, or why it failed"""
     with tempfile.TemporaryDirectory(prefix='kadr_check_') as folder:
         try:
             with make(program, folder) as made:
@@ -276,7 +277,7 @@ def in_a_folder(check, program, make=Kadr):
 
 
 def carried_out(checks, program, make=Kadr, jobs=CORES):
-    """Carries out checks, by their names, so many at a time, and sums up.  returns the exit status"""
+    """Runs named checks, `jobs` at a time, and prints the totals.  returns the exit status"""
     tally = Tally()
     for name, faults in zip(checks, each(lambda check: in_a_folder(check, program, make), checks.values(), jobs)):
         tally.judge(name, faults)
@@ -284,11 +285,11 @@ def carried_out(checks, program, make=Kadr, jobs=CORES):
 
 
 def main(text, checks, make=Kadr, jobs=CORES):
-    """A whole runner. `checks` is the module's globals(), or checks by their names; `make` makes of the program and the folder what a check
-    gets; `jobs` of them run at a time.  returns the exit status"""
+    """Runs a whole runner. `checks` is the module's globals(), or checks by name; `make` creates from the program and the folder the object
+    that a check gets; `jobs` checks run in parallel.  returns the exit status"""
     parser = arguments(text)
     parser.add_argument('--only', default='*', help='only checks whose name matches, e.g. "clash*"')
-    parser.add_argument('--jobs', type=int, default=jobs, help='checks at a time')
+    parser.add_argument('--jobs', type=int, default=jobs, help='checks run at the same time')
     options = parsed(parser)
     named = checks_of(checks) if '__name__' in checks else checks
     chosen = {name: check for name, check in named.items() if fnmatch.fnmatch(name, options.only)}

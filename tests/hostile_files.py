@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every file that the command line reads, given something that it is not: each ends in a sentence, soon, in little memory, and is left as it was.
+"""Gives every kind of file that the command line reads the wrong content: each run ends soon with a message, in little memory, and leaves
+the file unchanged.
 
     set-up, control, machine, state, contour   x   too deep, too long, binary, UTF-16, NUL bytes, empty, a directory, a device, a pipe …
     kadr state check and recover               sound, damaged, no state, in use, nothing overwritten; in both languages
@@ -15,10 +16,10 @@ from pathlib import Path
 import harness
 from harness import expect as need
 
-MEMORY = 600 << 20  # bytes of address space: a file has 16 MB at most
+MEMORY = 600 << 20  # bytes of address space: a file has at most 16 MB
 PROGRAM = "O0001\nG10 L2 P1 X-40\n#500=7\n#501=8\n#502=9\nG0 X1\nM30\n"
 
-# What is written into a file of each kind, and what the sentence must hold.
+# The content written into a file of each type, and what the message must contain.
 ANY = {
     "utf-16": ('{"tool": 1}\n'.encode("utf-16"), "UTF-16"),
     "nul": (b'{"tool"\0: 1}', ":1:8: a NUL byte"),
@@ -106,7 +107,7 @@ def check_contents(kadr):
 
 
 def check_kinds(kadr):
-    """A directory, a device, a pipe: at once, in words."""
+    """A directory, a device, a pipe: refused at once, with a message."""
     pipe, directory, none = kadr.folder / "pipe.toml", kadr.folder / "d.toml", kadr.folder / "none.toml"
     os.mkfifo(pipe)
     directory.mkdir()
@@ -176,7 +177,7 @@ def check_state(kadr):
 
 
 def check_two_at_once(kadr):
-    """A second run, and a check, while a run has the file."""
+    """A second run, and a check, while a run uses the file."""
     file, loop = kadr.folder / "two.state", kadr.folder / "loop.nc"
     loop.write_text("O0003\nWHILE[1EQ1] DO1\n#500=#500+1\nEND1\nM30\n")
     endless = ("run", loop, "--control", "nct", "--state", file, "-q", "--max-blocks", 10**12)
@@ -188,9 +189,9 @@ def check_two_at_once(kadr):
     need(done.returncode == 2 and "is in use by another process" in done.stderr, f"check in use: {done}")
     first.kill()
     first.wait()
-    done = kadr.call("state", "check", file)  # with the log that the kill left
+    done = kadr.call("state", "check", file)  # with the log that the killed run left
     need(done.returncode == 0, f"check behind a kill: {done}")
 
 
 if __name__ == "__main__":
-    sys.exit(harness.main(__doc__, globals(), Kadr, jobs=1))  # no other threads beside preexec_fn
+    sys.exit(harness.main(__doc__, globals(), Kadr, jobs=1))  # preexec_fn allows no other threads

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What a control takes over from the control that it extends stands in its notes, with the reason: each key of [behaviour] that its file does
-not write anew is named there, and no other. A parameter of one control must not decide for another. What is told of a control names neither the
-control at the root of what it extends nor its parameters.
+"""Checks that the notes of a control list, with the reason, what it inherits from the control that it extends: each key of [behaviour] that
+its file does not set itself is named there, and no other. A parameter of one control must not decide for another. The description of a
+control names neither the control at the root of the chain nor its parameters.
 
     inherited.py --kadr PROGRAM
 """
@@ -16,14 +16,14 @@ HEADING = '## Taken over from '
 
 
 def behaviour_of(control):
-    """Keys of its [behaviour] with those of the controls that it extends, by the control that writes them last."""
+    """Returns the [behaviour] keys of the control and those it extends, with the control that sets each last."""
     table = tomllib.loads((CONTROLS / f'{control}.toml').read_text(encoding='utf-8'))
     keys = behaviour_of(table['extends']) if 'extends' in table else {}
     return {**keys, **dict.fromkeys(table.get('behaviour', {}), control)}
 
 
 def named_in(notes):
-    """Keys in the first column of the section's table; None: there is no such section."""
+    """Returns the keys in the first column of the section's table; None if the section is missing."""
     text = notes.read_text(encoding='utf-8')
     if HEADING not in text:
         return None
@@ -41,7 +41,8 @@ def faults_of(control):
 
 
 def strangers_in(kadr, control, table):
-    """What `kadr explain` and the page of the documentation say of the control at the root, or of parameters that are none of this one's."""
+    """Returns what `kadr explain` and the documentation page say about the root control, or about parameters that this control does not
+    have."""
     root = control
     while 'extends' in (under := tomllib.loads((CONTROLS / f'{root}.toml').read_text(encoding='utf-8'))):
         root = under['extends']

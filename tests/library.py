@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Kadr as a library: installed into a folder of its own, found there by CMake and by pkg-config, the programs of examples/library built on
-it and run. What they must print stands here, worked out by hand; what docs/library.md prints of it is compared too.
+"""Tests Kadr as a library: it is installed into a folder of its own and found there by CMake and by pkg-config; the programs of
+examples/library are built on it and run. Their expected output is listed here, worked out by hand; the output that docs/library.md
+prints is compared too.
 
     library.py --kadr build/release/kadr
 
-The build folder must hold the library (target kadr_library). Prints a line per failure, then `N passed, N failed`.
+The build folder must contain the library (target kadr_library). Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
@@ -20,7 +21,7 @@ from pathlib import Path
 
 import docs_commands
 
-TIME_LIMIT_S = 840  # it compiles the whole library where ccache does not know it
+TIME_LIMIT_S = 840  # it compiles the whole library if ccache has no copy
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLES = ROOT / 'examples/library'
 VERSION = re.search(r'^project\(kadr VERSION (\S+)', (ROOT / 'CMakeLists.txt').read_text(), re.M)[1]
@@ -28,7 +29,7 @@ VERSION = re.search(r'^project\(kadr VERSION (\S+)', (ROOT / 'CMakeLists.txt').r
 # examples/library/part.nc: T1 cuts 30 + 40 mm at 600 mm/min; T2 a hypotenuse of 50 mm and half a circle of radius 10 at 300 mm/min.
 INTERPRET = 'N30 X30 Y0 Z0 F600\nN40 X30 Y40 Z0 F600\nN60 X0 Y0 Z0 F300\n'
 OWN_SINK = f'T1: 70.000 mm, 7.000 s\nT2: {50 + 10 * pi:.3f} mm, {(50 + 10 * pi) / 5:.3f} s\n'
-# where the tool stands before each line from N10 (line 3) on
+# position of the tool before each line from N10 (line 3) on
 STEP = ''.join(f'before line {line}: X{x} Y{y} Z0\n' for line, x, y in
                [(3, 0, 0), (4, 0, 0), (5, 0, 0), (6, 30, 0), (7, 30, 40), (8, 30, 40), (9, 0, 0), (10, 20, 0)])
 # own.toml: E15 is 15 tenths of a second
@@ -41,7 +42,7 @@ def run(command, **more):
 
 
 class Failed(Exception):
-    """Nothing of what follows can be looked at."""
+    """Nothing after this can be checked."""
 
 
 def must(command, **more):
@@ -57,13 +58,13 @@ def cached(build, name):
 
 
 def compiler_of(build):
-    """A sanitizer of the library is one of its users too; optimisation is not."""
+    """The users of a library with a sanitizer need the sanitizer too; they do not need its optimisation."""
     sanitizers = [flag for flag in cached(build, 'CMAKE_CXX_FLAGS').split() if flag.startswith('-fsanitize=')]
     return cached(build, 'CMAKE_CXX_COMPILER'), sanitizers
 
 
 def installed(build, prefix):
-    """Only into the prefix, and there only where a library's things are."""
+    """Files are installed only into the prefix, and there only where a library's files belong."""
     must(['cmake', '--install', build, '--prefix', prefix, '--component', 'dev'])
     files = (build / 'install_manifest_dev.txt').read_text().split('\n')
     strange = [name for name in files if not re.match(rf'{re.escape(str(prefix))}/(include/kadr|lib/([\w-]+/)?(libkadr\.|cmake/kadr/|pkgconfig/kadr\.pc))', name)]
@@ -80,7 +81,8 @@ def installed(build, prefix):
 
 
 def header_alone(compiler, flags, prefix, header):
-    """Each header stands by itself, named as a user names it, with a user's own folder `base` and `config` in the way."""
+    """Each header compiles alone, included as a user includes it, though the user's own folders `base` and `config` are in the include
+    path."""
     source = f'#include <kadr/{header}>\nint main() {{}}\n'
     decoy = prefix.parent / 'decoy/base'
     decoy.mkdir(parents=True, exist_ok=True)
@@ -101,7 +103,7 @@ def prints(name, done, output, status=0):
 
 
 def plan_fault(done):
-    """samples of part.nc: 100 a second, from the zero to X20 Y0, no faster than 10 mm/s but on the way N20, which has no length."""
+    """samples of part.nc: 100 a second, from the origin to X20 Y0, at most 10 mm/s except on the path of N20, which has no length."""
     lines = done.stdout.split()
     if done.returncode or lines[0] != 't,X,Y,Z':
         return f'plan: {done.returncode} {lines[:1]} {done.stderr}'
@@ -112,7 +114,7 @@ def plan_fault(done):
     if max(abs(value) for value in rows[0]) > 1e-9 or max(abs(a - b) for a, b in zip(rows[-1][1:], [20, 0, 0])) > 1e-6:
         return f'plan: from {rows[0]} to {rows[-1]}'
     fastest = max(sum((q - p) ** 2 for p, q in zip(a[1:], b[1:])) ** 0.5 / 0.01 for a, b in zip(rows, rows[1:-1]))
-    least = 7 + (50 + 10 * pi) / 5   # s of cutting, and the axes speed up and slow down besides
+    least = 7 + (50 + 10 * pi) / 5   # s of cutting; acceleration and deceleration take longer
     return None if 9.9 < fastest < 10.001 and least < rows[-1][0] < least + 60 else f'plan: {fastest} mm/s, {rows[-1][0]} s'
 
 
@@ -125,7 +127,7 @@ def examples(folder):
     yield prints('own_sink', run([folder / 'own_sink', EXAMPLES / 'part.nc']), OWN_SINK)
     faulty = folder / 'faulty.nc'
     faulty.write_text(FAULTY)
-    for name in ('interpret', 'own_sink', 'step'):   # ends with the alarm, told with its place
+    for name in ('interpret', 'own_sink', 'step'):   # ends with the alarm, reported with its location
         done = run([folder / name, faulty])
         yield None if done.returncode == 1 and 'faulty.nc:3:' in done.stderr else f'{name}, faulty: {done.returncode} {done.stderr}'
     for name in ('interpret', 'plan', 'step', 'own_sink'):
@@ -134,7 +136,7 @@ def examples(folder):
 
 
 def as_printed(folder):
-    """What docs/library.md and its Russian page show of the programs' output."""
+    """The program output that docs/library.md and its Russian page show."""
     for page in ('docs/library.md', 'docs/ru/library.md'):
         for command in docs_commands.commands_of(ROOT / page):
             if command.text.startswith('build/examples/'):
@@ -158,14 +160,14 @@ def by_pkg_config(build, prefix, folder):
 
 
 def readme():
-    """What the front pages show is the example, word for word."""
+    """The code that the front pages show is the example, word for word."""
     for name in ('README.md', 'README.ru.md'):
         shown = re.findall(r'```cpp\n(.*?)```', (ROOT / name).read_text(), re.S)
         yield None if shown == [(EXAMPLES / 'interpret.cpp').read_text()] else f'{name} does not show examples/library/interpret.cpp'
 
 
 def failures(build, folder):
-    """One line a failure; None for each thing that is right."""
+    """Yields one line per failure; None for each passed check."""
     prefix = folder / 'prefix'
     yield from installed(build, prefix)
     yield from readme()

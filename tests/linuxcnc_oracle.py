@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Kadr beside LinuxCNC's own interpreter: random programs, or those of a folder, in rs274 and in `kadr run --control linuxcnc`.
+"""Compares Kadr with LinuxCNC's own interpreter: random programs, or those of a folder, in rs274 and in `kadr run --control linuxcnc`.
 
     tests/linuxcnc_oracle.py --kadr build/release/kadr [--count 400] [--seed 1] [--show] [--axes XYZABC]
     tests/linuxcnc_oracle.py --kadr build/release/kadr --folder DIR [--named FILE]     LinuxCNC's own programs
 
-Compared: positions within 1e-4 mm, arcs with centre and turns, feeds, dwells, messages, spindle, coolant, outputs, and the text of an alarm.
-A fourth of the programs are of a machine with the axes U V W too; `--axes` makes all of them of that machine.
-`--named`: lines `NAME reason` of programs that differ for a reason; one that is equal all the same is a fault.
-Skipped, counted and said, where there is no rs274 (Debian's linuxcnc-uspace: dev/setup oracle).
+Compared: positions within 1e-4 mm, arcs with centre and turns, feeds, dwells, messages, spindle, coolant, outputs, and the text of an
+alarm. A fourth of the programs are for a machine with the axes U V W too; with `--axes` all are for a machine with these axes.
+`--named`: lines `NAME reason` of programs that differ for a reason; a named program without a difference is a fault. Skipped, with a
+count and a message, where there is no rs274 (Debian's linuxcnc-uspace: dev/setup oracle).
 """
 import json
 import re
@@ -27,11 +27,11 @@ import programs  # noqa: E402
 
 TOOLS = '\n'.join(f'T{n} P{n} Z0 D0' for n in range(1, 100)) + '\n'
 USUAL, ALL = 'XYZABC', 'XYZABCUVW'
-SECONDS = 20  # of rs274, of which some programs have no end
+SECONDS = 20  # limit of rs274, as some programs never end
 
 
 class KadrRun(check.Run):
-    """As the referee's run of a case, of a file that stands where it stands."""
+    """Like the referee's run of a case, but for a file in its own folder."""
 
     def __init__(self, kadr, folder, name, setup_file):  # noqa: super's makes a folder of its own
         setup = json.loads(Path(setup_file).read_text())
@@ -43,16 +43,16 @@ class KadrRun(check.Run):
         self.end = next((x for x in lines if x['do'] in ('end', 'alarm')), None)
         if self.end is None:
             raise check.Mismatch(f'the trace has no last line (status {self.status}; {self.stderr[:160]})')
-        self.actions = [x for x in lines if x['do'] not in ('end', 'alarm') and x.get('code') != 'M66']  # that is no call of rs274
+        self.actions = [x for x in lines if x['do'] not in ('end', 'alarm') and x.get('code') != 'M66']  # which is no call of rs274
         for action in self.actions:
-            if action['do'] == 'home':                    # the second half of G28: rs274 has a traverse
+            if action['do'] == 'home':                    # the second half of G28: rs274 reports a traverse
                 action['do'] = 'rapid'
         self.actions = self.without_still()
         self.add_snapshots(setup)
 
 
     def without_still(self):
-        """Straight motions of no length are left out, as of the oracle's."""
+        """Leaves out straight motions of no length, as from the oracle's result."""
         here, moving = dict.fromkeys(self.axes, 0), []
         for action in self.actions:
             to = {**here, **action.get('machine', {})}
@@ -69,12 +69,12 @@ def expected(lines, error, text):
         return expect
     expect['alarm'] = {'number': None, 'text': re.split(r': start=|\n', error)[0][:60]}
     if re.search(r'g\s*4[12]', text, re.I):
-        expect['open'] = True                             # the motion held back for compensation
+        expect['open'] = True                             # the motion that waits for cutter compensation
     return expect
 
 
 def difference(rs274, kadr, folder, name, text, axes=USUAL):
-    """What differs, or None; "no answer" where rs274 itself does not end."""
+    """Returns the difference, or None; "no answer" if rs274 itself does not end."""
     (folder / 'tool.tbl').write_text(TOOLS)
     (folder / 'p.var').write_text('')
     try:
@@ -106,7 +106,7 @@ def of_text(rs274, kadr, text, axes):
 
 
 def of_file(rs274, kadr, path):
-    """In a copy of its folder, for what it calls."""
+    """Runs in a copy of the file's folder, because of the files that it calls."""
     with tempfile.TemporaryDirectory(prefix='rs274') as place:
         folder = Path(place, 'memory')
         folder.mkdir()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kadr mill from outside: every scheme, plunge and control gives a program that the control carries out along the walls of the pocket.
+"""Tests kadr mill from outside: with every scheme, plunge and control the control executes the resulting program along the walls of the
+pocket.
 
     tests/mill.py --kadr PROGRAM
 """
@@ -29,7 +30,7 @@ CORNERS = [(0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT)]
 DXF = ('0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n' + ''.join(f'10\n{x}\n20\n{y}\n' for x, y in CORNERS) +
        f'0\nCIRCLE\n8\n0\n10\n{ISLAND[0]}\n20\n{ISLAND[1]}\n40\n{ISLAND[2]}\n0\nENDSEC\n0\nEOF\n')
 
-# drawing, options beside --tool-diameter 10 --depth 4, exit status, alarm
+# drawing, options besides --tool-diameter 10 --depth 4, exit status, alarm
 FAULTS = [
     ('from 0 0\nline 60 0\nline 60 40\n', [], 1, 'contour_open_end'),
     ('from 0 0\nline 60 0\nline 0 40\nline 60 40\nclose\n', [], 1, 'contour_crosses'),
@@ -61,7 +62,7 @@ class Runner(harness.Kadr):
         return done, program
 
     def trace(self, program, control):
-        """(do, from, to) of every motion, by `kadr run`."""
+        """Returns (do, from, to) of every motion, by `kadr run`."""
         done = self.call('run', program, '--control', control, '--trace', '-', '--quiet', '--lang', 'en')
         at, moves = {'X': 0, 'Y': 0, 'Z': 0}, []
         for row in map(json.loads, done.stdout.splitlines()):
@@ -72,7 +73,7 @@ class Runner(harness.Kadr):
         return done.returncode, moves
 
     def keeps_off(self, moves):
-        """The ends of all motions below the top are a radius off the walls; rapid motion there goes up and down only."""
+        """All motions below the top end at least a radius off the walls; rapid motion there is vertical only."""
         for do, start, to in moves:
             if min(start['Z'], to['Z']) >= -1e-6:
                 continue
@@ -94,7 +95,7 @@ class Runner(harness.Kadr):
 
 
 def names(run):
-    """Names with and without blanks mean the same, and are shown as printed."""
+    """Names with and without blanks mean the same, and are displayed as printed in the source."""
     for one, other in SAME:
         texts = [run.good(name, TEXT, 'mach3', '--scheme', name) for name in (one, other)]
         run.expect(texts[0] and texts[0] == texts[1], f'{one} and {other}')
@@ -105,7 +106,7 @@ def names(run):
 
 
 def seconds(run, scheme, stepover):
-    """Processor time: that of the clock depends on what else runs."""
+    """Returns the processor time: wall-clock time depends on what else runs."""
     before = harness.spent_by_children()
     done, _ = run.mill(TEXT, 'mach3', '--scheme', scheme, '--stepover', stepover)
     run.expect(done.returncode == 0, f'{scheme} {stepover}: {done.stderr}')
@@ -113,8 +114,8 @@ def seconds(run, scheme, stepover):
 
 
 def speed(run):
-    """Rings and lifted rows take no more than a few times what zigzag rows take, and twice the passes twice the time (issue 15: 30 times, and
-    four times)."""
+    """Rings and lifted rows take at most a few times as long as zigzag rows, and twice the passes twice the time (issue 15: they took 30
+    times, and four times, as long)."""
     zigzag = seconds(run, 'zigzag', '0.2')
     for scheme in ('spiral-out', 'spiral-in', 'comb', '2comb'):
         fine, coarse = seconds(run, scheme, '0.2'), seconds(run, scheme, '0.4')
@@ -123,7 +124,7 @@ def speed(run):
 
 
 def all_of(terminal):
-    """What was written to a terminal whose other end is closed."""
+    """Returns what was written to a terminal whose other end is closed."""
     parts = []
     try:
         while part := os.read(terminal, 1 << 16):
@@ -135,7 +136,7 @@ def all_of(terminal):
 
 
 def until_bar(terminal):
-    """What is written to a terminal until there stands how far the work is; to its end if that never comes."""
+    """Returns the terminal output up to the first progress display; all output if there is none."""
     shown = ''
     while ' %  ' not in shown:
         try:
@@ -149,7 +150,7 @@ def until_bar(terminal):
 
 
 def stopped(run):
-    """Work of minutes shows how far it is on a terminal, ends soon after Ctrl-C or SIGTERM, and leaves no program behind."""
+    """Work of minutes shows its progress on a terminal, ends soon after Ctrl-C or SIGTERM, and leaves no program file."""
     contour, program = run.file('contour', TEXT.replace('60', '600').replace('40', '400')), run.folder / 'stopped.nc'
     for sign, scheme in ((signal.SIGINT, 'spiral-out'), (signal.SIGTERM, 'comb')):
         terminal, end = pty.openpty()

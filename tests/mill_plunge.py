@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""How the programs of kadr mill go down: read from the trace of the program as its control runs it, and judged here by geometry alone.
+"""Tests how the programs of kadr mill plunge: by the trace of the program as its control runs it, judged here by geometry alone.
 
     tests/mill_plunge.py --kadr PROGRAM [--only SHAPE]
 
-Every shape with every scheme, a small and a large tool, the controls in turn. A motion steeper than the ramp ends where nothing is left
-under the tool, or in a hole that the summary lists; no lift comes down where it went up; the tool's edge keeps off the walls.
+Runs every shape with every scheme, a small and a large tool, the controls in turn. A motion steeper than the ramp ends where no material
+is left under the tool, or in a drilled hole that the summary lists; no lift returns where it started; the tool's edge keeps off the
+walls.
 """
 import bisect
 import itertools
@@ -18,7 +19,7 @@ import harness
 
 SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 CONTROLS = ['mach3', 's2c42', 'nct', 'correctors', 'gost']
-INCREMENTS = {'gost': 0.01}  # mm, of the words; else 0.001
+INCREMENTS = {'gost': 0.01}  # mm, of the words; 0.001 for the others
 
 
 def polygon(*corners):
@@ -35,7 +36,7 @@ def star(points, outer, inner):
     return polygon(*[(round(r * math.cos(a), 3), round(r * math.sin(a), 3)) for r, a in at])
 
 
-# name: contour, tools, whether a ramp has room everywhere
+# name: contour, tools, whether there is room for a ramp everywhere
 SHAPES = {
     'rectangle': (polygon((0, 0), (60, 0), (60, 40), (0, 40)), (4, 16), True),
     'circle': ('circle 0 0 30\n', (8, 25), True),                    # issue 15: the first row of the comb is 0.06 mm long
@@ -81,7 +82,7 @@ def to_line(p, a, b):
 
 
 def chords(a, b, centre, sweep, sag=0.01):
-    """The corners behind `a` of a line or arc."""
+    """Returns the points after `a` of a polyline along a line or arc."""
     if centre is None:
         return [b]
     radius = math.dist(a, centre)
@@ -115,7 +116,7 @@ def walls_of(text):
 
 
 class Stock:
-    """What is cut of it: stretches of path with the highest level on each."""
+    """The material that is already cut: path segments with the highest level on each."""
 
     def __init__(self, loops, radius, everywhere=False):
         self.polygons = [[p for wall in loop for p in wall.corners()] for loop in loops]
@@ -132,7 +133,7 @@ class Stock:
         return inside
 
     def left_under(self, centre, level):
-        """Material above `level` under a tool that stands there; slivers of a few hundredths are none."""
+        """True if there is material above `level` under a tool at this position; slivers of a few hundredths do not count."""
         r = self.radius
         near = [(a, b) for a, b, z in self.cut if z <= level + 0.0015 and to_line(centre, a, b) < 2 * r]
         for share in (0, 0.4, 0.7, 0.96):
@@ -188,8 +189,8 @@ class Checker:
             self.first = f'straight down into the material: {do} to X{end[0]} Y{end[1]} Z{level}'
 
     def keeps_off(self, corners):
-        """A point a millimetre, and the corners. The distance from a wall changes by no more than the way that is gone, so the points of so much
-        way are clear of it as well."""
+        """Checks a point every millimetre, and the corners. The distance from a wall changes by at most the distance travelled, so the
+        points within that distance are clear of the wall as well."""
         points, gone = [corners[0]], [0.0]
         for p, q in zip(corners, corners[1:]):
             way = math.dist(p, q)
@@ -276,7 +277,7 @@ class Runner(harness.Kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--only', help='one shape')
+    parser.add_argument('--only', help='run only this shape')
     options = harness.parsed(parser)
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(options.kadr, folder)

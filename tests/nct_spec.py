@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Holds controls/nct.toml against the tables of spec/nct. python3 tests/nct_spec.py
+"""Checks controls/nct.toml against the tables of spec/nct. Run: python3 tests/nct_spec.py
 
-Every code of the table of chapter 3 has a row of its group; every line of the index of system variables (chapter 23) has one that may be
-read and written as the index says; every alarm that has a number and words in a table of alarms is in [alarms] or among those not done yet.
+Every code of the table of chapter 3 has a row of its group; every line of the index of system variables (chapter 23) has a row that may
+be read and written as the index states; every alarm with a number and words in a table of alarms is in [alarms] or in NO_ALARM_YET.
 Prints a line per difference, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed.
 """
 import pathlib
@@ -13,7 +13,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPEC = ROOT / "spec" / "nct"
 CONTROL = tomllib.loads((ROOT / "controls" / "nct.toml").read_text(encoding="utf-8"))
-# Of functions that Kadr has not yet, and messages of the machine (3…).
+# Alarms of functions that Kadr does not have yet, and messages of the machine (3…).
 NO_ALARM_YET = {2001, 2019, 2040, 2041, 2042, 2045, 2046, 2049, 2192} | set(range(3000, 4000))
 
 passed = 0
@@ -34,7 +34,7 @@ def chapter(number):
 
 
 def rows_below(text, heading):
-    """Cells of the table under a heading, without its head."""
+    """Yields the cells of the table under a heading, without its header."""
     part = re.split(r"\n## ", text.split(heading, 1)[1])[0]
     rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in part.splitlines() if line.startswith("|")]
     return rows[2:]

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""A user's own control file: what the engine cannot do is refused by name when it is loaded, the rest runs. python3 tests/own_control.py
+"""Tests a user's own control file: when it is loaded, what the engine cannot do is refused by name; the rest runs. Run: python3
+tests/own_control.py
 
 Refusals are a table of files and of what the message must name. Then each function of config/function.h is laid over each control, with
-a program that uses its code: Kadr says no (status 2, with file, line, row and function), or runs the program (0) or finds faults (1).
+a program that uses its code: Kadr refuses it (status 2, with file, line, row and function), runs the program (0) or finds faults (1).
 """
 import argparse
 import pathlib
@@ -20,7 +21,7 @@ HEAD = 'id = "mine"\nname = { en = "x", ru = "x" }\n'
 
 # extends, the rest of the file, what the message must contain
 REFUSED = [
-    # What ended in a segmentation fault.
+    # These once ended in a segmentation fault.
     ("gost", "[grammar]\nmacro = true\nexpressions = true\nvariables = 999\n", ["own.toml:5: ", "macro", "machine of the NCT"]),
     ("nct", 'dialect = "iso"\n', ["own.toml:4: ", "macro", "dialect"]),
     ("mach3", '[g]\n"68" = { does = "plane_rotation_on", takes = "XYR" }\n', ["own.toml:5: ", "G68", "'plane_rotation_on'", "machine of the NCT"]),
@@ -32,7 +33,7 @@ REFUSED = [
     ("gost", '[g]\n"54" = { arg = 900 }\n', ["own.toml:5: ", "G54", "'work_zero'", "0 to 9"]),
     ("mach3", '[axes]\nnames = ["X", "Y", "Z", "A", "B", "C", "U"]\n', ["own.toml:5: ", "axis U", "[address]"]),
     ("gost", "".join(f"[groups.own{i}]\n" for i in range(60)), ["own.toml:", "groups"]),
-    # Settings that the engine cannot do together.
+    # Combinations of settings that the engine does not support.
     ("nct", '[g]\n"17" = { does = "plane_xy" }\n', ["own.toml:5: ", "G17", "'plane_xy'", "machine of the NCT"]),
     ("nct", "dialect = \"correctors\"\n", ["own.toml:4: ", "dialect"]),
     ("mach3", '[grammar]\nformal_parameter = "R"\n', ["own.toml:5: ", "formal_parameter", "R"]),
@@ -47,7 +48,7 @@ REFUSED = [
     ("gost", '[g]\n"10" = { does = "set_data", takes = "LPXYZ" }\n', ["G10", "'set_data'", "fixture"]),
     ("mach3", "[grammar]\nvariables = 999\n", ["beyond"]),
     ("s2c42", "[behaviour]\narc_radius_difference = nan\n", ["own.toml:5: ", "arc_radius_difference"]),
-    # M functions by a table, and what programs are written in.
+    # M functions by a table, and the codes that programs are written with.
     ("mach3", '[convert]\nM27 = "M8"\n', ["own.toml:5: ", "M27", "'machine_function'"]),
     ("fanuc", '[convert]\nM8 = "M27"\n', ["own.toml:5: ", "M8", "'machine_function'"]),
     ("haas", '[convert]\nM88 = "coolant"\n', ["own.toml:5: ", "M88", "an M code"]),
@@ -57,7 +58,7 @@ REFUSED = [
     ("haas", 'convert = "M8"\n', ["own.toml:4: ", "convert must be a table"]),
     ("haas", 'encoding = "koi9"\n', ["own.toml:4: ", "encoding", "koi8-r"]),
     ("haas", 'encoding = 8\n', ["own.toml:4: ", "encoding must be a text"]),
-    # Keys that passed in silence.
+    # Unknown keys that were formerly accepted without a message.
     ("gost", "[grammar]\nmacros = true\n", ["own.toml:5: ", "unknown key 'macros'", "nearest: 'macro'"]),
     ("gost", "[behavior]\n", ["own.toml:4: ", "unknown key 'behavior'", "nearest: 'behaviour'"]),
     ("gost", "[behaviour]\nfeed_maximum = 3\narc_center = 3\n", ["unknown behaviour 'arc_center'", "nearest: 'arc_centers'"]),
@@ -86,7 +87,7 @@ REFUSED = [
     ("gost", '[axes]\ndiameter = "X"\n', ["own.toml:5: ", "diameter"]),
     ("nct", '[axes]\ndiameter = ["X"]\n', ["own.toml:5: ", "diameter has no effect", "machine of the NCT"]),
     ("gost", '[axes]\nname = ["X"]\n', ["own.toml:5: ", "unknown key 'name'", "names"]),
-    # What is said already, or by nobody asked.
+    # Settings without effect: they repeat another one, or nothing reads them.
     ("gost", '[g]\n"04" = { takes = "P" }\n', ["own.toml:5: ", "[g] 04 has no effect", "says the same"]),
     ("gost", '[g]\n"90" = { takes = "P" }\n', ["own.toml:5: ", "G90: `takes` has no effect", "'absolute'"]),
     ("fanuc", '[g]\n"80" = { takes = "*" }\n', ["own.toml:5: ", "G80: `takes` has no effect", "'drilling_off'"]),
@@ -102,7 +103,7 @@ REFUSED = [
     ("mach3", '[[variables]]\nis = "home"\nfrom = 5161\ncount = 6\naccess = "R"\n', ["own.toml:8: ", "`access` has no effect"]),
 ]
 
-# Files that must go on working.
+# Files that must be accepted.
 ACCEPTED = [
     ("gost", ""),
     ("s2c42", ""),
@@ -191,7 +192,7 @@ class Runner:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kadr", default=str(ROOT / "build/release/kadr"))
-    parser.add_argument("--every", type=int, default=4, help="of functions and controls, each so-manieth pair")
+    parser.add_argument("--every", type=int, default=4, help="tests every Nth pair of function and control")
     args = parser.parse_args()
     random.seed(15)
     with tempfile.TemporaryDirectory(prefix="kadr_own_control_") as folder:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What `make install` and `make deb` put where: the Debian package is made, judged by lintian, unpacked, and its program run.
+"""Tests where `make install` and `make deb` put which file: the Debian package is built, checked by lintian, unpacked, and its program run.
 
     package.py --kadr build/release/kadr
 
-The package is made beside the build, in a folder of its own that is removed. Prints a line per failure, then `N passed, N failed`.
-Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+The package is built inside the build folder, in a folder of its own that is removed. Prints a line per failure, then `N passed, N
+failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
 import gzip
@@ -17,7 +17,7 @@ from pathlib import Path
 TIME_LIMIT_S = 240
 ROOT = Path(__file__).resolve().parent.parent
 DOC = 'usr/share/doc/kadr'
-# In it, and a piece of what stands there; None: no text is looked for.
+# Files of the package, each with a part of its text; None: the text is not checked.
 FILES = [
     ('usr/bin/kadr', None),
     ('usr/lib/kadr/modules/kadr-bodies.so', None),
@@ -49,7 +49,7 @@ def text_of(path):
 
 
 def failures(build, folder):
-    """One line a failure; None for each thing that is right."""
+    """Yields one line per failure; None for each passed check."""
     made = run(['cpack', '--config', build / 'CPackConfig.cmake', '-B', folder / 'deb'])
     packages = list((folder / 'deb').glob('*.deb'))
     if made.returncode or len(packages) != 1:
@@ -71,10 +71,10 @@ def failures(build, folder):
     yield None if said == f'kadr {version}\n' else f'--version says {said!r}, CMakeLists.txt {version}'
     field = run(['dpkg-deb', '-f', packages[0], 'Version']).stdout.strip()
     yield None if field == version else f'the package is {field}, CMakeLists.txt has {version}'
-    # the example of the documentation, by the program and the files that are installed
+    # the example of the documentation, by the installed program and files
     ran = run([tree / 'usr/bin/kadr', 'run', tree / DOC / 'examples/s2c42/flange.nc', '--setup', tree / DOC / 'examples/s2c42/flange.json'])
     yield None if ran.returncode == 0 and 'blocks' in ran.stdout + ran.stderr else f'the example: {ran.stdout}{ran.stderr}'
-    # what is loaded at need is found where it is installed, and the package brings what it needs
+    # modules loaded on demand are found where they are installed, and the package depends on what it needs
     cut = tree / DOC / 'examples/cut'
     ran = run([tree / 'usr/bin/kadr', 'cut', cut / 'trunnion.nc', '--control', 'mach3', '--machine', cut / 'trunnion.toml', '--setup', cut / 'trunnion.json',
                '--stock', 'box:-20,-20,-20,20,20,0', '--tools', cut / 'tools.toml', '--lang', 'en', '--resolution', '1'])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The page's own tests (web/test, Vitest), where the page was built: without npm they are skipped, which is said.
+"""Runs the page's own tests (web/test, Vitest), where the page was built; without npm they are skipped with a message.
 
     page.py --kadr PROGRAM
 """

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What a user does on the page of kadr serve, in a real browser (web/e2e/page.mjs, Chromium). Without Chromium, or without a built page, it is skipped, which is said.
+"""Tests what a user does on the page of kadr serve, in a real browser (web/e2e/page.mjs, Chromium). Skipped with a message without Chromium
+or a built page.
 
     page_in_browser.py --kadr PROGRAM
 """
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import harness
 
-most_seconds = 850  # of one round; some 100 s on two idle cores
+most_seconds = 850  # for one round, which takes some 100 s on two idle cores
 
 
 def main():
@@ -28,7 +29,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix='kadr-page-') as pictures:
         place = {**os.environ, 'KADR': str(kadr), 'CHROMIUM': chromium}
         command = ['node', 'e2e/page.mjs', str(harness.ROOT / 'examples'), pictures]
-        for again in (True, False):  # a browser that draws by the processor on a busy machine: one failure may be its own, two are ours
+        for again in (True, False):  # software rendering on a busy machine can fail once by itself; two failures are a fault of the page
             try:
                 status = subprocess.run(command, cwd=web, env=place, timeout=most_seconds, check=False).returncode
             except subprocess.TimeoutExpired:

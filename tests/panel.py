@@ -80,7 +80,7 @@ def operator(server):
 
 
 def many(server, first):
-    """Two pages on one machine, one that may only look, and the emergency stop."""
+    """Two pages on one machine, a page that may only watch, and the emergency stop."""
     second = looker(server)
     on = second.ask('machine', file='part.nc')
     expect(not on['holds'] and second.ask('panel')['line'] == 5, 'another page sees the same machine')
@@ -97,7 +97,7 @@ def many(server, first):
     until(second, lambda p: p['mode'] == 'standing' and p['machine']['X'] == 0)
     second.ask('press', key='run')
     until(second, lambda p: p['machine']['X'] > 30)
-    first.ask('press', key='emergency')  # whoever has the controls
+    first.ask('press', key='emergency')  # by any page, with or without control of the machine
     there = stands(second, 'emergency')
     expect(there['machine']['X'] < 200 and 'error' in second.ask('press', key='run') and 'error' in second.ask('enter', line='G0 X0'), 'an emergency stop stands')
     second.ask('press', key='reset')
@@ -117,7 +117,7 @@ def endless(server):
     page = looker(server)
     page.ask('machine', file='endless.nc', control='linuxcnc', machine='fast.toml')
     page.begin('press', key='run')
-    stop = page.ask('press', key='emergency')  # the program has no end: who waits for it waits for ever
+    stop = page.ask('press', key='emergency')  # the program never ends: waiting for its end would never end
     expect('error' not in stop, 'an emergency stop does not wait for a busy control')
     stands(page, 'emergency')
     page.ask('press', key='reset')
@@ -127,7 +127,8 @@ def endless(server):
 
 
 def saved_meanwhile(server, folder):
-    """The machine runs the text that it began with, in the lines of that text, until it begins anew; so do its tables and places."""
+    """The machine runs the text it started with, with the line numbers of that text, until it starts again; its tables and positions
+    likewise."""
     page = looker(server)
     file = folder / 'saved.nc'
     file.write_text(PROGRAM)
@@ -163,7 +164,7 @@ AT_REST_SETUP = {'offsets': {'1': {'length': 50}}, 'work_offsets': {'G55': {'X':
 
 
 def at_rest(server):
-    """What blocks and lines without a motion change is shown all the same; edits that are refused are not kept; stop points keep their numbers."""
+    """Changes by blocks and lines without a motion are displayed too; refused edits are not kept; stop points keep their numbers."""
     page = looker(server)
     page.ask('machine', file='rest.nct', control='nct', machine='fast.toml', setup='rest.json')
 
@@ -180,7 +181,7 @@ def at_rest(server):
     until(page, lambda p: p['zero']['X'] == 8 and p['position']['X'] == -8)
     page.ask('undo')
     until(page, lambda p: p['zero']['X'] == 7)
-    page.ask('enter', line='M99')  # it has no caller
+    page.ask('enter', line='M99')  # no program has called it
     alarm = until(page, lambda p: p['alarm'] is not None and p['mode'] == 'standing')
     expect(alarm['machine']['X'] == 0 and alarm['mode'] == 'standing', f'a line does not end the program: {alarm}')
 
@@ -211,7 +212,7 @@ def at_rest(server):
 
 
 def gone(server, folder):
-    """The file of the program is deleted while its machine is on."""
+    """The program file is deleted while its machine is on."""
     page = looker(server)
     (folder / 'gone.nc').write_text(PROGRAM)
     page.ask('machine', file='gone.nc', **WITH)
@@ -232,7 +233,7 @@ HOLES = {'a.nct': ('nct', 'G21 G90 G94 F3000\nG0 X10 Y10 Z20\nG81 X10 Y10 Z-5 R2
 
 
 def holes(server):
-    """Going on at a hole: over the first one the tool may stand already."""
+    """Restarts at a drilled hole: the tool may already be over the first one."""
     page = looker(server)
     for name, (control, _, places) in HOLES.items():
         expect('error' not in page.ask('machine', file=name, control=control, machine='fast.toml'), f'{name} is on')
@@ -248,7 +249,7 @@ TWO = {'parameters': {'N2201': 501, 'N2202': 510}, 'channels': {'2': {'axes': ['
 
 
 def channels(server):
-    """Two channels that wait for each other; a way by hand."""
+    """Two channels that wait for each other; a motion by hand."""
     page = looker(server)
     expect('error' not in page.ask('machine', file='two.nct', control='nct', machine='fast.toml', setup='two.json'), 'two channels are on')
     both = page.ask('panel')['channels']

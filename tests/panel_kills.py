@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve --state: the server is killed at random moments in mid program, with edits of tables in between; nothing that was confirmed is
-lost, and the panel offers to go on where it stood.
+"""Tests kadr serve --state: the server is killed at random moments while a program runs, with edits of tables in between; no confirmed
+change is lost, and the panel offers to restart where the program was.
 
     tests/panel_kills.py --kadr build/release/kadr [--kills 200] [--seed 1]
 """
@@ -28,7 +28,7 @@ def find(page, **place):
 
 
 class Operator:
-    """What he has seen and what was confirmed to him."""
+    """What the operator has seen and what was confirmed to him."""
 
     def __init__(self, kadr, folder, chance):
         self.kadr, self.folder, self.chance = kadr, folder, chance
@@ -57,7 +57,7 @@ class Operator:
         if stood is None:
             return
         self.offers += 1
-        held_back = 2  # motions of a compensated contour: after a restart the first that goes is of a block before
+        held_back = 2  # motions of a compensated contour: after a restart the first motion is of an earlier block
         expect(stood['number'] >= self.seen - held_back, f'where it was seen last, or later: {stood} {self.seen}')
         sheet = find(self.page, number=stood['number'], line=stood['line'], clearance=20.0, feed=9000.0)
         expect(sheet.get('line') == stood['line'], f'the place is found: {sheet}')

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kadr serve: going on in mid program at the panel (docs/panel-protocol.md, Going on in mid program).
+"""Tests kadr serve: restarting in the middle of a program at the panel (docs/panel-protocol.md, Going on in mid program).
 
     tests/panel_restart.py --kadr build/release/kadr
 """
@@ -73,7 +73,7 @@ def operator(server):
     end = stands(page, 'ended')
     expect(end['machine']['Z'] == 30 and end['machine']['X'] == 10, f'and goes on to the end {end}')
 
-    # another page has the controls; it runs; an emergency stop on the way
+    # another page controls the machine; the machine runs; an emergency stop during the approach
     other = Page(server)
     other.ask('hello', lang='ru', token=server.token)
     other.ask('machine', file='part.nct', **WITH)
@@ -94,7 +94,7 @@ CHANNEL_2 = 'G21 G90 G94\nT7 M6\nG1 Z50 F6000\nM501 P12\nG0 X5\nM502 P12\nG0 Z0\
 
 
 def channels(server, folder):
-    """Two channels: a sheet and a way of each, in the order that is asked for; then they go on together, also after a kill."""
+    """Two channels: each has a sheet and an approach, in the requested order; then they continue together, also after a kill."""
     (folder / 'both.nct').write_text(CHANNEL_1)
     (folder / 'both.json').write_text(json.dumps({'parameters': {'N2201': 501, 'N2202': 510}, 'channels': {'2': {'axes': ['X', 'Z'], 'program': CHANNEL_2}}}))
     page = Page(server)
@@ -124,7 +124,7 @@ def channels(server, folder):
 
 
 def kept(kadr, folder):
-    """After a kill the axes of both stand where they stood, and it is offered to go on."""
+    """After a kill the axes of both channels are where they were, and a restart is offered."""
     options = ('--state', str(folder.parent / 'both.state'))
     server = Server(kadr, folder, *options)
     page = Page(server)

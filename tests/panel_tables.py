@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve: tables of a machine at its panel, its log, watches, answers to questions of the program (docs/panel-protocol.md, The panel).
+"""Tests kadr serve: the tables of a machine at its panel, its log, watches, answers to questions of the program (docs/panel-protocol.md,
+The panel).
 
     tests/panel_tables.py --kadr build/release/kadr
 """
@@ -89,7 +90,7 @@ def operator(server, folder):
 
 
 def by_hand(server, folder):
-    """G10 entered by hand is as an edit: kept, shown under Tables, in force after edits, resets, and switching on again."""
+    """G10 entered by hand acts like an edit: kept, shown under Tables, in force after edits, resets, and switching on again."""
     page = looker(server)
     for control, lines in (('nct', ('G10 L2 P2 X4 Y0', 'G10 L12 P3 R2.5')), ('mach3', ('G10 L2 P2 X4', 'G10 L1 P3 R2.5')), ('linuxcnc', ('G10 L2 P2 X4', 'G10 L1 P3 R2.5'))):
         name, ending = f'hand-{control}', '.ngc' if control == 'linuxcnc' else '.nc'

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The planner of least time and its samples come to an end, or say why they do not.
+"""Tests that the minimum-time planner and its samples end, or report why they do not.
 
     planned_ends.py --kadr build/kadr
 
-Steps back on the same line, of any way and anywhere, take what they would at rest at each corner, or less; samples end with them.
-A dwell of three years ends with --max-time, is said, and what was written is kept. Expectations by hand.
+Reversals on the same line, of any length and anywhere, take no longer than with a stop at each corner; samples end with them.
+A dwell of three years ends at --max-time with a message, and the output so far is kept. Expected values are worked out by hand.
 """
 import math
 import subprocess
@@ -18,7 +18,7 @@ X = {'mach3-router': (100, 400, 8000), 'linuxcnc-sim': (200, 1000, 20000)}  # mm
 
 
 def rest_to_rest(way, feed, machine):
-    """nct 7.0: the time of a line of its own, s."""
+    """nct 7.0: returns the time in s of a single line from stop to stop."""
     speed, a, j = X[machine]
     v = min(feed, speed)
     reached = min(a, math.sqrt(v * j))
@@ -32,7 +32,7 @@ def rest_to_rest(way, feed, machine):
     return 2 * (v / a + t)
 
 
-REVERSALS = [  # places on X; the last blocks of the issue's program
+REVERSALS = [  # positions on X; the last blocks of the issue's program
     lambda d: [10, 10 - d],
     lambda d: [d, 0, 5],
     lambda d: [10, 10 - d, 20],

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The Python binding: `import kadr` from the build folder (target kadr_python), and after `pip install` into a fresh virtual environment
-without network.
+"""Tests the Python binding: `import kadr` from the build folder (target kadr_python), and after `pip install` into a fresh virtual
+environment without network.
 
     python_binding.py --kadr build/release/kadr
 
-Expectations are worked out by hand. Prints a line per failure, then `N passed, N failed`.
+Expected results are worked out by hand. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
@@ -14,10 +14,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-TIME_LIMIT_S = 840  # it compiles the whole library where ccache does not know it
+TIME_LIMIT_S = 840  # it compiles the whole library if ccache has no copy
 ROOT = Path(__file__).resolve().parent.parent
 CASES = Path(__file__).resolve().parent / 'python_binding'
-DEBIAN = Path('/usr/bin/python3')   # what python/CMakeLists.txt builds for
+DEBIAN = Path('/usr/bin/python3')   # the interpreter that python/CMakeLists.txt builds for
 
 
 def run(command, **more):
@@ -25,13 +25,13 @@ def run(command, **more):
 
 
 def with_path(path, **more):
-    """An environment in which nothing but `path` is added to what Python imports."""
+    """Returns an environment in which only `path` is added to Python's import path."""
     clean = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'PIP_', 'VIRTUAL_ENV'))}
     return {**clean, 'PYTHONDONTWRITEBYTECODE': '1', **({'PYTHONPATH': str(path)} if path else {}), **more}
 
 
 def of_cases(python, path, name, folder):
-    """One line a failing test of tests/python_binding/; None a passed one."""
+    """Yields one line per failed test of tests/python_binding/; None for a passed one."""
     done = run([python, CASES / name, ROOT], env=with_path(path), cwd=folder)
     lines = done.stdout.splitlines()
     if not lines or lines[-1] != 'done':
@@ -44,7 +44,7 @@ def of_cases(python, path, name, folder):
 
 
 def installed_by_pip(python, build, folder):
-    """As python/README.md says, with no index and no proxy that could reach one."""
+    """Installs as python/README.md describes, without an index or a proxy that could reach one."""
     there = folder / 'venv'
     made = run([python, '-m', 'venv', '--system-site-packages', there])
     if made.returncode:

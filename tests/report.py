@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""kadr report: one file with everything inside, inert, of a bounded size, never half written; opened in Chromium where there is one.
+"""Tests kadr report: one self-contained file without active content, of a bounded size, never written in part; opened in Chromium where
+available.
 
     report.py --kadr PROGRAM
 
-Prints a line per failure, then `N passed, N failed`. Where the program was built without its page that is what is looked at.
+Prints a line per failure, then `N passed, N failed`. If the program was built without its page, the test checks the message about that.
 """
 import base64
 import html.parser
@@ -31,7 +32,7 @@ def run(kadr, *words, **more):
 
 
 class Page(html.parser.HTMLParser):
-    """Addresses, and the texts of the elements that have an id."""
+    """Collects addresses, and the texts of the elements that have an id."""
 
     def __init__(self, text):
         super().__init__()
@@ -55,7 +56,7 @@ class Page(html.parser.HTMLParser):
 
 
 def content(path):
-    """What stands in a report: JSON, pieces of it by kind."""
+    """Returns the content of a report: its JSON parts by type."""
     page = Page(path.read_text(encoding='utf-8'))
     bytes_ = zlib.decompress(base64.b64decode(page.held['kadr-data'], validate=True))
     length, = struct.unpack_from('<I', bytes_)
@@ -136,7 +137,7 @@ def part(kadr, folder):
 
 
 def size(kadr, folder):
-    """100,000 blocks with arcs and crooked places stay below 5 MB; below 5 s here, and quicker where nothing else runs."""
+    """100,000 blocks with arcs and irregular positions give less than 5 MB; in less than 5 s here, sooner on an idle machine."""
     program, out = folder / 'long.nc', folder / 'long.html'
     lines, state = ['G21 G90 G17 G94', 'T1 M6', 'G0 X0 Y0 Z5', 'G1 Z-1 F800'], 12345
     for i in range(100_000):
@@ -159,7 +160,7 @@ def killed(kadr, folder, program):
     place.mkdir()
     for signal_, work in [(signal.SIGINT, 0.3), (signal.SIGTERM, 0.8), (signal.SIGINT, 1.5)]:
         process = kadr.start('report', program, '--control', 'fanuc', '--out', place / 'r.html', '-q', stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        if not harness.at_work(process, work):  # it was quicker
+        if not harness.at_work(process, work):  # it ended before
             process.wait()
             (place / 'r.html').unlink()
             continue

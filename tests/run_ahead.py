@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The control in a thread ahead of the rooms behind it (cli/run_ahead) does what it does alone: on one processor, where it goes as
-far at once, and on several, many times over, trace, summary, messages and exit status are the same, byte by byte.
+"""Tests that the control gives the same results in a thread ahead of the rooms after it (cli/run_ahead) as in one thread: on one processor,
+where it runs as far ahead at once, and on several, many times. Trace, summary, messages and exit status are equal, byte by byte.
 
     run_ahead.py --kadr build/kadr [--runs 6]
 
-Programs long enough for many batches: contours that are compensated, with a fault of the path, of the control and of a word in the
+The programs are long enough for many batches: compensated contours with a fault of the path, of the control and of a word in the
 middle; warnings; a clock; dwells, codes and stops between the motions; a loop.
 """
 import argparse
@@ -22,7 +22,7 @@ SMALL_ARC = ['G91 G3 X1 Y0 I0.5 J0', 'G90']  # smaller than the tool
 
 
 def stairs(count, first=0):
-    """A contour upwards: lines and arcs."""
+    """A contour of lines and arcs that goes up in steps."""
     blocks = []
     for i in range(first, first + count // 4):
         x = y = 18 * i
@@ -31,7 +31,7 @@ def stairs(count, first=0):
 
 
 def program(middle, count=BLOCKS):
-    """Stairs that are compensated, with blocks in the middle of them."""
+    """Steps with cutter compensation, with further blocks in the middle."""
     half = count // 8 * 4
     start = ['G21 G90 G17 G40', 'G0 X-20 Y-20', 'G41 D1 G1 X0 Y0 F500']
     return start + stairs(half) + middle + stairs(half, half // 4) + ['G40 G1 X-50 Y9999', 'M30']
@@ -40,7 +40,7 @@ def program(middle, count=BLOCKS):
 def nct():
     end = BLOCKS // 8 * 18
     yield 'sound', program([])
-    for more in (0, 4, 40, 200, 252, 300):  # the fault at many places of a batch
+    for more in (0, 4, 40, 200, 252, 300):  # the fault at many positions of a batch
         yield f'no_intersection_{more}', program(SMALL_ARC, BLOCKS + 2 * more)
     yield 'zero_radius_arc', program(['G2 X1 Y1 I0 J0'])
     yield 'unknown_code', program(['G199'])

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What a called file may be (nct 14.4.2; ours: numbers in other forms): python3 tests/run_calls.py
+"""Tests which files may be called (nct 14.4.2; Kadr's own rule: numbers in other forms). Run: python3 tests/run_calls.py
 
-Reading stays within the main program's folder and the folder of --files: no links out of them, no pipes, no devices. Files that have one
-number are told. The search order: docs/controls/nct-notes.md.
+Reading stays within the main program's folder and the folder of --files: no links out of them, no pipes, no devices. Files with the same
+number are reported. The search order: docs/controls/nct-notes.md.
 """
 import os
 import sys
@@ -14,7 +14,7 @@ SUB = "#100=5\nM99\n"
 
 
 class Memory(harness.Kadr):
-    """A folder with the program memory `work/` and things beside it."""
+    """A folder with the program memory `work/` and other files next to it."""
 
     def __init__(self, program, folder):
         super().__init__(program, folder)
@@ -23,7 +23,7 @@ class Memory(harness.Kadr):
             self.file(name, SUB)
 
     def expect(self, what, program, wanted, *options):
-        """Carries the program out; `wanted` stands in what is said, None: nothing is wrong."""
+        """Runs the program; the messages must contain `wanted`; None: there must be no fault."""
         self.file("work/main.nc", program + "\nM30\n")
         done = self.call("run", "main.nc", "--control", "nct", "-q", *options, cwd=self.work)
         text = done.stdout + done.stderr

@@ -4,8 +4,8 @@
     run_cases.py --kadr build/kadr
     run_cases.py --kadr build/kadr --only 'h-*'
 
-The form of the files: tests/cases/reader.py; the meaning of the keys: tests/golden/README.md. What cannot be read, a key or value
-that tests/golden/schema.json does not know, two cases of one name, an empty file or folder fails, told as FILE:LINE.
+The form of the files: tests/cases/reader.py; the meaning of the keys: tests/golden/README.md. A file that cannot be read, a key or value
+that tests/golden/schema.json does not have, two cases of one name, an empty file or folder fail, reported as FILE:LINE.
 """
 import argparse
 import json
@@ -51,7 +51,7 @@ class Form:
 
 
 def form_faults(cases):
-    """What the schema says against each case; what stands below tests/cases and no one reads."""
+    """Returns what the schema finds wrong in each case; and files below tests/cases that no runner reads."""
     form = Form(json.loads(SCHEMA.read_text(encoding='utf-8')))
     for where, case in cases:
         yield from form.faults(case, form.schema, where)
@@ -69,7 +69,7 @@ def form_faults(cases):
 
 
 def write_json(cases, folder):
-    """The cases as the referee reads them, CONTROL/ID.json; one of two with the same name is told by the reader."""
+    """Writes the cases as the referee reads them, CONTROL/ID.json; the reader reports two cases with the same name."""
     for _, case in cases:
         file = Path(folder, case['control'], case['id'] + '.json')
         file.parent.mkdir(exist_ok=True)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Property test of channels that wait for each other (NCT 14.5), and what `kadr check` and the summary say of them.
+"""Property test of channels that wait for each other (NCT 14.5), and of what `kadr check` and the summary report about them.
 
     run_channels.py --kadr build/kadr [--seed N] [--count N]
 
-Random programs of two to four channels, dwells and waiting codes, are run twice: the traces are the same, none hangs, and who met
-whom, when, and who waits for ever is what the slow model below finds, which knows no scheduler. The seed is printed.
-Exit status: 0 all passed, 1 some failed.
+Random programs of two to four channels, with dwells and waiting codes, are run twice. The traces are equal, and no run hangs. Which
+channels meet, when, and which wait without end must agree with the slow model below, which has no scheduler. The seed is printed. Exit
+status: 0 all passed, 1 some failed.
 """
 import json
 import random
@@ -20,7 +20,7 @@ NEAR = 1e-6  # s
 
 
 def random_channels(rng):
-    """{channel: [('dwell', s) or ('wait', code, channels)]}: half of them made so that all can meet."""
+    """Returns {channel: [('dwell', s) or ('wait', code, channels)]}; in half of the results all channels can meet."""
     numbers = range(1, rng.randint(2, 4) + 1)
     channels = {n: [] for n in numbers}
     fair = rng.random() < 0.5
@@ -35,7 +35,7 @@ def random_channels(rng):
 
 
 def text_of(steps, rng):
-    """The program; the digits of P in any order."""
+    """Returns the program, with the digits of P in any order."""
     lines = ['G94']
     for step in steps:
         if step[0] == 'dwell':
@@ -46,7 +46,7 @@ def text_of(steps, rng):
 
 
 def model(channels):
-    """([(code, {channel: arrival})] in the order of release, channels that wait for ever). No clock: whoever can meet, meets."""
+    """Returns ([(code, {channel: arrival})] in the order of release, channels that wait without end). No clock: channels that can meet do."""
     place, time, met = dict.fromkeys(channels, 0), dict.fromkeys(channels, 0.0), []
     while True:
         waiting = {}
@@ -128,7 +128,7 @@ def check_summary(kadr):
 
 
 def check_stopped(kadr):
-    """An alarm stops all: the other channel's last line says from where."""
+    """An alarm stops all channels: the last line of the other channel names the origin."""
     kadr.lay_out({1: 'G94 G4 P5\n#100=1', 2: 'G94 G4 P1\nN7 #3000=1(STOP)'})
     done = kadr.nct('run', 'main.nct', '-q', '--trace', '-')
     last = {line['channel']: line for line in map(json.loads, done.stdout.splitlines()) if line['do'] in ('end', 'alarm')}
@@ -139,7 +139,7 @@ def check_stopped(kadr):
 
 
 def check_faults(kadr):
-    """kadr check finds the faults of all channels, and those who wait for ever; one program alone has none there."""
+    """kadr check finds the faults of all channels, and waits without end; a program alone has no such waits."""
     kadr.lay_out({1: 'M501 P12\nG1 X1 F100 G997\nM502 P12\nG999', 2: 'G998\nM501 P12\n#100=1'})
     done = kadr.nct('check', 'main.nct', '--format', 'json')
     found = sorted((Path(f['file']).name, f['line'], f['id']) for f in json.loads(done.stdout))
@@ -157,7 +157,7 @@ def check_faults(kadr):
 
 
 def check_setups(kadr):
-    """What a set-up cannot have: the program's own channel again, axes that are none, events that are never seen."""
+    """Invalid set-ups: the program's own channel again, axes that do not exist, events that never occur."""
     def on(code):
         return {'events': [{'when': {'code': code}, 'do': 'start'}]}
     for setup, words in (({'channels': {'1': {'program': ''}}}, 'channel 1'), ({'channels': {'2': {'axes': ['Q']}}}, 'channel 2: '), (on('G4'), 'G4')):
@@ -169,8 +169,8 @@ def check_setups(kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--seed', type=int, default=14, help='of the random programs')
-    parser.add_argument('--count', type=int, default=60, help='how many of them')
+    parser.add_argument('--seed', type=int, default=14, help='seed of the random programs')
+    parser.add_argument('--count', type=int, default=60, help='number of random programs')
     options = harness.parsed(parser)
     print(f'seed {options.seed}')
     rng, checks = random.Random(options.seed), harness.checks_of(globals())

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""kadr check of folders: what is looked at, what is left out, what cannot be read; its report, its baseline.
+"""Tests kadr check of folders: what is checked, what is left out, what cannot be read; its report, its baseline.
 
     run_check.py --kadr build/kadr [--only 'exclude*']
 
-Each check_… function is one; it works in a folder of its own.
+Each check_… function is one check and works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import json
@@ -26,7 +26,7 @@ class Kadr(harness.Kadr):
         return super().file(name, content)
 
     def check(self, *arguments, expected=0):
-        """stdout and stderr of `kadr check`."""
+        """Returns stdout and stderr of `kadr check`."""
         done = self.run('check', *arguments, expected=expected)
         return done.stdout, done.stderr
 
@@ -105,7 +105,7 @@ def check_what_cannot_be_read(kadr):
     (kadr.folder / 'gone.nc').symlink_to('nowhere')
     kadr.check('.', '--control', 'mach3')
     os.chmod(kadr.folder / 'dark', 0)
-    readable = os.access(kadr.folder / 'dark', os.R_OK)   # root may read all
+    readable = os.access(kadr.folder / 'dark', os.R_OK)   # root may read everything
     out, err = kadr.check('.', '--control', 'mach3', '--format', 'sarif', expected=0 if readable else 2)
     os.chmod(kadr.folder / 'dark', 0o755)
     invocation = json.loads(out)['runs'][0]['invocations'][0]
@@ -118,23 +118,23 @@ def check_what_cannot_be_read(kadr):
 
 
 def check_files_of_subprograms(kadr):
-    """LinuxCNC: files of nothing but O subprograms are called, not run; they need no sign %."""
+    """LinuxCNC: files that contain only O subprograms are called, not run; they need no %."""
     kadr.file('main.ngc', 'G21 F100\no<one> call [5]\nM2\n')
     kadr.file('one.ngc', '(for the main program)\no<one> sub\nG0 X#1\no<one> endsub\n\n')
     kadr.file('two.ngc', 'o100 sub ; the first\nG0 X1\no100 endsub\nO<Two> Sub\nG0 X2\no<two> endsub\n')
     out, err = kadr.check('.', '--control', 'linuxcnc')
     expect(out.startswith('3 programs checked: 0 errors'), out + err)
-    kadr.file('one.ngc', 'o<one> sub\nG0 X#1\no<one> endsub\nG0 X3\n')     # a motion behind it: a program
+    kadr.file('one.ngc', 'o<one> sub\nG0 X#1\no<one> endsub\nG0 X3\n')     # a motion after it: a program
     kadr.file('two.ngc', 'o<two> sub\nG0 X2\n')                            # the end of the definition is missing
     kadr.file('three.ngc', '(nothing)\n')
-    kadr.file('four.ngc', 'O00300 (of another control)\nG0 X1\n')        # a number alone: no word of a definition follows
+    kadr.file('four.ngc', 'O00300 (of another control)\nG0 X1\n')        # only a number: no word of a definition follows
     _, err = kadr.check('.', '--control', 'linuxcnc', expected=1)
     for name in ('one.ngc', 'two.ngc', 'three.ngc', 'four.ngc'):
         expect(f'{name}:' in err, f'{name} has no end, which is not told: {err}')
 
 
 def check_the_program_memory(kadr):
-    """What a program calls is looked for in the folder of --files and, LinuxCNC, in those of the ini file that lie in it."""
+    """Called programs are searched in the folder of --files and, for LinuxCNC, in the folders of the ini file that are inside it."""
     kadr.file('jobs/a.ngc', 'G21 F100\no<near> call\no<far> call\nM2\n')
     kadr.file('jobs/b.ngc', 'G21 F100\no<near> call\no<far> call\n(the same)\nM2\n')
     kadr.file('memory/near.ngc', 'o<near> sub\nG1 X1 Z-1\no<near> endsub\n')

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Contours with cutter radius compensation under rotation, mirroring and both (NCT 15.5, 16): the tool's path is the path of the
-plain contour, each point mapped, its arcs opposed where the plane is mirrored; an alarm is the same alarm.
+"""Tests contours with cutter radius compensation under rotation, mirroring and both (NCT 15.5, 16): the tool's path is the path of the
+plain contour with each point mapped and, where the plane is mirrored, the arcs reversed; an alarm stays the same alarm.
 
     run_contours.py --kadr build/kadr [--seed 16] [--count 40]
 """
@@ -15,13 +15,13 @@ from pathlib import Path
 
 from harness import TIME_LIMIT_S
 
-NEAR_MM = 1e-5   # the trace has nine digits behind the point, the program six
+NEAR_MM = 1e-5   # the trace has nine decimals, the program six
 OPPOSED = {'arc_cw': 'arc_ccw', 'arc_ccw': 'arc_cw'}
 SETUP = {'offsets': {'1': {'radius': 1.5}}, 'parameters': {'N1339': 0.01}}
 
 
 def contour(choose):
-    """Blocks of lines, and arcs that begin in any direction; compensated from the second block to the last but one."""
+    """Blocks of lines, and arcs that start in any direction; compensated from the second block to the last but one."""
     x, y = 0.0, 0.0
     blocks = ['G90 G17 G40 G0 X-20 Y-7', f'G{choose.choice((41, 42))} D1 G1 X0 Y0 F300']
     for _ in range(choose.randint(2, 7)):
@@ -51,7 +51,7 @@ def mirror(choose):
 
 
 def run(kadr, folder, blocks):
-    """Motions and the alarm of a program."""
+    """Returns the motions and the alarm of a program."""
     program, setup = folder / 'contour.nc', folder / 'setup.json'
     program.write_text('\n'.join(blocks) + '\n', encoding='ascii')
     setup.write_text(json.dumps(SETUP), encoding='ascii')

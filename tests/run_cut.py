@@ -1,31 +1,33 @@
 #!/usr/bin/env python3
-"""kadr cut: planted faults are found where they are, good programs have none, volumes are what geometry says.
+"""Tests kadr cut: it finds planted faults where they are and none in good programs; volumes agree with geometry.
 
     run_cut.py --kadr build/kadr [--only WORD]
 
-tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it is not the file's own `tools`. Expected:
+tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools, unless the file's own `tools` are used. Expected:
     found     [["rapid_in_stock", LINE], …] collisions, in any order (default: none)
-    warned    the same of warnings
+    warned    the same for warnings
     removed   mm³, within `within` (default 0.2 %, at least 0.5 mm³)
-    depth     of the first collision, mm, within 0.05 and a hundredth
+    depth     of the first collision, mm, within 0.05 plus one per cent
     stops     id of the alarm that ends the run
-    part_program   the wanted part is what this program cuts of the same blank; part: an STL text
-    left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
+    part_program   the wanted part is what this program cuts from the same blank; part: an STL text
+    left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: at most that; too_deep: the exit status is 1 because of it
     calls     of the first collision: [["O100", LINE], …], outermost first
-    checks    [["heaviest.0.rate", 150, 1.5], …]: a place in the JSON, its value, how far off it may be (a text: what it ends with; 'null': null)
-    rows      [[LINE, "rate", 150, 1.5], …]: of the first row of a line in --blocks; "": not told
-    files     { "name" = "text" }: further files beside the program
+    checks    [["heaviest.0.rate", 150, 1.5], …]: a path in the JSON, its value, the tolerance (a text: its ending; 'null': null)
+    rows      [[LINE, "rate", 150, 1.5], …]: in the first row of a line in --blocks; "": not given
+    files     { "name" = "text" }: further files next to the program
     window    {stock, removed: mm³ within `within`; resolution}
-    simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
-    deviation the greatest number in off.ply, mm within a hundredth
-    refused   the beginning of the complaint; nothing is cut, the exit status is 2
-    told      what stderr says: a list of its parts
-    resolution   mm (default 0.5); "chosen": by the program. tools = "guess", stock = "guess": as they stand
-    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines], the id of one, or the text of its file
-    bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
-Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
-`heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes by every scheme, for every control that
-it writes for: of examples/mill for one control a scheme, in turn, of a small drawing for the others; nothing is found in it, no alarm stops it.
+    simplified   {off: mm at most; greatest share of the triangles that remain}: of part.stl, which is complete
+    deviation the greatest number in off.ply, mm within 0.01
+    refused   the start of the message; nothing is cut, the exit status is 2
+    told      what stderr contains: a list of parts
+    resolution   mm (default 0.5); "chosen": by the program. tools = "guess", stock = "guess": these texts as the option's value
+    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines],
+              the id of one, or the text of its file
+    bodies    names of the two bodies in the first collision, in any order; place: its position, mm within 0.02
+Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes add up to the volumes of the tools. The
+keys of `heaviest` and `emptiest` are those that docs/commands/cut.md names. Then the programs of `kadr mill` are cut, for every scheme
+and every control that it writes for: from examples/mill for one control per scheme, in turn, from a small drawing for the others; they
+have no fault and no alarm.
 Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
@@ -95,7 +97,7 @@ def cut(kadr, folder, case, tools, threads, machines={}, part_is_there=False):
 
 
 def faults_of_loads(case, result, table):
-    """Sentences: what is wrong with the heaviest and the emptiest lines, and the table of blocks."""
+    """Yields sentences: what is wrong with the heaviest and the emptiest lines, and the table of blocks."""
     for heading, keys in (('heaviest', HEAVIEST_KEYS), ('emptiest', EMPTIEST_KEYS)):
         if len(result[heading]) > MOST_TOLD:
             yield f'{heading}: more than {MOST_TOLD}'
@@ -131,7 +133,7 @@ def window_faults(want, got):
 
 
 def mesh_faults(case, result, folder):
-    """Of the files that were written."""
+    """Yields the faults of the written mesh files."""
     if 'simplified' in case:
         got, size = result['simplified'], (folder / 'part.stl').stat().st_size
         if got['off'] > case['simplified']['off'] or got['triangles'] > case['simplified']['share'] * got['exact'] or size != 84 + 50 * got['triangles']:
@@ -145,7 +147,7 @@ def mesh_faults(case, result, folder):
 
 
 def faults_of(case, run, folder, table=None):
-    """Sentences: what is not as it was to be."""
+    """Yields sentences: what differs from the expectations."""
     if 'refused' in case:
         if run.returncode != 2 or not run.stderr.removeprefix('kadr: ').startswith(case['refused']):
             yield f'not refused: exit status {run.returncode}, {run.stderr.strip()[:300]}'
@@ -204,7 +206,7 @@ def faults_of(case, run, folder, table=None):
 
 
 def mill(kadr, folder, scheme, control, drawing):
-    """Sentences: what is wrong with the cut of a milled pocket, 8 mm deep in two layers."""
+    """Yields sentences: what is wrong with the cut of a milled pocket, 8 mm deep in two layers."""
     text, stock = MILL_DRAWINGS[drawing]
     program = folder / f'pocket-{control}.nc'
     made = subprocess.run([kadr, 'mill', 'pocket', str(write(folder / 'drawing.txt', text)), '--control', control,
@@ -220,7 +222,7 @@ def mill(kadr, folder, scheme, control, drawing):
 
 
 def without_module(kadr, folder, case, tools, machines):
-    """Sentences: what is wrong where kadr-bodies.so is not there."""
+    """Yields sentences: what is wrong if kadr-bodies.so is missing."""
     alone = Path(shutil.copy(kadr, folder / 'kadr-alone'))
     run = cut(str(alone), folder, case, tools, 1, machines)
     if run.returncode != 2 or 'kadr-bodies.so' not in run.stderr:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kadr diff: what is the same, what is not, where; and a mutation test against `kadr run --trace`, which knows nothing of it.
+"""Tests kadr diff: what is the same, what is not, where; and a mutation test against `kadr run --trace`, which does not use diff.
 
     run_diff.py --kadr PROGRAM [--mutations N]
 """
@@ -21,13 +21,13 @@ import harness
 
 EXAMPLES = harness.ROOT / 'examples'
 TOLERANCE = 0.001
-MOST_PAIRS = 200_000  # of points and lines whose distances are reckoned at once
+MOST_PAIRS = 200_000  # pairs of points and lines whose distances are computed at once
 tally = harness.Tally()
 expect = tally.expect
 
 
 BASE = 'G21 G90 G17\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM30\n'
-# what is changed, status, what the output holds
+# what is changed, status, what the output contains
 CASES = [
     ('itself', [], 0, 'equal: 6 motions, greatest distance 0.0000 mm'),
     ('a line in two', [('X10\n', 'X4\nX10\n')], 0, 'equal'),
@@ -85,7 +85,7 @@ def cases(kadr):
 
 
 def programs():
-    """(file, control, other options) of examples that run to their end."""
+    """Yields (file, control, other options) of examples that run to their end."""
     for control in ('mach3', 'linuxcnc', 'nct', 's2c42', 'gost', 'correctors', 'fanuc', 'haas', 'grbl'):
         for file in sorted((EXAMPLES / control).glob('*')):
             if file.suffix not in ('.json', '.toml', '.md', '.tbl', '.txt'):
@@ -101,16 +101,16 @@ def actions_of(kadr, file, control, options):
 
 
 LOOKED_AT = {'do', 'machine', 'feed', 'unit', 'center', 'turns', 'rpm', 'dir', 'tool', 'seconds', 'what', 'text', 'code'}
-NOT_DONE = {'tool', 'frame', 'end'}  # a tool is called, not changed; the frame of what follows; how all stands then
+NOT_DONE = {'tool', 'frame', 'end'}  # a tool call without a change; the frame of the next block; the final state
 
 
 def kept(actions):
-    """What a comparison looks at: without its place in the text."""
+    """Returns the part of the actions that a comparison looks at: without the location in the text."""
     return [{k: v for k, v in a.items() if k in LOOKED_AT} for a in actions if a['do'] not in NOT_DONE]
 
 
 def mutate(text, random_):
-    """One number of the text changed by more than the tolerance."""
+    """Changes one number of the text by more than the tolerance."""
     numbers = [m for m in re.finditer(r'(?<=[XYZF])-?\d+(\.\d+)?', text)]
     if not numbers:
         return None
@@ -120,7 +120,7 @@ def mutate(text, random_):
 
 
 def places(actions):
-    """Points of the ways that a trace tells, machine coordinates, and what is done between."""
+    """Returns the points of the paths in a trace, in machine coordinates, and the actions between them."""
     points, doings, at = [], [], None
     for action in kept(actions):
         if 'machine' not in action:
@@ -149,7 +149,7 @@ def places(actions):
 
 
 def farthest(points, way):
-    """Of the points from the lines of the way, mm."""
+    """Returns the distance in mm of the farthest point from the segments of the path."""
     points, way = np.array(points, dtype=float), np.array(way, dtype=float)
     begins, along = (way[:-1], np.diff(way, axis=0)) if len(way) > 1 else (way, np.zeros_like(way))
     squares = (along * along).sum(1)
@@ -163,7 +163,7 @@ def farthest(points, way):
 
 
 def is_the_same_way(before, after):
-    """An arc that goes on into its tangent may end anywhere on it: the slow way to see that nothing has moved."""
+    """An arc that continues tangentially may end anywhere: a slow check that nothing has moved."""
     (points, doings), (other, others) = places(before), places(after)
     return doings == others and farthest(points, other) < 2 * TOLERANCE and farthest(other, points) < 2 * TOLERANCE
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""kadr explain against tests/explain_cases/*.txt.
+"""Tests kadr explain against tests/explain_cases/*.txt.
 
-`$ ARGUMENTS` runs it (English unless --lang); below: a line of the answer, blanks around it aside; `~ part of it`; `! not in it`;
-`status N`, else 0. `#` begins a comment, with the section of the manual."""
+`$ ARGUMENTS` runs it (in English unless --lang is given). The lines below it: a line of the answer, without its outer blanks; `~ part of
+it`; `! not in it`; `status N`, else 0. `#` starts a comment, with the section of the manual."""
 import argparse
 import pathlib
 import shlex
@@ -15,7 +15,7 @@ CASES = pathlib.Path(__file__).parent / "explain_cases"
 
 
 def cases(path):
-    """(place, arguments, expectations) of each run of a file."""
+    """Yields (location, arguments, expectations) of each run of a file."""
     found = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if line.startswith("$ "):

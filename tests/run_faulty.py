@@ -4,22 +4,23 @@
     run_faulty.py --kadr build/kadr                 all programs
     run_faulty.py --kadr build/kadr --only 'arc-*'  some of them
 
-Beside each program NAME.nc (NAME.tape: rows of a punched tape) stands NAME.expect:
+Each program NAME.nc (NAME.tape: rows of a punched tape) has a file NAME.expect:
 
     3:10 address_twice               a fault: line, column in characters from 1, id; in the order of `kadr check`
     3:4 warning look_alike_letter    a warning
     text: Address X twice            English text of the first fault
     number: 2002                     the control's own number of the first fault; nct: also that it has none, if the line is missing
-    other: 4                         line of the second place of the first finding (the contour that is cut), shown in both forms
+    other: 4                         line of the second location of the first finding (the contour that is cut), shown in both formats
     args: --setup NAME.json          further arguments
     exit: 1                          default: 1 with a fault, 0 without
-    # …                              a remark
+    # …                              a comment
 
-The note not_stated (offsets that stand in no set-up) and advice count only where they are expected; tests/setup_command.py and
-tests/checklist.py hold them.
+The note not_stated (offsets that no set-up states) and advice count only where they are expected; tests/setup_command.py and
+tests/checklist.py test them.
 
 Each program is checked twice: --format json gives the findings, --format text must show the same lines, each with its source
-line and a caret under the place, and the count. An unknown key, a folder without programs, a file without its neighbour fail.
+line and a caret under the column, and the count. An unknown key, a folder without programs, a program without its .expect file or the
+reverse fail.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import fnmatch
@@ -38,7 +39,7 @@ FAULT = re.compile(r'(\d+):(\d+) (warning |note |advice )?([a-z0-9_]+)')
 
 
 class Expected:
-    """What NAME.expect says."""
+    """The content of NAME.expect."""
 
     def __init__(self, path):
         self.findings, self.text, self.number, self.args, self.exit, self.other = [], None, None, [], None, None
@@ -88,7 +89,7 @@ def check_json(expected, program_control, status, out, err):
         findings = json.loads(out)
     except json.JSONDecodeError:
         raise Failure(f'stdout is not JSON: {out[:120]!r} {err[:160]!r}') from None
-    if not any(name == 'not_stated' for _, _, _, name in expected.findings):  # of programs without a set-up: only where it is the topic
+    if not any(name == 'not_stated' for _, _, _, name in expected.findings):  # for programs without a set-up it counts only where it is the topic
         findings = [f for f in findings if f['id'] != 'not_stated']
     advised = {name for _, _, severity, name in expected.findings if severity == 'advice'}
     findings = [f for f in findings if f['severity'] != 'advice' or f['id'] in advised]
@@ -136,7 +137,7 @@ def check_text(program, expected, findings, status, out, err):
 
 
 def check_caret(finding, two_lines):
-    """Under the source line stands a caret, below the character at the column."""
+    """Checks that the line after the source line has a caret below the character at the column."""
     where = f'{finding["line"]}:{finding["column"]}'
     if len(two_lines) < 2 or not re.fullmatch(r'\s*\^~*\s*', two_lines[1]):
         raise Failure(f'--format text: no caret line at {where}')
@@ -147,7 +148,7 @@ def check_caret(finding, two_lines):
 
 
 def check_other(other, three_lines):
-    """The second place: its line number, the line, a caret."""
+    """Checks the second location: its line number, the line, a caret."""
     if len(three_lines) < 3 or three_lines[0].strip() != f'see line {other["line"]}:' or three_lines[1].strip() != other['line_text'].strip():
         raise Failure(f'--format text: the second place is not shown: {three_lines}')
     if not re.fullmatch(r'\s*\^~*\s*', three_lines[2]):
@@ -155,7 +156,7 @@ def check_other(other, three_lines):
 
 
 def judge(kadr, program, control):
-    """The faults: none, or why it failed."""
+    """Returns the faults: none, or why it failed."""
     expectation = program.with_suffix('.expect')
     if not expectation.exists():
         return [f'{expectation.name} is missing']

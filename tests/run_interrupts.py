@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ctrl-C, SIGTERM, a reader that goes away: every command ends at once, whatever it is at.
+"""Tests Ctrl-C, SIGTERM and a reader that closes its pipe: every command ends at once, whatever it is doing.
 
     run_interrupts.py --kadr build/kadr [--only 'sigint*']
 
@@ -12,7 +12,7 @@ import sys
 import harness
 from harness import expect
 
-MOST_S = 1.0   # of processor time behind a signal; promised are 0.2 s (design.md 10), on one processor, and some programs work in three threads
+MOST_S = 1.0   # s of processor time after a signal; design.md 10 promises 0.2 s on one processor, and some programs work in three threads
 
 RUN = ('run', '{file}', '--quiet', '--max-passes', '1000000000', '--max-blocks', '1000000000000')
 OPTIMAL = ('--machine', str(harness.ROOT / 'machines' / 'mach3-router.toml'))
@@ -35,7 +35,7 @@ WORK = {
 
 class Kadr(harness.Kadr):
     def begin(self, name):
-        """Starts the work of that name; what it says goes into a file, so that no full pipe holds it up."""
+        """Starts the work of that name; its output goes into a file, so that a full pipe does not block it."""
         text, command = WORK[name]
         if text is not None:
             self.file('program.nc', text)
@@ -50,7 +50,7 @@ class Kadr(harness.Kadr):
 
 def interrupt(kadr, name, sent):
     process = kadr.begin(name)
-    waits = WORK[name][0] is None   # for standard input, that stays open
+    waits = WORK[name][0] is None   # for standard input, which stays open
     begun = harness.stands(process) if waits else harness.at_work(process)
     expect(begun and not harness.ended(process), f'it is not at work: {kadr.said()[:300]}')
     took = harness.spent_after(process, sent)
@@ -62,7 +62,7 @@ def interrupt(kadr, name, sent):
 
 
 def leave(kadr, command, text):
-    """The reader takes one line and goes; the work is endless, so that it ends only because of that."""
+    """The reader reads one line and closes the pipe; the work is endless, so that it ends only because of that."""
     file = kadr.file('program.nc', text)
     with open(kadr.folder / 'said', 'wb') as said:
         process = kadr.start(*(part.format(file=file) for part in command), stderr=said)
@@ -79,7 +79,7 @@ def leave(kadr, command, text):
 
 
 def checks():
-    """Name → check."""
+    """Returns name → check."""
     for name in WORK:
         yield f'sigint-{name}', lambda kadr, name=name: interrupt(kadr, name, signal.SIGINT)
     for name in ('blocks', 'dwell-samples'):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What kadr writes: no output destroys an input or another output; files are whole or not there; a program writes only where it may.
+"""Tests what kadr writes: no output destroys an input or another output; files are complete or absent; a program writes only where it may.
 
     run_outputs.py --kadr build/kadr [--only 'clash*']
 
-Each check_… function is one; it works in a folder of its own.
+Each check_… function is one check and works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import json
@@ -30,33 +30,33 @@ class Kadr(harness.Kadr):
     language = 'en'
 
     def run(self, *arguments, **more):
-        """What it says on standard error."""
+        """Returns what it prints on standard error."""
         return super().run(*arguments, **more).stderr
 
 
 def everything(folder):
-    """Name → bytes and kind of all below a folder."""
+    """Returns name → bytes and type of everything below a folder."""
     return {str(p.relative_to(folder)): (stat.S_IFMT(p.lstat().st_mode), os.readlink(p) if p.is_symlink() else p.read_bytes() if p.is_file() else b'')
             for p in sorted(folder.rglob('*'))}
 
 
 def refused(kadr, *arguments, word):
-    """Status 2, nothing in the folder is changed, and the message has the word."""
+    """Checks that the status is 2, that nothing in the folder changes, and that the message contains the word."""
     before = everything(kadr.folder)
     text = kadr.run(*arguments, expected=2)
     expect(word in text, f'{arguments}: the message lacks "{word}": {text!r}')
     expect(everything(kadr.folder) == before, f'{arguments}: files have changed')
 
 
-# ---- a name that is none
+# ---- invalid file names
 
-# Options of files that are only read; every other option with FILE in some command's help is an output.
+# Options of files that are only read; every other option with FILE in the help of a command is an output.
 ONLY_READ = {'--setup', '--setup-a', '--setup-b', '--baseline', '--part', '--tools'}
 WORDS_FOR_NONE = ('off', 'OFF', 'no', 'none', 'None', 'false')
 
 
 def options_of_outputs(kadr):
-    """(command words, option) of all that the program can write, as its help names them."""
+    """Yields (command words, option) of all outputs of the program, by its help."""
     listed = kadr.printed('--help')
     commands = [(word,) for word in re.findall(r'^  ([a-z]+) {2,}', listed[listed.index('Commands:'):], re.M)]
     while commands:
@@ -155,7 +155,7 @@ def check_clash_of_mill_and_tape(kadr):
     refused(kadr, 'tape', 'encode', 'c.txt', 'hard.txt', word='would be written over the input')
 
 
-# ---- whole or not at all
+# ---- complete or absent
 
 def check_usage_errors_touch_nothing(kadr):
     kadr.file('q.nc', PROGRAM)
@@ -207,7 +207,7 @@ def check_links_and_rights_stay(kadr):
     expect(stat.S_IMODE((kadr.folder / 'new').stat().st_mode) == 0o666 & ~mask, 'rights of a new file')
 
 
-# ECMA-376 part 2, annexes D and F; 3MF Core Specification 1.2, 2.1 and 2.3.2: typed from there, not from what Kadr writes.
+# ECMA-376 part 2, annexes D and F; 3MF Core Specification 1.2, 2.1 and 2.3.2: copied from there, not from what Kadr writes.
 PACKAGE = 'http://schemas.openxmlformats.org/package/2006/'
 TYPES_3MF = {'rels': 'application/vnd.openxmlformats-package.relationships+xml',
              'model': 'application/vnd.ms-package.3dmanufacturing-3dmodel+xml'}
@@ -267,7 +267,7 @@ def check_full_standard_output(kadr):
         expect('disk is full' in text, f'{command}: {text!r}')
 
 
-# ---- what the program itself writes
+# ---- outputs of a part program
 
 def check_by_default_a_program_writes_nothing(kadr):
     for name in ('out.txt', 'a.txt'):

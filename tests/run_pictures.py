@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What a user reads in the summary's extents and in the picture of `kadr run --plot`: they agree; work systems, inches and rotary axes are told
-apart; nothing of the contour is cut off; strokes tell their lines; any file name gives a well-formed SVG. Numbers by hand.
+"""Tests the extents in the summary and the picture of `kadr run --plot`: they agree; work systems, inches and rotary axes are
+distinguished; no part of the contour is cropped; strokes name their lines; any file name gives a well-formed SVG. Expected numbers are
+worked out by hand.
 
     run_pictures.py --kadr build/kadr [--only 'inch*']
 
-Each check_… function is one; it works in a folder of its own.
+Each check_… function is one check and works in a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import os
@@ -20,7 +21,7 @@ HEAD = 'G21 G90 G17 G40 G54\n'
 
 
 class Picture:
-    """An SVG, read again."""
+    """A parsed SVG."""
 
     def __init__(self, path):
         self.root = ET.parse(path).getroot()
@@ -33,7 +34,7 @@ class Picture:
         return next((g for g in self.root.iter(NS + 'g') if g.get('id') == 'view-' + name), None)
 
     def strokes(self, view, kind):
-        """Each path of that kind: its line, and its points."""
+        """Each path of that type: its line, and its points."""
         found = []
         for group in self.view(view).iter(NS + 'g'):
             if group.get('class') == kind:
@@ -54,7 +55,7 @@ def points_of(path):
 
 class Kadr(harness.Kadr):
     def run(self, text, *options, control='mach3', name='p.nc', lang='en', status=0, plot='out.svg'):
-        """The summary as lines, and the picture."""
+        """Returns the summary as lines, and the picture."""
         path = os.path.join(os.fsencode(self.folder), os.fsencode(name))
         with open(path, 'wb') as file:
             file.write(text.encode())
@@ -92,7 +93,7 @@ def check_a_probe_does_not_cut(kadr):
 
 
 def check_work_systems_are_told_apart(kadr):
-    """No set-up states a zero: both systems lie on each other, and are two on the drawing all the same."""
+    """No set-up states a work offset: both systems coincide, but the drawing shows two."""
     part = 'G0 X0 Y0 Z5\nG1 Z-2 F200\nX{}\nG0 Z5\n'
     program = 'G21 G90\nG54\n' + part.format(30) + 'G55\n' + part.format(70) + 'M30\n'
     for options in ((), ('--zero', 'G55=X200,Y0,Z0')):
@@ -148,7 +149,7 @@ def check_start_end_and_stop(kadr):
     _, picture = kadr.run(HEAD + 'G1 X20 F300\nY10\nG2 X900 Y0 I3 J0\nM30\n', status=1)
     expect([line for line, _ in picture.strokes('xy', 'stop')] == ['4'] * 4 and not picture.strokes('xy', 'end'), 'stop at line 4')
     expect('stopped by an alarm: line 4' in picture.texts and 'end' not in picture.texts, picture.texts)
-    # where: at the end of line 3, the upper right corner of the path
+    # position: the end of line 3, the upper right corner of the path
     corner = [p for line, points in picture.strokes('xy', 'feed') if line == '3' for p in points][-1]
     cross = [p for _, points in picture.strokes('xy', 'stop') for p in points]
     middle = [sum(p[k] for p in cross) / len(cross) for k in (0, 1)]
@@ -193,7 +194,7 @@ def check_strokes_tell_their_lines(kadr):
 
 
 def check_long_programs(kadr):
-    """Up to 10,000 strokes tell their lines; more do not, and it is said; the file stays small."""
+    """Up to 10,000 strokes name their lines; with more none does, and a message says so; the file stays small."""
     def zigzag(n):
         return HEAD + ''.join(f'G1 X{i % 2 * 50} Y{i * 0.01:.2f} F900\n' for i in range(n)) + 'M30\n'
     _, picture = kadr.run(zigzag(9000), '-q')
@@ -205,7 +206,7 @@ def check_long_programs(kadr):
 
 
 def check_any_file_name(kadr):
-    """A name of bytes: control characters, marks of XML, no UTF-8, no characters of XML."""
+    """A name of bytes: control characters, XML markup, invalid UTF-8, characters that XML forbids."""
     names = {b'a<b>&"c\'.nc': 'a<b>&"c\'.nc', b'bell\x07\x1b[1m.nc': 'bell␇␛[1m.nc', b'\xff\xfe\xc0\x80.nc': '����.nc',
              b'\xed\xa0\x80.nc': '�.nc', b'\xef\xbf\xbf.nc': '�.nc', 'деталь №1.nc'.encode(): 'деталь №1.nc', b'two\nlines.nc': 'two␊lines.nc'}
     for name, shown in names.items():

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Plain blocks are read and planned quickly (lang/block/plain_block, control/block/shapes). A comment makes a block one that is not plain: with
-and without one at the end of each block a program gives the same trace and the same alarms.
+"""Tests the fast reading and planning of plain blocks (lang/block/plain_block, control/block/shapes). A block with a comment is not plain:
+a program gives the same trace and the same alarms with and without a comment at the end of each block.
 
     run_plain.py --kadr build/kadr [--seed 4] [--count 60] [--every 1]
 
-Random programs of few shapes and many modes, good blocks and bad ones, and the programs of tests/golden and tests/cases; with --every N
-each N-th of them. Of the cases those are run that have a plain block of a shape that no case before them has for the same control with the
-same modal codes at the start; with --all every one with a plain block.
+Runs random programs of few shapes and many modes, with good and bad blocks, and the programs of tests/golden and tests/cases; with
+--every N each N-th of them. A case is run if it has a plain block of a shape that no case before it has for the same control with the
+same modal codes at the start; with --all every case with a plain block is run.
 """
 import argparse
 import json
@@ -23,9 +23,9 @@ from harness import TIME_LIMIT_S
 
 HERE = Path(__file__).resolve().parent
 COMMENT = ' (.)'
-COMMANDS = (['run', '--quiet', '--trace', '-'], ['check'])  # checking goes on behind an alarm
-MARK = re.compile(r'^ *\^~*\n', re.MULTILINE)  # below an alarm's characters, which may be the whole block's
-PLAIN = re.compile(r'[A-Za-z0-9 .+-]*[0-9.] *')  # as far as can be told without the control's grammar
+COMMANDS = (['run', '--quiet', '--trace', '-'], ['check'])  # checking continues after an alarm
+MARK = re.compile(r'^ *\^~*\n', re.MULTILINE)  # below the characters of an alarm, which may be the whole block
+PLAIN = re.compile(r'[A-Za-z0-9 .+-]*[0-9.] *')  # as far as it can be decided without the control's grammar
 NUMBER = re.compile(r'(?<=[A-FI-LN-SU-Z])[+-]?[0-9.]+')  # the numbers of G, M, H, D and T belong to the shape
 BLOCK_NUMBER = re.compile(r'N *[0-9]+ *')
 LENGTH = {'X', 'Y', 'Z', 'I', 'J', 'R', 'Q'}
@@ -78,7 +78,7 @@ def is_plain(line):
 
 
 def with_new_shapes(programs):
-    """Those with a plain block of a shape that none before them has, for the same control and the same modal codes at the start."""
+    """Returns those with a plain block of a shape that none before them has, for the same control and the same modal codes at the start."""
     seen = set()
     for number, program in programs:
         _, control, setup, text = program
@@ -90,9 +90,9 @@ def with_new_shapes(programs):
 
 
 def outcome(kadr, folder, name, commands, control, setup, program):
-    """What is said and done, without the comments."""
+    """Returns the output and the actions, without the comments."""
     path, own, said = folder / name, folder / f'{name}.files', []
-    own.mkdir()  # for what the program writes: others write files of the same name meanwhile
+    own.mkdir()  # for the program's output: other runs write files of the same name meanwhile
     path.write_text(program, encoding='utf-8')
     (folder / f'{name}.json').write_text(json.dumps(setup), encoding='utf-8')
     for command in commands:
@@ -108,8 +108,8 @@ def main():
     parser.add_argument('--kadr', required=True)
     parser.add_argument('--seed', type=int, default=4)
     parser.add_argument('--count', type=int, default=60)
-    parser.add_argument('--every', type=int, default=1, help='for a build that is slow')
-    parser.add_argument('--all', action='store_true', help='every program with a plain block')
+    parser.add_argument('--every', type=int, default=1, help='run every Nth program, for a slow build')
+    parser.add_argument('--all', action='store_true', help='run every program with a plain block')
     options = parser.parse_args()
     kadr, choose = str(Path(options.kadr).resolve()), random.Random(options.seed)
     programs = [*enumerate([*random_programs(choose, options.count), *programs_of_cases()])][::options.every]

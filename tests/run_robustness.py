@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What no input and no surroundings may do to kadr: crash, hang, eat memory, leave a broken trace.
+"""Tests that no input and no environment makes kadr crash, hang, use too much memory, or leave a broken trace.
 
     run_robustness.py --kadr build/kadr             all checks
     run_robustness.py --kadr build/kadr --only 'sig*'
 
-Each check_… function below is one; it makes its program in a folder of its own.
+Each check_… function below is one check and writes its program into a folder of its own.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import json
@@ -23,10 +23,10 @@ CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct')
 class Kadr(harness.Kadr):
     def __init__(self, program, folder):
         super().__init__(program, folder)
-        self.sanitized = subprocess.run(['grep', '-q', '__asan_init', program], check=False).returncode == 0   # not read here: a child's memory counts ours
+        self.sanitized = subprocess.run(['grep', '-q', '__asan_init', program], check=False).returncode == 0   # grep reads it, not this process: a child's memory would include what this process read
 
     def run(self, *arguments, expected=(0, 1)):
-        """Runs to the end; exit status and text of stderr. Guards time, memory, signals."""
+        """Runs to the end; returns the exit status and the text of stderr. Checks time, memory, signals."""
         with open(self.folder / 'stdout', 'wb') as out, open(self.folder / 'stderr', 'wb') as err:
             process = self.start(*arguments, stdout=out, stderr=err)
         if not harness.until(lambda: harness.ended(process)):
@@ -42,12 +42,12 @@ class Kadr(harness.Kadr):
         return code, text
 
     def faults(self, file, control, *options):
-        """Ids of the faults that `kadr check` finds."""
+        """Returns the ids of the faults that `kadr check` finds."""
         self.run('check', file, '--control', control, *options, '--format', 'json', '--quiet', '--lang', 'en')
         return [fault['id'] for fault in json.loads((self.folder / 'stdout').read_text(encoding='utf-8'))]
 
 
-# ---- programs that are none
+# ---- files that are not programs
 
 def check_long_line(kadr):
     path = kadr.file('long.nc', 'G0 X1\n')
@@ -69,7 +69,7 @@ def check_junk(kadr):
     path = kadr.file('junk.nc', random.Random(1).randbytes(2 << 20))
     for control in CONTROLS:
         expect(kadr.faults(path, control), f'{control}: no fault')
-    kadr.run("run", path, "--quiet", expected=(2,))   # no program of any control
+    kadr.run("run", path, "--quiet", expected=(2,))   # it is no program of any control
     kadr.run('tape', 'decode', path, '/dev/null')
 
 
@@ -136,14 +136,14 @@ def check_directory(kadr):
 def check_unreadable(kadr):
     path = kadr.file('secret.nc', 'G0 X1\n')
     os.chmod(path, 0)
-    if not os.access(path, os.R_OK):   # root may read all
+    if not os.access(path, os.R_OK):   # root may read everything
         _, text = kadr.run('run', path, '--control', 'mach3', expected=(2,))
         expect('secret.nc' in text, f'the message does not name the file: {text!r}')
     _, text = kadr.run('run', 'missing.nc', '--control', 'mach3', expected=(2,))
     expect('missing.nc' in text, f'the message does not name the file: {text!r}')
 
 
-# ---- a run that is broken off (signals and pipes: run_interrupts.py)
+# ---- interrupted runs (signals and pipes: run_interrupts.py)
 
 def check_disk_full(kadr):
     path = kadr.file('trace_full.nc', 'F1000\n' + 'G1 X1\nG1 X0\n' * 50_000)

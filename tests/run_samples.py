@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
-"""Samples obey every limit of the axes, end where the control says, and follow the path within the tolerance.
+"""Tests that samples obey every limit of the axes, end where the control reports, and follow the path within the tolerance.
 
     run_samples.py --kadr build/kadr [--every 1] [--random 40] [--seed 7] [--rate 1000]
 
 Programs of tests/golden and tests/cases, and random ones (short lines, long lines, arcs, reversals), each sampled on one machine.
-Checked from the samples alone, and the greatest of each told:
+Checked from the samples alone; the greatest value of each is printed:
   speed, acceleration, jerk   first, second and third differences of each axis
   end                         the last sample is the machine position of the trace's last line
   path                        no sample is further from the path than the tolerance; the path: the same program followed exactly
   surface                     polar and cylindrical interpolation: path and feed in the programmed plane, the rotary axis' own limit
   smoothing                   G5.1 Q2 within N3104 of the programmed chords and through their ends, Q3 within N3106
-  spindle                     threads and rigid tapping: where the axis is, and how far the spindle has turned, go together
+  spindle                     threads and rigid tapping: axis position and spindle angle stay in step
   turning                     feed per revolution with a constant surface speed
-  overrides                   all but path, surface and smoothing again with feed holds and overrides on the way
+  overrides                   all but path, surface and smoothing again with feed holds and overrides during the run
 """
 import argparse
 import json
@@ -34,15 +34,15 @@ from harness import TIME_LIMIT_S
 from samples.geometry import EXACT_PATH, LIMITS, OVER, TOLERANCE, furthest, off_chords, off_feed, off_surface, out_of_step, used
 from samples.programs import own_programs, programs_of_cases, random_programs
 
-OVER_CHANGED = 1.02    # while the override changes: the plan's own jerk between those places, and a ramp that nothing else would let be
+OVER_CHANGED = 1.02    # while the override changes: the plan's own jerk between its grid points, and a ramp that the limits would otherwise not allow
 OVERRIDES = '0.05:40,0.7:0,0.9:70,1.2:20,1.6:100,2.5:0,2.9:30,4:100'  # s, %
-OVER_FAST = 1.04       # beyond 1 kHz the jerk between the places where the planner looks at it is seen too: 3.5 % at most are known
+OVER_FAST = 1.04       # above 1 kHz the jerk between the planner's grid points becomes visible: at most 3.5 % are known
 FAST = 2000            # Hz
-LED_AXES = 0.1         # mm: so far the axes may leave their way where the tip is led and keeps the tolerance (docs/planner.md); five_axis_samples.py looks at the tip
+LED_AXES = 0.1         # mm: greatest deviation of the axes from their path where the tip is controlled and keeps the tolerance (docs/planner.md); five_axis_samples.py checks the tip
 LEADS_TIP = re.compile(r'G43\.[4589]')
-PATH_RATE = 1000       # Hz: of the samples whose way to the path is measured
+PATH_RATE = 1000       # Hz: of the samples whose distance from the path is measured
 NO_ROWS = np.empty((0, 1))
-ROTARY = 'ABC'         # may roll over: they end on the same place of the turn
+ROTARY = 'ABC'         # these may roll over: they end at the same angle
 MACHINE = '''id = "test"
 tool_change = 0
 tolerance = {tolerance}
@@ -59,18 +59,18 @@ def write_machine(folder, tolerance):
     machine(folder, tolerance).write_text(MACHINE.format(tolerance=tolerance) + ''.join(f'{axis} = {row}' for axis in 'XYZABCUVW'))
 
 
-# Programs that do not hold yet, each with its reason; one that is named and holds is a fault.
+# Programs that do not pass yet, each with its reason; a named program that passes is a fault.
 OPEN = {
     '25n-41-g43-4-with-bse-1-all-three-angles-of-the-basic': 'the led tip leaves its path by 0.008 mm more than the tolerance (nct 25.15)',
 }
 
 
 def sampled(kadr, folder, profile, control, setup, program, rate, *more):
-    """Names of the axes, a row of numbers for each sample, and the spindle's angles."""
+    """Returns the names of the axes, a row of numbers for each sample, and the spindle's angles."""
     command = [kadr, 'run', program, '--control', control, '--setup', setup, '--machine', profile, '--quiet', '--samples', '-', '--rate', str(rate), *more]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder, timeout=TIME_LIMIT_S)
     if done.returncode not in (0, 1):
-        return [], NO_ROWS, []  # it needs files beside it
+        return [], NO_ROWS, []  # it needs further files
     head, _, text = done.stdout.decode('ascii').partition('\n')
     names, lines = head.split(',')[1:], text.split('\n')[:-1]
     if not lines:
@@ -82,7 +82,7 @@ def sampled(kadr, folder, profile, control, setup, program, rate, *more):
 
 
 class Greatest:
-    """The greatest of each thing found, and where."""
+    """The greatest value of each quantity, and where it occurs."""
 
     def __init__(self):
         self.found = {}
@@ -101,7 +101,7 @@ class Greatest:
 
 
 def end_faults(names, end, at, greatest, probes_last):
-    """The last sample is where the control says that the axes are; but Mach3 draws a probe back without a motion where nothing follows."""
+    """The last sample is at the axis positions that the control reports; but Mach3 retracts a probe without a motion if nothing follows."""
     for axis, value in zip(names, end):
         if axis not in at or probes_last:
             continue

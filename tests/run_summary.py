@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""`kadr run --json`: the text of the summary, made here anew from the JSON, is the text that `kadr run` prints: so all of its figures are there.
+"""Tests `kadr run --json`: the test rebuilds the text of the summary from the JSON and compares it with the text that `kadr run` prints, so
+all its figures are in the JSON.
 
     run_summary.py --kadr build/release/kadr [--every N]
 
-Every example with its control and set-up, and a share of the golden programs; pictures, planner, several channels, inches, alarms.
+Runs every example with its control and set-up, and a share of the golden programs; pictures, planner, several channels, inches, alarms.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import decimal
@@ -21,12 +22,12 @@ PLANNER = "by Kadr's planner, within speed, acceleration and jerk of the axes"
 
 
 class Nudge:
-    """The JSON is rounded to 1e-9: of what lies there on the border between two figures of the text, either is right."""
+    """The JSON is rounded to 1e-9: for a value on the border between two figures of the text, either figure is correct."""
     by = decimal.Decimal(0)
 
 
 def number(value, places):
-    """Rounded half away from zero, without trailing zeros."""
+    """Rounds half away from zero, without trailing zeros."""
     rounded = (decimal.Decimal(repr(value)) + Nudge.by).quantize(decimal.Decimal(1).scaleb(-places), decimal.ROUND_HALF_UP).normalize()
     return '0' if rounded == 0 else f'{rounded:f}'
 
@@ -101,7 +102,7 @@ def summary(made):
 
 
 def compared(kadr, words):
-    """Faults of one program."""
+    """Returns the faults of one program."""
     text = kadr.call('run', *words, '--lang', 'en')
     made = kadr.call('run', *words, '--json', '--lang', 'en')
     if text.returncode == 2:
@@ -143,7 +144,7 @@ def check_all(kadr, every):
 
 
 def check_alone(kadr):
-    """Nothing else is on standard output, and nothing else may be."""
+    """Standard output contains only the JSON; another output that needs standard output is refused."""
     kadr.file('p.nc', 'G1 X1 F100\nM30\n')
     for words in (('-q',), ('--why',), ('--trace', 't.jsonl'), ('--samples', 's.csv')):
         done = kadr.call('run', 'p.nc', '--control', 'mach3', '--json', *words)
@@ -155,7 +156,7 @@ def check_alone(kadr):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--every', type=int, default=1, help='of the examples every so many')
+    parser.add_argument('--every', type=int, default=1, help='runs every Nth example')
     options = harness.parsed(parser)
     tally = harness.Tally()
     with tempfile.TemporaryDirectory(prefix='kadr_summary_') as folder, harness.Kadr(options.kadr, Path(folder)) as kadr:

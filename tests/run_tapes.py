@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Tapes: EIA code, tapes that lie wrongly, tapes with several programs; permanent subprograms and coded feeds in a control of one's own.
+"""Tests tapes: EIA code, tapes that are reversed or flipped, tapes with several programs; permanent subprograms and coded feeds in a user's
+own control.
 
     run_tapes.py --kadr build/kadr
 
-Rows are written here by hand from RS-244 and ISO 7-bit, not by `kadr tape`.
+The test writes the rows by itself from RS-244 and ISO 7-bit, not by `kadr tape`.
 """
 import json
 import sys
@@ -39,7 +40,7 @@ def wrong_side(rows):
 
 
 class Runs(harness.Kadr):
-    """Runs kadr in an empty folder and counts what is not as it should be."""
+    """Runs kadr in an empty folder and counts what differs from the expectation."""
 
     def file(self, name, content=''):
         return super().file(name, content).name
@@ -52,7 +53,7 @@ class Runs(harness.Kadr):
         tally.same(what, got, wanted)
 
     def motions(self, *args):
-        """Ends of the motions of `kadr run`, by axis; its exit status."""
+        """Returns the end points of the motions of `kadr run`, by axis, and its exit status."""
         status, out, err = self.kadr_run('run', *args, '--trace', '-', '--quiet')
         ends = []
         for line in out.decode('utf-8').splitlines():
@@ -139,7 +140,7 @@ def several_programs(runs):
     runs.expect('several, first', run(), first)
     runs.expect('several, 101', run('--program', '101'), (0, [(0,), (1,)], ''))
     runs.expect('several, 103', run('--program', '103'), (0, [(7,)], ''))
-    status, ends, err = run('--program', '102')  # the subprogram read last before it: +2
+    status, ends, err = run('--program', '102')  # the subprogram that was read last before it: +2
     runs.expect('several, 102', (status, ends, 't.nc:16:4: alarm code_unknown' in err), (1, [(0,), (2,)], True))
     status, _, err = run('--program', '7')
     runs.expect('several, none', (status, err), (2, 'kadr: t.nc: no program 7; there are: 101, 102, 103\n'))
@@ -191,14 +192,14 @@ def permanent_subprograms(runs):
     runs.file('shop.toml', PERMANENT)
     runs.file('p.nc', CALLS)
     status, ends, _ = runs.motions('p.nc', '--control', 'shop.toml')
-    # N2 sets R01 = 10, R02 = 20, R03 = 5; N4 R01 = 30, the others stay but R03 of N3. G90 stays: N5 counts from 30, 20.
+    # N2 sets R01 = 10, R02 = 20, R03 = 5; N4 R01 = 30, the others stay except R03 of N3. G90 stays: N5 counts from 30, 20.
     wanted = [(10, 20, 0), (10, 20, -5), (10, 20, 2), (30, 20, 2), (30, 20, -7.5), (30, 20, 2), (60, 35, 2)]
     runs.expect('permanent subprogram', (status, places(ends, 'XYZ')), (0, wanted))
     runs.expect('… its feed', [feed for do, _, feed in ends if do == 'feed'], [80, 80])
     runs.file('q.nc', 'N1 G81 X1. Y2. Z3. LF\n')
     status, _, err = runs.kadr_run('run', 'q.nc', '--control', 'shop.toml', '--quiet')
     runs.expect('a parameter never set', (status, 'P100' in err), (1, True))
-    runs.file('w.nc', 'N1 G00 R01+5. R12 LF\n')  # R12 without a sign is a word, of which G00 has no use
+    runs.file('w.nc', 'N1 G00 R01+5. R12 LF\n')  # R12 without a sign is a word, which G00 does not use
     status, _, err = runs.kadr_run('run', 'w.nc', '--control', 'shop.toml', '--quiet')
     runs.expect('R12 is a word', (status, 'word_unused' in err), (1, True))
 
@@ -229,7 +230,7 @@ def coded_feeds(runs):
     status, out, err = runs.kadr_run('mill', 'pocket', 'square.txt', '--tool-diameter', '10', '--depth', '2', '--feed', '110', '--plunge-feed',
                                      '31.5', '--speed', '640', '--tool', '4', '--control', 'coded.toml', '--quiet')
     text = out.decode('utf-8')
-    # not above: 110 → 100 (F40), 31.5 (F30), 640 → 630 (S56)
+    # rounded down: 110 → 100 (F40), 31.5 (F30), 640 → 630 (S56)
     runs.expect('mill chooses codes', (status, 'F40' in text, 'F30' in text, 'S56' in text, 'G01' in text, 'F110' in text),
                 (0, True, True, True, True, False))
 

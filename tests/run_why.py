@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What a user sees of the planner of least time (docs/planner.md): `kadr run` with --why, --plot-speed and --plot --colour.
+"""Tests the output of the minimum-time planner (docs/planner.md): `kadr run` with --why, --plot-speed and --plot --colour.
 
     run_why.py --kadr build/kadr
 
-Expectations are calculated by hand, on machines/linuxcnc-sim: 200 mm/s, 1000 mm/s², 20,000 mm/s³. A line from rest to rest at the speed v
-takes v/a + a/j longer than by its feed where v ≥ a²/j = 50 mm/s, else 2·√(v/j). Its four phases of jerk, a/j each, lose half of their
-time, 0.1 s (less where the speed is not reached); the rest is lost by the acceleration.
+Expected values are calculated by hand, on machines/linuxcnc-sim: 200 mm/s, 1000 mm/s², 20,000 mm/s³. A line from stop to stop at the
+speed v takes v/a + a/j longer than at its feed where v ≥ a²/j = 50 mm/s, else 2·√(v/j). Its four phases of jerk, a/j each, lose half of
+their time, 0.1 s (less where the speed is not reached); the rest is lost by the acceleration.
 """
 import json
 import re
@@ -61,7 +61,7 @@ class Bench:
         return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=harness.TIME_LIMIT_S)
 
     def svg(self, program, *options):
-        """How often each ink stands in the picture; None: there is none."""
+        """Returns how often each colour occurs in the picture; None if there is no picture."""
         file = self.folder / 'out.svg'
         file.unlink(missing_ok=True)
         done = self.run(program, '-q', *[o.replace('OUT', 'out.svg') for o in options])
@@ -72,7 +72,7 @@ class Bench:
 
 
 def strokes_of(text, ink):
-    """Of groups of strokes, and areas."""
+    """Returns the strokes and areas of a colour."""
     groups = re.findall(rf'<g [^>]*stroke="{ink}"[^>]*>(.*?)</g>', text, re.DOTALL)
     return sum(group.count('<path') for group in groups) + len(re.findall(rf'fill="{ink}"', text))
 
@@ -108,7 +108,7 @@ def tables(bench):
 
 
 def mode(bench):
-    """X200 at 100 mm/s from rest to rest takes 2.15 s, two of it as programmed; `planner`: whose is the machine's time."""
+    """X200 at 100 mm/s from stop to stop takes 2.15 s, two of them as programmed; `planner` decides which time the machine shows."""
     rows = ''.join(f'{axis} = {{ rapid = 12000, acceleration = 1000, jerk = 20000 }}\n' for axis in 'XYZ')
     machine = 'id = "m"\ntool_change = 0\nPLANNER\n[axes]\n' + rows
     for planner, time, other in (('planner = "optimal"', '2.1', 'from programmed'), ('planner = "control"', '2.2', 'from programmed'), ('', '2.0', "Kadr's planner")):
@@ -118,7 +118,7 @@ def mode(bench):
 
 
 def overrides(bench):
-    """100 mm/s along X. The half from the start: twice as long. A feed hold of 1 s; the axes stand meanwhile."""
+    """100 mm/s along X. An override of 50 % from the start: twice as long. A feed hold of 1 s; the axes stop meanwhile."""
     program = 'G61 G21 G90\nG1 X100 F6000\nM30\n'
 
     def samples(*options):
@@ -136,7 +136,7 @@ def overrides(bench):
 
 
 def other_files(bench):
-    """A line of a called file is shown with that file's name and text, not with the program's line of that number."""
+    """A line of a called file is shown with that file's name and text, not with the program's line of the same number."""
     (bench.folder / 'O7000.nc').write_text('%O7000\n(SUB)\nG1 Y200 F6000\nM99\n%\n')
     done = bench.run('%O1\nM98 P7000\nG1 X100 F6000\nM30\n%\n', '--why', '-q', '--lang', 'en', control='nct')
     rows = rows_of(done.stdout)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What goes wrong before a program runs is said in Russian with --lang ru: control, machine and set-up files, called files, files that
-cannot be opened, options.
+"""Tests that faults found before a program runs are reported in Russian with --lang ru: in control, machine and set-up files, called files,
+files that cannot be opened, options.
 
     russian_messages.py --kadr build/kadr
 
-Each input is broken in one way. The first line of the message must hold Russian words and no English sentence: no two Latin words in a
-row, names of keys, functions, files and texts in quotes left out.
+Each input has one fault. The first line of the message must contain Russian words and no English sentence: no two Latin words in a
+row, apart from names of keys, functions, files and quoted texts.
 """
 import argparse
 import os
@@ -206,7 +206,7 @@ def config_files(runs):
 
 
 def files(runs):
-    """Files that are not there, are folders, may not be read; called files that may not be."""
+    """Files that do not exist, are folders, or may not be read; called files that may not be read."""
     (runs.folder / 'folder').mkdir()
     for what in ('none.nc', 'folder', 'p.nc/none.nc', 'x' * 300 + '.nc'):
         runs.say(f'program {what[:20]}', ['run', what, '--control', 'mach3'])

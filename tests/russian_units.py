@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What a command says in Russian has Russian units: no Latin `mm`, `mm/min`, `rev/min`, `s`, `inch` stands beside a number or by itself.
-Every command is run with --lang ru over the examples, every example with a change beside itself (diff); `kadr check` over a share of the
-faulty programs and over programs whose advice tells figures; and all Russian texts of controls/*.toml are read. Words that a person types
-(options, files, JSON, programs) are no sentences, and not looked at.
+"""Tests that a command's Russian output has Russian units: no Latin `mm`, `mm/min`, `rev/min`, `s`, `inch` after a number or alone. Every
+command runs with --lang ru over the examples; `diff` compares each example with a changed copy. `kadr check` runs over a share of the
+faulty programs and over programs whose advice contains figures. All Russian texts of controls/*.toml are read too. Words that a person
+types (options, files, JSON, programs) are not sentences and are not checked.
 
     russian_units.py --kadr PROGRAM [--only 'diff*']
 """
@@ -23,9 +23,9 @@ LATIN = re.compile(rf'(?<![\w.\-/<]){UNITS}(?:/{UNITS}|/s)?(?![\w=³²/])|(?<![\
 STOCK = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')
 DEBUG = 'step\nnext\nwhere\nstate\ncontinue\nquit\n'
 
-EVERY = 8   # of the faulty programs
-WRITTEN_SO = {('alarms.toml', '.contour_unit.hint_ru')}   # units that an SVG file spells
-TOLD_WITH_FIGURES = {   # (control, what is told): the program
+EVERY = 8   # every 8th faulty program
+WRITTEN_SO = {('alarms.toml', '.contour_unit.hint_ru')}   # units as an SVG file writes them
+TOLD_WITH_FIGURES = {   # (control, what the advice is about): the program
     ('fanuc', 'feed_too_large'): 'G21 G90\nG0 X0 Y0 Z5.\nS1000 M3\nG1 Z-1. F150000.\nX10.\nM30\n',
     ('fanuc', 'feed_too_small'): 'G21 G90\nG0 X0 Y0 Z5.\nS1000 M3\nG1 Z-1. F0.5\nX10.\nM30\n',
     ('nct', 'feed_too_large'): 'G21 G90 G95\nG0 X0 Y0 Z5\nS1000 M3\nG1 Z-1 F30\nX10\nM30\n',
@@ -35,7 +35,7 @@ TOLD_WITH_FIGURES = {   # (control, what is told): the program
 
 
 def programs():
-    """(control, path) of the examples."""
+    """Yields (control, path) of the examples."""
     for control in CONTROLS:
         for path in sorted((EXAMPLES / control).glob('*')):
             if path.suffix in PROGRAMS and path.suffix != '.tape':
@@ -43,7 +43,7 @@ def programs():
 
 
 def commands(file, changed, control, setup, folder):
-    """(name, words, more) of each command that tells something in words."""
+    """Yields (name, words, more) of each command that prints sentences."""
     words = ['--control', control, *setup]
     yield 'run', ['run', file, *words, '--max-passes', 2], {}
     yield 'run --why', ['run', file, *words, '--max-passes', 2, '--max-time', 2, '--samples', folder / 's.csv', '--why'], {}
@@ -59,7 +59,7 @@ def commands(file, changed, control, setup, folder):
 
 
 def sentences(text, program):
-    """The lines that are none of the program's, and no data."""
+    """Returns the lines that are neither lines of the program nor data."""
     own = {line.strip() for line in program.splitlines()}
     for line in text.splitlines():
         shown = line.strip()
@@ -99,7 +99,7 @@ def over_checks(kadr, folder, tally):
 
 
 def over_texts(tally):
-    """Of the alarms' file, and of the controls' own texts: what stands under `ru`."""
+    """Checks the texts under `ru` in the alarms' file and in the controls' own files."""
     for path in sorted((harness.ROOT / 'controls').glob('*.toml')):
         def walk(value, where):
             for key, inner in value.items() if isinstance(value, dict) else enumerate(value):

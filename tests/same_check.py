@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What `kadr check` and the page's check say of the same text is the same list: (id, line, column), in the same order. Of the examples and
-of the faulty programs (tests/faulty), each with its set-up where it has one; of what needs words of the command line that a page has not,
-and of a file with several programs, of which a page shows one, nothing is asked.
+"""Tests that `kadr check` and the page's check report the same list for the same text: (id, line, column), in the same order. It covers the
+examples and the faulty programs (tests/faulty), each with its set-up if it has one. Not covered: programs that need options which a page
+does not have, and files with several programs, of which a page shows one.
 
     same_check.py --kadr PROGRAM [--only 'nct/*'] [--every N]
 
-Then the same of each example with a line taken away and with a setting switched off, so that no list is the one that was written for it.
+Each example is also checked with a line removed and with a setting switched off, so that no list can come from an earlier check.
 """
 import fnmatch
 import json
@@ -19,11 +19,11 @@ from page_client.client import Page, Server, result, tally
 from run_faulty import ROOT as FAULTY
 from run_faulty import Expected
 
-EVERY = 5   # of the faulty programs, so that the whole takes some ten seconds of processor time
+EVERY = 5   # every 5th faulty program, so that the test needs some ten seconds of processor time
 
 
 def of_examples():
-    """(name, path, control, its set-up or '')."""
+    """Yields (name, path, control, its set-up or '')."""
     for control in CONTROLS:
         for path in sorted((EXAMPLES / control).glob('*')):
             if path.suffix in PROGRAMS and path.suffix != '.tape':
@@ -45,7 +45,7 @@ def by_command(kadr, file, control, setup):
 
 
 def by_page(page, folder, file, control, setup, text=None):
-    """Of the file's text, or of another that stands in the editor."""
+    """Returns the page's findings for the file's text, or for another text in the editor."""
     beneath = file.relative_to(folder).as_posix()
     opened, _ = page.open(beneath, control=control, **({'setup': str(Path(beneath).parent / setup)} if setup else {}))
     if 'error' in opened:
@@ -55,7 +55,7 @@ def by_page(page, folder, file, control, setup, text=None):
 
 
 def several(file, control):
-    """Programs on one tape, between signs %."""
+    """True if the tape has several programs, between signs %."""
     return control in ('s2c42', 'gost', 'correctors') and file.read_bytes().count(b'%') > 1
 
 
@@ -64,19 +64,19 @@ def compare(kadr, page, folder, name, file, control, setup):
 
 
 def without_a_line(kadr, page, folder, name, file, control, setup):
-    """The editor's text is another one than the file's: a line in the middle of it is missing."""
+    """The editor's text differs from the file's: a line in the middle is missing."""
     lines = file.read_bytes().split(b'\n')
     try:
         text = b'\n'.join(lines[:len(lines) // 2] + lines[len(lines) // 2 + 1:]).decode('utf-8')
     except UnicodeDecodeError:
-        return  # the page's text is always UTF-8, the file's bytes would be others
+        return  # the page's text is always UTF-8, the file's bytes would differ
     shown = by_page(page, folder, file, control, setup, text)
     file.write_text(text, encoding='utf-8', newline='')
     tally.same(f'{name} without a line', shown, by_command(kadr, file, control, setup))
 
 
 def switched_off(kadr, page, folder, name, file, control, setup):
-    """What a set-up disables neither of them tells."""
+    """Neither of them reports what a set-up disables."""
     told = by_command(kadr, file, control, setup)
     if not told:
         return
@@ -88,7 +88,7 @@ def switched_off(kadr, page, folder, name, file, control, setup):
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--only', default='*', help="programs of that name, e.g. 'nct/*'")
-    parser.add_argument('--every', type=int, default=EVERY, help='of the faulty programs every so many')
+    parser.add_argument('--every', type=int, default=EVERY, help='runs every Nth faulty program')
     options = harness.parsed(parser)
     programs = [p for p in [*of_examples(), *list(of_faulty())[::options.every]] if fnmatch.fnmatch(p[0], options.only)]
     if not programs:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve, by its protocol (docs/panel-protocol.md), without a browser: what a page may ask, what is refused, what cannot be broken.
+"""Tests kadr serve by its protocol (docs/panel-protocol.md), without a browser: what a page may request, what is refused, what must not
+break.
 
     serve.py --kadr PROGRAM
 """
@@ -17,10 +18,10 @@ import harness
 from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, seen, vertices
 
 
-# What other tests see.
+# Messages that other tests cover.
 UNSAID = {'event.closed'} | {f'{side}.{do}' for side in ('question', 'answer')
                              for do in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'stops', 'answer', 'watch', 'restart', 'go_there', 'lead',
-                                        'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py say them
+                                        'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py send them
 
 
 def http(server):
@@ -121,7 +122,7 @@ BLOCK = 'box:-10,-10,-10,60,30,0'
 
 
 def part_points(frame):
-    """Of a frame of kind 3: points, tools and lines of them."""
+    """Returns points, tools and lines of a frame of kind 3."""
     kind, which, count, triangles = struct.unpack_from('<4I', frame)
     expect(kind == 3 and which == 0 and len(frame) == 16 + 20 * count + 12 * triangles, 'the size of a frame of the part')
     at = struct.unpack_from(f'<{3 * count}f', frame, 16)
@@ -138,13 +139,13 @@ def cut_by_command(kadr, folder, *more):
 
 
 def cut(page, **more):
-    """The answer to `cut`, and its event."""
+    """Returns the answer to `cut`, and its event."""
     answer = page.ask('cut', wrong=None, **{'stock': BLOCK, 'tools': TOOLS, **more})
     return answer, (None if 'error' in answer else page.until('cut'))
 
 
 def shown(page, instant):
-    """The answer to `part`, and its frame."""
+    """Returns the answer to `part`, and its frame."""
     page.frames = []
     answer = page.ask('part', at=instant)
     return answer, (page.frames[-1] if page.frames else None)
@@ -222,12 +223,12 @@ def the_part(kadr, server, folder):
     _, result = cut(page, stock='box:-1e5,-1e5,-1e5,1e5,1e5,1e5')
     expect('error' not in result and result['resolution'] >= 250, 'a huge blank gets a huge cell')
 
-    # Two at once: one after the other.
+    # Two cuts at once: one runs after the other.
     page.begin('cut', stock=BLOCK, tools=TOOLS)
     page.answer(page.begin('cut', stock=BLOCK, tools=TOOLS))
     expect(page.until('cut')['left'] == wanted['left'] and page.until('cut')['left'] == wanted['left'], 'two cuts, one after the other')
 
-    # A cut in the middle is stopped at once, and the next one works.
+    # A cut that is stopped in the middle ends at once, and the next one works.
     (folder / 'long.nc').write_text('G21 G90\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F500\n' +
                                     ''.join(f'G1 X{n % 50} Y{n // 50 % 20} Z{-2 - n % 7 / 10}\n' for n in range(300_000)) + 'M30\n')
     page.open('long.nc', control='mach3')
@@ -281,11 +282,11 @@ def texts(server):
     expect('error' in page.ask('compare', wrong=True) and 'error' in page.ask('compare', file='../outside.nc'), 'compare: what cannot be')
     comparing = page.begin('compare', file='endless.nc', control='linuxcnc')
     page.begin('stop')
-    expect(page.answer(comparing), 'compare: it is stopped')  # else it has no end
+    expect(page.answer(comparing), 'compare: it is stopped')  # else it never ends
 
 
 def channels(kadr):
-    """A program of several channels: the paths of all, the states of its own."""
+    """A program of several channels: the paths of all channels, and the states of its own."""
     server = Server(kadr, Path(__file__).resolve().parent.parent / 'examples' / 'two-channels')
     page = Page(server)
     page.ask('hello', token=server.token, lang='en')
@@ -301,7 +302,7 @@ def channels(kadr):
 
 
 def turned(point, joint, position):
-    """A point carried by a joint (docs/panel-protocol.md, frames of kind 4)."""
+    """Returns a point moved by a joint (docs/panel-protocol.md, frames of kind 4)."""
     if not joint['turns']:
         return [p + position * d for p, d in zip(point, joint['direction'])]
     angle, k = math.radians(position), joint['direction']
@@ -312,7 +313,7 @@ def turned(point, joint, position):
 
 
 def five_axes(kadr):
-    """Rotary tables: put back onto the machine, the tool's tip is below where X and Y are."""
+    """Rotary tables: transformed back to the machine, the tool's tip is below where X and Y are."""
     server = Server(kadr, Path(__file__).resolve().parent.parent / 'examples' / 'five-axes')
     page = Page(server)
     page.ask('hello', token=server.token, lang='en')
@@ -331,7 +332,7 @@ def five_axes(kadr):
             point = turned(point, joint, position)
         machine = state['machine']
         if abs(machine['A'] - positions[i][0]) > 1e-3 or abs(machine['C'] - positions[i][1]) > 1e-3:
-            continue  # the state is that at the end of its block, which goes on
+            continue  # the state is that at the end of its block, which continues
         expect(math.hypot(point[0] - machine['X'], point[1] - machine['Y']) < 0.01, f'five axes: vertex {i} is at {point} on the machine, the axes at {machine}')
         leant += abs(positions[i][0]) > 1
     expect(leant > 10, f'five axes: only {leant} places with a turned part were looked at')
@@ -339,7 +340,7 @@ def five_axes(kadr):
 
 
 def extents(server, folder):
-    """Of a program with two work offsets: as the picture shows them."""
+    """The extents of a program with two work offsets agree with the picture."""
     (folder / 'two.nc').write_text('G21 G90 F1000\nG10 L2 P2 X100 Y0 Z0\nG54 G1 X10\nG55 X10 Y5\nM2\n')
     page = Page(server)
     page.ask('hello')
@@ -351,7 +352,7 @@ def extents(server, folder):
 
 
 def remembered(server):
-    """A .kadr.toml names the control before a guess does; what is wrong in one is told."""
+    """A .kadr.toml that names the control has priority over a guess; a fault in it is reported."""
     page = Page(server)
     page.ask('hello', token=server.token, lang='en')
     opened, done = page.open('shop/part.nc')
@@ -366,13 +367,13 @@ def remembered(server):
 
 
 def endless(server):
-    """An endless program is stopped at once; other sessions go on meanwhile."""
+    """An endless program is stopped at once; other sessions continue meanwhile."""
     page = Page(server)
     page.ask('hello', token=server.token)
     page.ask('open', file='endless.nc', control='linuxcnc')
     other = Page(server)
     other.ask('hello')
-    expect('entries' in other.ask('files', folder=''), 'another session is answered meanwhile')  # the program has no end
+    expect('entries' in other.ask('files', folder=''), 'another session is answered meanwhile')  # the program never ends
     stop = page.begin('stop')
     expect(page.until('done')['state'] == 'cancelled', 'stop')
     page.answer(stop)
@@ -419,7 +420,7 @@ def main():
         expect('error' in page.ask('hello', token='x') and 'error' in page.ask('files'), 'beyond this machine nothing without the token')
         expect('error' not in Page(remote).ask('hello', token=remote.token), 'with it all')
         remote.end()
-    # All that the schema names has been said, so that nothing stands there that is not.
+    # Every message that the schema names has occurred, so that the schema has no unused definitions.
     named = {name for name in SCHEMA['$defs'] if '.' in name}
     expect(not named - seen - UNSAID, f'of the schema never said: {sorted(named - seen - UNSAID)}')
     return result()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve against what no page does: broken HTTP and WebSocket, floods, connections that go to sleep, programs and set-ups that name
-files beyond the folder, a page that takes nothing off.
+"""Tests kadr serve against hostile clients: broken HTTP and WebSocket, floods, idle connections, programs and set-ups that name
+files outside the folder, a page that does not read what it is sent.
 
     serve_attacks.py --kadr PROGRAM
 """
@@ -21,7 +21,7 @@ SECRET = 'SECRET-7391'
 
 
 def closed(page):
-    """The server ends the connection; what it says before is passed over."""
+    """Checks that the server closes the connection; messages before that are ignored."""
     try:
         while True:
             page.receive()
@@ -30,7 +30,7 @@ def closed(page):
 
 
 def raw(page, first, data, mask=True, length=None):
-    """A frame with that first byte as it is."""
+    """Sends a frame with exactly that first byte."""
     n = len(data) if length is None else length
     head = bytes([first]) + (bytes([n | 0x80 * mask]) if n < 126 else bytes([126 | 0x80 * mask]) + struct.pack('>H', n) if n < 65536
                              else bytes([127 | 0x80 * mask]) + struct.pack('>Q', n))
@@ -47,7 +47,7 @@ def greeted(server, **more):
 
 
 def no_memory_for(page):
-    """A program is not opened, or what grows with it is closed, and either is said."""
+    """Checks that a program is not opened, or that what grows with it is closed, either with a message."""
     page.begin('open', file='long.nc', control='mach3')
     try:
         while True:
@@ -57,11 +57,11 @@ def no_memory_for(page):
             if message is not None and message.get('event') == 'done':
                 return False
     except (ConnectionError, OSError):
-        return False   # without a word
+        return False   # no message
 
 
 def crowded(kadr, folder):
-    """Pages that open a long program and take nothing off: all together hold what they may, and then none gets more."""
+    """Pages that open a long program and do not read: all together use the allowed memory, and then none gets more."""
     (folder / 'long.nc').write_text('F1000\n' + ''.join(f'G1 X{i % 1000} Y{i % 777}\n' for i in range(300_000)))
     server = Server(kadr, folder, '--max-memory', '200')
     pages = []
@@ -83,7 +83,7 @@ def crowded(kadr, folder):
 
 
 def messages(server):
-    """Bad messages are answered, a flood ends the session, and nobody else knows of it."""
+    """Bad messages are answered, a flood ends the session, and other sessions are not affected."""
     good = greeted(server)
     bad = Page(server)
     said = []
@@ -119,7 +119,7 @@ def messages(server):
 
 
 def frames(server):
-    """RFC 6455, as those write it who mean harm."""
+    """RFC 6455 violated on purpose."""
     for name, first, data, more in (
             ('an opcode that is none', 0x83, b'x', {}), ('a control opcode that is none', 0x8B, b'x', {}),
             ('what goes on where nothing has begun', 0x80, b'x', {}), ('a reserved bit', 0xC1, b'{}', {}), ('no mask', 0x81, b'{}', {'mask': False}),
@@ -176,7 +176,7 @@ def requests(server):
 
 
 def shown_out(one):
-    """The server has closed that connection."""
+    """True if the server has closed that connection."""
     one.setblocking(False)
     try:
         return one.recv(1) == b''
@@ -187,7 +187,7 @@ def shown_out(one):
 
 
 def sleepers(server):
-    """Connections that say nothing, or one byte a second, keep nobody out, and do not stay."""
+    """Connections that send nothing, or one byte a second, block nobody, and are closed."""
     asleep = [socket.create_connection(('127.0.0.1', server.port)) for _ in range(100)]
     for one in asleep[50:]:
         one.sendall(b'GET / HT')
@@ -214,7 +214,7 @@ def sleepers(server):
 
 
 def beyond(server, above, folder):
-    """What programs, set-ups and control files name is read beneath the folder or not at all."""
+    """Files that programs, set-ups and control files name are read inside the folder or not at all."""
     (above / 'outside.nc').write_text(f'O9\n({SECRET})\nG1 X99 F100\nM99\n')
     (above / 'outside.ngc').write_text(f'o<outside> sub\n({SECRET})\nG1 X99 F100\no<outside> endsub\n')
     (above / 'outside.ini').write_text(f'[RS274NGC]\nPARAMETER_FILE = {above}/outside.var\n[{SECRET}\n')
@@ -274,7 +274,7 @@ def beyond(server, above, folder):
 
 
 def bodies_beyond(page, above, inside):
-    """Meshes of a machine's bodies, and what a cut names."""
+    """Meshes of a machine's bodies, and files that a cut names."""
     example = Path(__file__).resolve().parent.parent / 'examples' / 'cut'
     shutil.copy(example / 'step.stl', above / 'outside.stl')
     shutil.copy(example / 'step.stl', inside / 'good.stl')
@@ -293,7 +293,7 @@ def bodies_beyond(page, above, inside):
 
 
 def unread(server):
-    """A page that takes nothing off holds its run, and it can be stopped all the same."""
+    """A page that does not read blocks its own run, which can still be stopped."""
     page = greeted(server)
     page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 16)
     opened = page.begin('open', file='endless.nc', control='linuxcnc')
@@ -302,7 +302,7 @@ def unread(server):
     expect(harness.stands(server.process, 2), 'and is over')
     page.answer(opened)
     before, taken = server.spent(), None
-    while taken is None:  # what had been sent before
+    while taken is None:  # frames that had been sent before
         message = page.take()
         if message is not None and message.get('event') == 'done':
             taken = message

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""kadr serve and messages made by chance of those in fuzz/corpus/page: values of another kind, keys that are missing, bytes that are wrong.
-Each question has one answer, each answer the form of the schema, and the server stands. A short share of what dev/fuzz page does longer.
+"""Tests kadr serve with messages derived at random from those in fuzz/corpus/page: values of other types, missing keys, wrong bytes. Each
+question has one answer, each answer matches the schema, and the server keeps running. This is a short form of what dev/fuzz page does
+longer.
 
     serve_chance.py --kadr PROGRAM [--rounds N] [--seed N]
 """
@@ -25,7 +26,7 @@ FILES = {'part.nc': PROGRAM, 'call.nc': 'M98 P30\nG65 P30 A5\nG83 X5 Y5 Z-5 R2 Q
 
 
 def made_of(question, chance):
-    """The question, its values and keys changed here and there."""
+    """Returns the question with some of its values and keys changed."""
     made = dict(question)
     for key in list(made):
         if key != 'id' and chance.random() < 0.2:
@@ -38,7 +39,7 @@ def made_of(question, chance):
 
 
 def one_session(server, seeds, chance, said):
-    """`said`: gets what is asked."""
+    """`said` collects the questions."""
     page = Page(server)
     page.ask('hello', token=server.token, lang=chance.choice(('en', 'ru')))
     questions = list(chance.choice(seeds))
@@ -54,8 +55,8 @@ def one_session(server, seeds, chance, said):
         page.send(json.dumps(made).encode())
         asked = page.number
         if 'endless' in json.dumps(made) or chance.random() < 0.2:
-            page.begin('stop')  # it is not waited for
-        expect(page.answer(asked)['re'] == asked, f'answered: {made}')  # else the socket's limit ends it
+            page.begin('stop')  # sent without waiting for the answer
+        expect(page.answer(asked)['re'] == asked, f'answered: {made}')  # else the socket's time limit ends it
     if chance.random() < 0.3:
         text = bytearray(json.dumps({**questions[0], 'id': 1}).encode())
         for _ in range(chance.randrange(1, 6)):

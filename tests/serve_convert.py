@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve: a program for another control (convert), and what is saved of it. What kadr convert writes and says is what the page gets, byte
-for byte; it is stopped when nobody wants it any more, and keeps nobody waiting.
+"""Tests kadr serve: a program for another control (convert), and saving it. The page gets what kadr convert writes and reports, byte
+for byte; a conversion is stopped when no page needs it any more, and blocks no page.
 
     serve_convert.py --kadr PROGRAM
 """
@@ -24,7 +24,7 @@ MARK = {'en': '(NOT PROVEN EQUAL: SEE kadr convert)\n', 'ru': '(НЕ ДОКАЗ�
 
 
 def by_command(kadr, folder, question, lang='en'):
-    """What kadr convert makes of the same: its status, program, set-up, what it says."""
+    """Returns the result of kadr convert for the same question: its status, program, set-up, messages."""
     out, setup = folder / 'by_command.out', folder / 'by_command.json'
     words = [kadr, 'convert', question['file'], '--from', question['control'], '--to', question['to'], '--out', out.name, '--setup-out', setup.name, '--lang', lang]
     words += ['--setup', question['setup']] if question.get('setup') else []
@@ -37,7 +37,7 @@ def by_command(kadr, folder, question, lang='en'):
 
 
 def place(one, file):
-    """As the command puts it before the reason."""
+    """Returns the location as the command writes it before the reason."""
     if not one['line']:
         return '' if not one['written_line'] else one['written_line']
     return f'{file}:{one["line"]}' + (f' | {one["written_line"]}' if one['written_line'] else '')
@@ -80,7 +80,7 @@ def same_as_the_command(kadr, page, folder):
 
 
 def places(page, folder):
-    """Of each way that was not taken: the line of the program as it stands there."""
+    """For each method that failed: the line of the program as it is there."""
     lines = (folder / CIRCLE['file']).read_text().splitlines()
     answer = page.ask('convert', **CIRCLE)
     expect([one['as'] for one in answer['tries']][0] == 'as_it_stands' and len(answer['tries']) >= 4 and answer['written'] is None and 'not converted' in answer['text'], f'all ways: {answer}')
@@ -141,7 +141,7 @@ def long_program(lines):
 
 
 def stopped(server, page, folder):
-    """A long one keeps other pages working, is stopped by the question and by a page that goes."""
+    """Other pages work during a long conversion; it is stopped by the question and by closing the page."""
     (folder / 'long.nc').write_text('%\nO0001\nG21 G90 G0 X0. Y0.\n#1=0\nWHILE[#1 LT 1000000]DO1\nG1 X#1 F100.\nX2.\n#1=#1+0.001\nEND1\nM30\n%\n')
     question = {'file': 'long.nc', 'control': 'fanuc', 'to': 'haas'}
     beside = Page(server)

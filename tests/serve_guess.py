@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The page takes a program for the same control as `kadr check FILE` does, and says the same of why: by its text, its name, the files that lie
-beside it, a control file or a .kadr.toml of the folder. The commands are the oracle, tests/guess.py the oracle of those.
+"""Tests that the page guesses the same control as `kadr check FILE` does, and gives the same reason: by the program's text, its name, the
+files next to it, a control file or a .kadr.toml of the folder. The commands are the oracle; tests/guess.py is their oracle.
 
     serve_guess.py --kadr PROGRAM                 the folders of tests/guess.py, tests/guess_cases and examples
     serve_guess.py --kadr PROGRAM --folder PATH   the programs of that folder instead
@@ -15,7 +15,7 @@ import guess
 import harness
 from page_client.client import Page, Server, expect, result
 
-# Beside the folders of tests/guess.py: what a folder may hold that the page must see as the command does, or not at all.
+# Besides the folders of tests/guess.py: folders whose contents the page must treat like the command, or not see at all.
 FOLDERS = [
     {'a.nc': 'G154 P3\nG0 X0.\n', '.b.nc': '$H\nG0 X1\n', 'c.nc': 'G0 X1.5\nG1 Z-2. F100.\n'},
     {'.kadr.toml': '[control_for]\n"a*" = "grbl"\n', 'a.nc': 'G0 X1.5\n', 'b.nc': 'G154 P3\nG0 X0.\n', 'c.nc': 'G0 X1.5\nG1 Z-2. F100.\n'},
@@ -30,14 +30,14 @@ SAID = re.compile(r'(?:looks like (?P<own>\S+) \((?P<mark>.*)\)|perhaps (?P<weak
 
 
 def by_command(kadr, folder, file):
-    """Control and reason; a control that is named has none, and a program of none has no control."""
+    """Returns control and reason; a named control has no reason, and a program of no control has no control."""
     done = subprocess.run([kadr, 'check', file, '--lang', 'en', '--max-blocks', '100'], cwd=folder, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=harness.TIME_LIMIT_S)
     for line in done.stderr.splitlines():
         if found := SAID.match(line.removeprefix('kadr: ').removeprefix(f'{file}: ')):
             control = found['own'] or found['weak'] or found['as'] or found['folder']
             why = found['mark'] or found['little'] or found['beside'] or found['whole']
-            return control, re.sub(r'^as (?:.*/)?([^/]*) is \(', r'as \1 is (', why)   # the page names no folders
+            return control, re.sub(r'^as (?:.*/)?([^/]*) is \(', r'as \1 is (', why)   # the page shows names without folders
         if f'{file}: unknown, no program' in line or f'{file}: a lathe' in line:
             return None, None
     return 'named', ''
@@ -72,7 +72,7 @@ def programs_of(folder):
 
 def main():
     parser = harness.arguments(__doc__)
-    parser.add_argument('--folder', type=Path, help='a folder of programs, in the place of all')
+    parser.add_argument('--folder', type=Path, help='a folder of programs to run instead of all')
     options = harness.parsed(parser)
     if options.folder:
         compare(options.kadr, options.folder.resolve(), programs_of(options.folder))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""kadr serve: programs out of drawings (mill), punched tape out and in (tape), what is saved of them. What the commands kadr mill and kadr tape
-write is what the page gets, byte for byte.
+"""Tests kadr serve: programs from drawings (mill), reading and writing punched tape (tape), and saving them. The page gets what the
+commands kadr mill and kadr tape write, byte for byte.
 
     serve_making.py --kadr PROGRAM
 """
@@ -23,7 +23,7 @@ def command(kadr, folder, *words, **more):
 
 
 def by_command(kadr, folder, question, lang='en'):
-    """What kadr mill makes of the same: program, picture, lines of its summary."""
+    """Returns the result of kadr mill for the same question: program, picture, lines of its summary."""
     words = ['mill', question['task'], question['drawing'], '--control', question['control'], '--output', 'by_command.out', '--plot', 'by_command.svg', '--lang', lang]
     for key, value in question.items():
         if key in ('task', 'drawing', 'control'):
@@ -75,7 +75,7 @@ def refused(page):
         for value in values:
             answer = page.ask('mill', **{**COVER, word: value})
             expect('problem' in answer and answer['word'] == word and answer['problem']['text'], f'{word} {value}: {str(answer)[:120]}')
-    number = page.number + 1  # no JSON
+    number = page.number + 1  # not JSON
     page.number += 1
     page.send(f'{{"id":{number},"do":"mill","drawing":"cover.txt","control":"s2c42","task":"pocket","tool_diameter":NaN,"depth":8}}'.encode())
     message = page.take()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What kadr serve saves: whole or not at all, killed at any moment, on a full disk, by two pages at once; files that vanish or turn into
-something else while they are served.
+"""Tests what kadr serve saves: completely or not at all when killed at any moment, on a full disk, by two pages at once; files that vanish
+or change their type while they are served.
 
     serve_saves.py --kadr PROGRAM
 """
@@ -31,7 +31,7 @@ def text_of(number, size):
 
 
 def killed(kadr, folder):
-    """SIGKILL at random moments of saving: the file is an old text or a new one, whole."""
+    """SIGKILL at random moments of saving: the file is an old text or a new one, complete."""
     chance = random.Random(7)
     file = folder / 'killed.nc'
     file.write_text(text_of(0, 10))
@@ -78,7 +78,8 @@ def two_pages(kadr, folder):
     expect(pages[1].ask('save', file='both.nc', text='(second)\nM30\n', digest=digests[1])['error'].get('changed'), 'the second is told that it was changed')
     expect((folder / 'both.nc').read_text() == '(first)\nM30\n', 'and the first text stands')
     expect((folder / 'both.nc').stat().st_mode & 0o777 == 0o640, 'its mode is what it was')
-    # Both at once, each over what it has seen last: whoever is told that it saved has its text there, or saw the other's.
+    # Both save at once, each over what it has seen last: a page whose save was confirmed has its text there, or the other page
+    # saw it.
     saved = [0, 0]
 
     def hurry(i):
@@ -105,7 +106,7 @@ def two_pages(kadr, folder):
 
 
 def full_disk(kadr, folder):
-    """A disk that is full: told, and the old text stands."""
+    """A full disk: reported, and the old text stays."""
     there = folder / 'small'
     there.mkdir()
     mounted = os.geteuid() == 0 and subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=256k', 'none', there], capture_output=True).returncode == 0

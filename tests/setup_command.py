@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""`kadr setup`, the note that something is stated nowhere, and --tool, --zero, --corrector.
+"""Tests `kadr setup`, the note about values that no set-up states, and --tool, --zero, --corrector.
 
     setup_command.py --kadr build/kadr
 
-A template is what the program uses, worked out by hand; laid beside the program it is itself a set-up that `kadr run` takes. Prints a
-line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+A template lists what the program uses, worked out by hand; used with the program, it is itself a set-up that `kadr run` accepts. Prints
+a line per failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import json
 import subprocess
@@ -15,7 +15,7 @@ from pathlib import Path
 import harness
 
 
-# name, control, program, template without notes, pieces of its notes
+# name, control, program, template without notes, parts of its notes
 TEMPLATES = [
     ('tools from comments', 'mach3',
      '(T1 D8 ENDMILL)\nG21 G90 G54\nT1 M6\nG43 H1 Z50\n/G0 X0\nM3 S1000\nG41 D1 G1 X10 Y10 F100\nX20\nG40 X30\nM1\nM30\n',
@@ -71,7 +71,7 @@ NOTES = [
     ('gost', 'gost', '%\nN1 G90 G55\nN2 M02\n', [], 'G55 (2)'),
 ]
 
-# control, program, options, machine position at the end: what is laid over acts
+# control, program, options, machine position at the end: options override the set-up
 POSITIONS = [
     ('nct', 'G54 G0 X10\nM30\n', ['--zero', 'G54=X-400,Y-250'], {'X': -390, 'Y': 0, 'Z': 0}),
     ('nct', 'G54.1 P2\nG0 X10\nM30\n', ['--zero', 'G54.1P2=X5'], {'X': 15}),
@@ -84,8 +84,9 @@ POSITIONS = [
     ('correctors', '%\nN1 G90 G00 X10. L17\nN2 M02\n', ['--corrector', '17=-0.5'], {'X': 9.5}),
 ]
 
-# name, control, program, lines of the tools file (without the comment behind `#`), and what kadr cut still misses of the first tool
-ASSUMED = 'neither flute_length nor length is given'   # a note: kadr cut takes those of most tools
+# name, control, program, lines of the tools file (without the comment after `#`), and what kadr cut still misses for the first
+# tool
+ASSUMED = 'neither flute_length nor length is given'   # a note: kadr cut assumes usual values
 TOOLS = [
     ('mills and a drill', 'mach3', '(T1 D8 ENDMILL)\n(T2 D=8.5 TAPER=118DEG - DRILL)\nT1 M6\nG1 X1 F100\nT2 M6\nG1 X2\nT3 M6 (BALL R3)\nM30\n',
      ['[[tool]]', 'number = 1', 'kind = "flat"', 'diameter = 8', '[[tool]]', 'number = 2', 'kind = "drill"', 'diameter = 8.5', 'angle = 118',

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Wrong set-ups: each is refused with its place, its key and the nearest right one, in both languages, exit status 2.
+"""Tests wrong set-ups: each is refused with its location, its key and the nearest valid one, in both languages, exit status 2.
 
     setup_refused.py --kadr build/kadr
 
-Each row: control, set-up (text of the file, or options), what stderr must be behind the file's name, in English and in Russian. Prints a
-line per failing row, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+Each row: control, set-up (text of the file, or options), what stderr must contain after the file's name, in English and in Russian.
+Prints a line per failing row, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import subprocess
 import sys
@@ -18,7 +18,7 @@ AXES = {'mach3': 'X, Y, Z, A, B, C', 'nct': 'X, Y, Z', 's2c42': 'X, Y, Z', 'gost
 
 
 def no_axis(key, axis, near=None, there=None):
-    """(English, Russian) of a wrong axis."""
+    """Returns the (English, Russian) message about a wrong axis."""
     return (f"setup key '{key}': no axis '{axis}'; " + (f"did you mean '{near}'?" if near else f'there are {there}'),
             f'ключ «{key}» исходного состояния: нет оси «{axis}»; ' + (f'возможно, «{near}»?' if near else f'есть {there}'))
 
@@ -38,7 +38,7 @@ def must_be(key, en, ru):
 
 # control, set-up, line, (English, Russian)
 FILES = [
-    # issue 15, 2: what passed in silence on nct
+    # issue 15, 2: formerly accepted on nct without a message
     ('nct', '{"work_offsets": {"G54": {"x": -500}}}', 1, no_axis('work_offsets.G54.x', 'x', 'X')),
     ('nct', '{\n "start": {"X": 1,\n           "Q": 2}\n}', 3, no_axis('start.Q', 'Q', there='X, Y, Z')),
     ('nct', '{"work_offsets":\n {"G99": {"X": 1}}}', 2, ("setup key 'work_offsets.G99': no work offset 'G99'; did you mean 'G59'?",
@@ -76,7 +76,7 @@ FILES = [
     ('nct', '{"parameters": {"N0306#NAP": 1}}', 1, must_be('parameters.N0306#NAP', 'named by a bit that it has', 'имя с битом, который у него есть')),
     ('nct', '{"feed": 1,\n "modal": ["G999"]}', 2, ("setup key 'modal': the control nct has no 'G999'",
                                                    'ключ «modal» исходного состояния: у УЧПУ nct нет «G999»')),
-    # its neighbours: the other controls
+    # its relatives: the other controls
     ('s2c42', '{"work_offsets": {"G54": {"X": 1}}}', 1, not_of('work_offsets', 's2c42', 'zeros')),
     ('s2c42', '{"zeros": {"10": {"X": 1}}}', 1, must_be('zeros.10', 'named by a whole number, 1 to 9', 'номер — целое число от 1 до 9')),
     ('s2c42', '{"zeros": {"1": {"x": 1}}}', 1, no_axis('zeros.1.x', 'x', 'X')),

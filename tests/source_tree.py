@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a tree of its own; dev/test_results
-counts what a run of the tests came to, dev/slowest names what took longest.
+"""Tests the rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a temporary tree. Tests also
+that dev/test_results counts the results of a test run, and that dev/slowest names what took longest.
 
     source_tree.py --kadr build/release/kadr
 
@@ -24,13 +24,13 @@ JUNIT = '''<testsuite>
 
 
 def run(*command, folder=None):
-    """Exit status and all that is printed."""
+    """Returns the exit status and all output."""
     done = subprocess.run([str(part) for part in command], cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
 def made_tree(folder, files):
-    """Makes a git checkout with these files, name → bytes, and tracks those whose name does not begin with "new"."""
+    """Creates a git checkout with these files, name → bytes, and tracks those whose name does not begin with "new"."""
     run('git', 'init', '-q', folder)
     for name, content in files.items():
         path = folder / name

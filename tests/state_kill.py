@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""A run with --state is killed (SIGKILL) at random moments; what the file then holds must be the state behind a completed block.
+"""Kills a run with --state (SIGKILL) at random moments; the file must then contain the state after a completed block.
 
-The program counts in #500, writes its double to #501 in the next block, three offsets in one block (G10), and changes tools, each
-change one use of a tool with life. So of the state found:
-    #501 is even and at most 2·#500               two blocks; a run that begins again counts on
-    the three coordinates of G54 are the same     one block, behind the two
-    no tool is lost or doubled                    a change writes two places in one block
-and a run that goes on from there takes it up.
+The program counts in #500, writes its double to #501 in the next block, three offsets in one block (G10), and changes tools; each
+change is one use of a tool with life. So in the state that is found:
+    #501 is even and at most 2·#500               two blocks; a run that starts again continues to count
+    the three coordinates of G54 are the same     one block, after the two
+    no tool is lost or doubled                    a change writes two entries in one block
+and a run that starts from this state accepts it.
 """
 import argparse
 import json
@@ -36,7 +36,7 @@ SETUP = {"tool_table": {str(n): {"T": n, "info": "SENCV", "status": 1, "counter"
 
 
 def state_of(kadr, folder):
-    """Last line of a run of an empty program with the state: what the file holds."""
+    """Returns the last line of a run of an empty program with the state: the contents of the file."""
     empty = folder / "empty.nct"
     empty.write_text("#100=#500\nM30\n")
     done = subprocess.run([kadr, "run", empty, "--control", "nct", "--state", folder / "memory.state", "--trace", "-", "-q"],
@@ -47,12 +47,12 @@ def state_of(kadr, folder):
 
 
 def check(last):
-    """Holds the state against what a completed block leaves; returns #500."""
+    """Checks that the state is one that a completed block leaves; returns #500."""
     count, double = last["variables"].get("#500", 0), last["variables"].get("#501", 0)
     if double % 2 != 0 or double > 2 * count:
         raise AssertionError(f"#500 = {count}, #501 = {double}")
     if count == 0 and "tool_table" not in last["state"]:
-        return 0  # killed before the first block was through
+        return 0  # killed before the first block was complete
     zero = last["state"].get("work_offsets", {}).get("G54", {"X": 0, "Y": 0, "Z": 0})
     if len(set(zero.values())) != 1 or zero["X"] > double / 2:
         raise AssertionError(f"G54 {zero} behind #500 = {count}")
@@ -61,7 +61,7 @@ def check(last):
     if sorted(lying) != [1, 2]:
         raise AssertionError(f"places {places}: a tool is lost or doubled")
     uses = [tools[n]["counter"] for n in ("1", "2")]
-    if not 0 <= uses[0] - uses[1] <= KILLS:  # a run that begins again changes to T1 once more
+    if not 0 <= uses[0] - uses[1] <= KILLS:  # a run that starts again changes to T1 once more
         raise AssertionError(f"uses {uses}, places {places}: not those of completed blocks")
     return count
 
@@ -80,11 +80,11 @@ def main():
         setup.write_text(json.dumps(SETUP))
         begin = time.monotonic()
         (folder / "empty.nct").write_text("M30\n")
-        subprocess.run([kadr, "run", folder / "empty.nct", "--control", "nct", "-q"], capture_output=True)  # how long a start takes here
+        subprocess.run([kadr, "run", folder / "empty.nct", "--control", "nct", "-q"], capture_output=True)  # measures how long a start takes here
         start = time.monotonic() - begin
         before = 0
         for n in range(options.kills):
-            # The set-up goes before the state: given only until something is saved.
+            # The set-up is applied before the state: it counts only until something is saved.
             command = [kadr, "run", program, "--control", "nct", "--state", folder / "memory.state", "-q"]
             run = subprocess.Popen(command + (["--setup", setup] if before == 0 else []), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             time.sleep(choice.uniform(0.005, max(0.06, 2 * start)))

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What stands on a terminal: colours of messages, and that the progress bar leaves nothing behind.
+"""Tests the output on a terminal: colours of messages, and that the progress bar leaves nothing behind.
 
     terminal.py --kadr build/kadr
 
-Kadr runs with a pseudo terminal; what it writes is put on a screen of rows and columns, as a terminal would. Prints a line per failure,
-then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+Kadr runs in a pseudo terminal; the test draws its output on a screen of rows and columns, as a terminal would. Prints a line per
+failure, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import fcntl
 import os
@@ -28,7 +28,7 @@ RED, YELLOW, CYAN, GREEN = '\033[1;31m', '\033[1;33m', '\033[1;36m', '\033[32m'
 
 
 def screen(text, columns):
-    """The rows that the text leaves on a terminal; blanks at their ends do not show."""
+    """Returns the rows that the text leaves on a terminal, without trailing blanks."""
     rows, column = [[]], 0
     for c in re.sub('\033\\[[0-9;]*m', '', text):
         if c == '\n':
@@ -53,7 +53,7 @@ class Terminal:
         self.program, self.folder = program, folder
 
     def run(self, words, env=(), columns=80, interrupt=False, out_too=True):
-        """Status and all that came out; interrupted as soon as a bar is there."""
+        """Returns the status and all output; the run is interrupted as soon as a bar appears."""
         leader, follower = pty.openpty()
         fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack('HHHH', 24, columns, 0, 0))
         surroundings = {k: v for k, v in os.environ.items() if not k.startswith('LC_') and k != 'NO_COLOR'} | {'LANG': 'C', 'TERM': 'xterm'} | dict(env)
@@ -65,7 +65,7 @@ class Terminal:
             if select.select([leader], [], [], 0.1)[0]:
                 try:
                     part = os.read(leader, 65536)
-                except OSError:   # nobody has the other end any more
+                except OSError:   # the other end is closed
                     break
                 if not part:
                     break
@@ -80,9 +80,9 @@ class Terminal:
 
 
 FAULTY = 'G21 G90 G0 X1\nX2 G999\nM30\n'
-WARNED = '#1=ATAN[1]/[2]\nG0 X#1\nM30\n'   # here a division, on a Fanuc control not: a warning
-NOTED = 'G54 G0 X1\nM30\n'            # a work zero that is stated nowhere: a note
-WORK = '+'.join(['SQRT[ABS[SIN[#1]*COS[#1]]]'] * 40)   # so that a second is long before the limit of repeated blocks
+WARNED = '#1=ATAN[1]/[2]\nG0 X#1\nM30\n'   # a division here, but not on a Fanuc control: a warning
+NOTED = 'G54 G0 X1\nM30\n'            # a work offset that no set-up states: a note
+WORK = '+'.join(['SQRT[ABS[SIN[#1]*COS[#1]]]'] * 40)   # so slow that a second passes long before the limit of repeated blocks
 LONG = '%\n' + 'G21 G90 G1 F1000 X0\n#1=0\nN10 #1=#1+1\nG1 X#1 F600\nIF[#1LT{count}*' + f'[1+0*[{WORK}]]]' + 'GOTO10\n{end}\n'
 
 
@@ -157,8 +157,8 @@ def quiet_rows(terminal, program, blocks):
 
 
 def blocks_for(terminal, seconds):
-    """So many that the bar shows: it comes after 0.8 s. They take these seconds of processor time, so at least about as long by the clock, which a
-    busy machine would lengthen for the first run and not for the next."""
+    """Returns enough blocks for the bar to appear, which it does after 0.8 s. They need this many seconds of processor time, so at least as
+    long by the clock, whose time a busy machine could lengthen for the first run only."""
     program, blocks = terminal.folder / 'long.nc', 100_000
     while True:
         program.write_text(LONG.format(count=blocks, end='M30'))

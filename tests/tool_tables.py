@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The checklist against the tools file of a program (docs/checklist.md): which file is taken, for what, and that `kadr check`, the page and the
-report say the same.
+"""Tests the checklist with the tools file of a program (docs/checklist.md): which file is read, for what, and that `kadr check`, the page
+and the report give the same findings.
 
     tool_tables.py --kadr PROGRAM
 """
@@ -32,7 +32,8 @@ def tbl(*tools):
     return ''.join(f'T{t} P{t} D8 ; mill\n' for t in tools)
 
 
-# What: files, more arguments of check, findings of p.nc as (line, id); whether the page and the report, which see no --tools, say the same.
+# Case: files, more arguments of check, findings of p.nc as (line, id); whether the page and the report, which have no --tools,
+# give the same.
 CASES = {
     'no file': ({'p.nc': program(1, 2)}, [], [], True),
     'its own file, all there': ({'p.nc': program(1, 2), 'p.toml': toml(1, 2)}, [], [], True),
@@ -62,7 +63,7 @@ def laid_out(folder, files):
 
 
 def of_page(kadr, folder):
-    """What opening it tells, and what the check of its text does."""
+    """Returns the findings when the page opens the program, and when it checks the text."""
     server = Server(kadr, folder)
     page = Page(server)
     page.ask('hello', token=server.token, lang='en')

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What people type first: `kadr help run`, `kadr version`, `kadr controls fanuc`, `kadr explain` with an alarm as it is printed, without a
-control, by words; and what programs expect: data alone on standard output, silence when the reader has had enough.
+"""Tests what people type first: `kadr help run`, `kadr version`, `kadr controls fanuc`, `kadr explain` with an alarm as it is printed,
+without a control, by words; and what other programs expect: only data on standard output, silence when the reader closes the pipe.
 
     usual_words.py --kadr PROGRAM
 """

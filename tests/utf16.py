@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Programs in UTF-16: each command gives of them what it gives of the same program in UTF-8.
+"""Tests programs in UTF-16: each command gives the same result as for the same program in UTF-8.
 
     utf16.py --kadr build/kadr
 
-With the byte order mark and without, both orders of bytes, from a file and from a pipe; called files; folders; damaged texts.
+Covers texts with and without the byte order mark, both byte orders, from a file and from a pipe; called files; folders; damaged texts.
 """
 import re
 import sys
@@ -35,7 +35,7 @@ class Runs(harness.Kadr):
 
 
 def commands(runs):
-    """One file name, so that messages are equal to the byte."""
+    """One file name, so that messages are equal byte by byte."""
     for title, text in (('program', PROGRAM), ('faulty', FAULTY), ('long', LONG)):
         for command in (('run', 'p.nc', '--trace', '-'), ('run', 'p.nc'), ('check', 'p.nc'), ('check', '--format', 'json', 'p.nc'),
                         ('check', '--lang', 'ru', 'p.nc'), ('setup', 'p.nc')):
@@ -55,7 +55,7 @@ def guessed(runs):
 
 
 def from_a_pipe(runs):
-    """With --control, and where the guess has read the pipe before."""
+    """With --control, and when the guess has read the pipe already."""
     runs.write('p.nc', PROGRAM)
     wanted = runs.run('run', 'p.nc')[:2]
     for form, encoded in {'utf-8': str.encode, **FORMS}.items():
@@ -66,7 +66,7 @@ def from_a_pipe(runs):
 
 
 def named(runs):
-    """--encoding: a text that nobody would guess, all but one line Chinese; the mark decides against the name."""
+    """--encoding: a text that cannot be guessed, all but one line Chinese; a byte order mark overrides the option."""
     text = 'N1 G90 G0 X10\nN2 M30\n(' + '銑削' * 400 + ')\n'
     runs.write('p.nc', text)
     wanted = runs.run('run', 'p.nc', '--control', 'mach3', '--trace', '-')
@@ -79,7 +79,7 @@ def named(runs):
 
 
 def called_files(runs):
-    """nct 14.4: a subprogram by its name, and one of another shop by the O word in its text."""
+    """nct 14.4: a subprogram by its file name, and one from another shop by the O word in its text."""
     main, by_name, by_word = 'G90 G0 X1\nM98 P10\nM98 P77\nM30\n', 'G1 X5 F100 (ход)\nM99\n', 'O0077 (ход)\nG1 X9\nM99\n'
     for form, encoded in {'utf-8': str.encode, **FORMS}.items():
         folder = f'calls-{form}'
@@ -92,7 +92,7 @@ def called_files(runs):
 
 def folders(runs):
     for form, encoded in FORMS.items():
-        runs.write(f'dir-{form}/O1001', encoded(PROGRAM))  # no ending: known by its look
+        runs.write(f'dir-{form}/O1001', encoded(PROGRAM))  # without a file ending: recognized by its contents
         status, out, _ = runs.run('check', f'dir-{form}', '--control', 'mach3')
         runs.expect(f'folder, {form}', (status, b'1 program checked' in out), (0, True))
 
@@ -116,7 +116,7 @@ def several_programs(runs):
 
 
 def damaged(runs):
-    """Half a pair, an odd byte: U+FFFD at its place, never a crash, never silence."""
+    """Half a surrogate pair, an odd byte: U+FFFD in its place, no crash, no silence."""
     runs.write('p.nc', b'\xff\xfe' + 'N1 G0 X1\nN2 M30 '.encode('utf-16-le') + b'\x3d\xd8' + '\nN3 '.encode('utf-16-le') + b'X')
     status, out, err = runs.run('check', 'p.nc', '--control', 'mach3')
     runs.expect('half a pair', (status, b'p.nc:2:8' in out + err), (1, True))

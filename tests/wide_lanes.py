@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""stock/cut/lean_cut_wide.cpp is compiled for processors with AVX2, and shares no function with files that are not.
+"""Checks that stock/cut/lean_cut_wide.cpp is compiled for processors with AVX2, and that it shares no function with other files.
 
     wide_lanes.py --kadr build/release/kadr
 
-Of a function that several objects hold the linker keeps any one. If the wide object held one of them, a processor without AVX2 might be
-given it, and the program would end there. So every such function (a weak symbol) of the wide object names its vector of eight lanes, which
-no other object has.
-Exit status: 0 passed, 1 failed, 2 the object is not there.
+The linker keeps any one copy of a function that several objects contain. If it kept the copy of the wide object, a processor without
+AVX2 could execute it and crash. So every such function (a weak symbol) of the wide object has its vector type of eight lanes in its
+name, which no other object has. Exit status: 0 passed, 1 failed, 2 the object does not exist.
 """
 import argparse
 import re
@@ -18,7 +17,7 @@ OBJECT = 'src/CMakeFiles/kadr_stock.dir/stock/cut/lean_cut_wide.cpp.o'
 
 
 def weak_symbols(object_file):
-    """The demangled names of functions and data that other objects may hold as well."""
+    """Returns the demangled names of functions and data that other objects may contain as well."""
     listed = subprocess.run(['nm', '-C', str(object_file)], check=True, capture_output=True, text=True).stdout
     return [match[1] for match in re.finditer(r'^[0-9a-f]+ [WVu] (.*)$', listed, re.M)]
 

@@ -1,4 +1,4 @@
-// The page is one folder of files without names of versions in them: the server embeds it as the control files are.
+// The page is one folder of files without version hashes in their names: the server embeds it like the control files.
 import { defineConfig } from "vite";
 import { notices } from "./bundling/notices";
 
@@ -8,7 +8,7 @@ export default defineConfig({
   build: {
     target: "es2022",
     outDir: "dist",
-    assetsInlineLimit: 0, // nothing by data: address: the page's policy of content forbids it
+    assetsInlineLimit: 0, // no data: addresses: the page's content security policy forbids them
     chunkSizeWarningLimit: 2000,
     rollupOptions: {
       output: { entryFileNames: "page.js", chunkFileNames: "[name].js", assetFileNames: "[name][extname]" },

@@ -10,7 +10,7 @@ export default defineConfig({
   build: {
     target: "es2022",
     outDir: "report",
-    emptyOutDir: false, // the list of the page's packages is there already
+    emptyOutDir: false, // keeps the list of the page's packages, which exists already
     modulePreload: false,
     cssCodeSplit: false,
     assetsInlineLimit: 0,

@@ -1,5 +1,5 @@
-# cmake -DROOT=… -DVERSION_H=… -DTO=… -P headers.cmake: the headers of include/kadr/, and all of src/ that they include, into the folder TO.
-# `#include "room/file.h"` becomes the way from the header that says it.
+# cmake -DROOT=… -DVERSION_H=… -DTO=… -P headers.cmake: copies the headers of include/kadr/, and all headers of src/ that they include,
+# into the folder TO. `#include "room/file.h"` becomes a path relative to the including header.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${TO})
 file(GLOB open RELATIVE ${ROOT}/include/kadr ${ROOT}/include/kadr/*.h)

@@ -1,4 +1,4 @@
-"""Kadr: part programs of CNC controls, run as one particular control would.
+"""Kadr runs part programs of CNC controls, each as one particular control would run it.
 
 >>> import kadr
 >>> session = kadr.Session('part.nc', control='nct').run()
@@ -16,10 +16,10 @@ __all__ = ['Alarm', 'Block', 'Error', 'Finding', 'Kind', 'Motion', 'Picture', 'P
 
 
 def controls() -> list[str]:
-    """Ids of the built-in controls."""
+    """Returns the ids of the built-in controls."""
     return _kadr.controls()
 
 
 def machines() -> list[str]:
-    """Ids of the built-in machines."""
+    """Returns the ids of the built-in machines."""
     return _kadr.machines()

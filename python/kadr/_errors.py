@@ -1,4 +1,4 @@
-"""What can go wrong, and what is found in a program."""
+"""The exceptions of this package, and the findings in a program that they carry."""
 from __future__ import annotations
 
 from dataclasses import dataclass, field
@@ -7,7 +7,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Finding:
-    """An alarm, a warning or a note with its place in the program."""
+    """An alarm, a warning or a note, with its location in the program."""
 
     id: str
     """Name of the fault, the same in every language: ``radius_mismatch``."""
@@ -36,11 +36,11 @@ class Finding:
 
 
 class Error(Exception):
-    """What was asked for cannot be done: no such control, a wrong set-up, …"""
+    """A request that cannot be fulfilled: an unknown control, a wrong set-up, …"""
 
 
 class Alarm(Error):
-    """The program was stopped by an alarm, as the control would have stopped it."""
+    """An alarm stopped the program, as it would have stopped on the control."""
 
     def __init__(self, finding: Finding) -> None:
         super().__init__(finding)
@@ -51,35 +51,35 @@ class Alarm(Error):
 
     @property
     def id(self) -> str:
-        """Name of the fault: ``radius_mismatch``."""
+        """Name of the fault, for example ``radius_mismatch``."""
         return self.finding.id
 
     @property
     def text(self) -> str:
-        """What the operator would read."""
+        """The message that the operator would read."""
         return self.finding.text
 
     @property
     def hint(self) -> str:
-        """What to do about it; may be empty."""
+        """Advice on how to correct the fault; may be empty."""
         return self.finding.hint
 
     @property
     def file(self) -> str:
-        """The file that the line stands in."""
+        """The file that contains the line."""
         return self.finding.file
 
     @property
     def line(self) -> int:
-        """From 1; 0: at no place."""
+        """Line number, from 1; 0 if the finding has no location."""
         return self.finding.line
 
     @property
     def column(self) -> int:
-        """In characters, from 1."""
+        """Column in characters, from 1."""
         return self.finding.column
 
 
 def alarm_of(fields: dict[str, Any]) -> Alarm:
-    """From what the extension tells."""
+    """Creates an ``Alarm`` from the fields that the extension reports."""
     return Alarm(Finding(**fields))

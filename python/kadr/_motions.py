@@ -1,4 +1,4 @@
-"""Motions as rows: the fields of src/motion_rows.h."""
+"""Motions as rows; the fields are those of src/motion_rows.h."""
 from __future__ import annotations
 
 import struct
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Kind(IntEnum):
-    """What a motion is."""
+    """The type of a motion."""
 
     RAPID = 0
     FEED = 1
@@ -23,7 +23,7 @@ class Kind(IntEnum):
 
 
 class Motion(NamedTuple):
-    """One motion. Lengths mm, angles degrees, times s, feed mm/min; the axes in the order of ``Session.axes``."""
+    """One motion. Lengths in mm, angles in degrees, times in s, feed in mm/min; axis values are in the order of ``Session.axes``."""
 
     begins: float
     seconds: float
@@ -47,16 +47,16 @@ _HEAD = '7dIiIHBB'   # without padding: 72 bytes
 
 
 def numpy_there() -> Any:
-    """numpy, or why it is needed."""
+    """Returns numpy; raises an error that explains why it is needed if it is not installed."""
     try:
         import numpy
-    except ModuleNotFoundError:  # another error of the import is numpy's own to tell
+    except ModuleNotFoundError:  # any other import error is reported by numpy itself
         raise ImportError('arrays need numpy (Debian: python3-numpy); without it: Session.moves()') from None
     return numpy
 
 
 def array_of(rows: bytearray, axes: int) -> npt.NDArray[np.void]:
-    """A structured array."""
+    """Converts the rows to a structured array."""
     numpy = numpy_there()
     axis = ('f8', (axes,))
     fields = [('begins', 'f8'), ('seconds', 'f8'), ('length', 'f8'), ('feed', 'f8'), ('center', 'f8', (2,)), ('turns', 'f8'), ('line', 'u4'),
@@ -66,7 +66,7 @@ def array_of(rows: bytearray, axes: int) -> npt.NDArray[np.void]:
 
 
 def moves_of(rows: bytearray, axes: int) -> Iterator[Motion]:
-    """One by one, without numpy."""
+    """Yields the motions one by one, without numpy."""
     for row in struct.iter_unpack(f'={_HEAD}{4 * axes}d', rows):
         begins, seconds, length, feed, x, y, turns, line, block, tool, file, kind, channel = row[:13]
         start, to, machine_start, machine_to = (tuple(row[13 + i * axes:13 + (i + 1) * axes]) for i in range(4))

@@ -1,4 +1,4 @@
-"""Session: a program being run."""
+"""Session: a program that is being run."""
 from __future__ import annotations
 
 import json
@@ -18,7 +18,7 @@ Program = Union[str, bytes, 'os.PathLike[str]']
 
 
 class Block(NamedTuple):
-    """A block by its place."""
+    """A block and its location in the program."""
 
     file: str
     line: int
@@ -29,7 +29,7 @@ class Block(NamedTuple):
 
 
 class PlannedTime(NamedTuple):
-    """Seconds by the planner of least time, by what they are spent on."""
+    """Seconds computed by the minimum-time planner, by what they are spent on."""
 
     cutting: float
     rapid: float
@@ -38,31 +38,31 @@ class PlannedTime(NamedTuple):
 
     @property
     def total(self) -> float:
-        """All of them."""
+        """The sum of all parts."""
         return self.cutting + self.rapid + self.dwell + self.tool_change
 
 
 class Snapshot:
-    """All that decides how a session goes on. A value: it may be restored as often as wanted."""
+    """Everything that decides how a session continues. It is a value: it can be restored any number of times."""
 
     def __init__(self, kept: _kadr.Kept) -> None:
         self._kept = kept
 
 
 class Picture(str):
-    """A picture as SVG text; a notebook shows it."""
+    """A picture as SVG text; a notebook displays it."""
 
     def _repr_svg_(self) -> str:
         return str(self)
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes it."""
+        """Writes the picture to a file."""
         with open(file, 'w', encoding='utf-8') as to:
             to.write(self)
 
 
 def _program(program: Program) -> tuple[bytes, Optional[bytes]]:
-    """The file's name and the text, if it is one."""
+    """Returns the file name and, if the program was given as text, the text."""
     if isinstance(program, bytes):
         return b'<text>', program
     if isinstance(program, str):
@@ -75,7 +75,7 @@ def _program(program: Program) -> tuple[bytes, Optional[bytes]]:
 
 
 def _setup(setup: Union[Mapping[str, Any], str, os.PathLike[str], None]) -> tuple[bytes, str]:
-    """The file's name, or the text."""
+    """Returns the file name, or the text of the set-up."""
     if setup is None:
         return b'', ''
     if isinstance(setup, (str, os.PathLike)):
@@ -88,20 +88,20 @@ def _setup(setup: Union[Mapping[str, Any], str, os.PathLike[str], None]) -> tupl
 
 
 class Session:
-    """A program being run as one particular control would.
+    """A program that is run as one particular control would run it.
 
     program
         the path of a file; or text: ``bytes``, or a ``str`` of more than one line
     control
-        id of a control (``kadr.controls()``), or a file that ends with ``.toml``; None: guessed by the program's text
+        id of a control (``kadr.controls()``), or a file that ends with ``.toml``; None: guessed from the text of the program
     machine
         id of a machine (``kadr.machines()``), or a file that ends with ``.toml``
     setup
         the state before the start (docs/setup.md): a dict, or the path of a JSON file
     lang
-        ``en`` or ``ru``: of the alarms' texts
+        ``en`` or ``ru``: the language of alarm texts
     max_motions
-        more than these a session does not keep: ``Error``
+        the most motions that a session keeps; a program with more raises ``Error``
 
     >>> session = kadr.Session('part.nc', setup={'work_offsets': {'G54': {'X': 100}}})
     >>> session.run().motions()['to']
@@ -120,56 +120,56 @@ class Session:
         self._most = max_motions
         self._run = _kadr.Run(self._spec, max_motions)
 
-    # ---- going on
+    # ---- running
 
     def run(self) -> Session:
-        """Runs to the end of the program; raises the ``Alarm`` that stops it. Returns itself."""
+        """Runs to the end of the program. Raises the ``Alarm`` that stops the program; otherwise returns the session itself."""
         self._run.run()
         return self
 
     def step(self) -> Optional[Block]:
-        """Carries the next block out and stands before the one after it. Returns the block; None: the program is at its end."""
+        """Executes the next block and stops before the one after it. Returns the executed block, or None at the end of the program."""
         place = self._run.step()
         return None if place is None else Block(*place)
 
     def __iter__(self) -> Iterator[Block]:
-        """Block by block: ``for block in session: …``"""
+        """Runs block by block: ``for block in session: …``"""
         while (block := self.step()) is not None:
             yield block
 
     def snapshot(self) -> Snapshot:
-        """All that decides how it goes on."""
+        """Saves everything that decides how the session continues."""
         return Snapshot(self._run.snapshot())
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Goes on from there, as if it had just come there. The snapshot may be of a ``fork()``."""
+        """Continues from a snapshot as if the session had just reached it. The snapshot may come from a ``fork()``."""
         self._run.restore(snapshot._kept)
 
     def fork(self) -> Session:
-        """Another session of the same program, control, machine and set-up, that stands where this one stands."""
+        """Returns another session of the same program, control, machine and set-up, in the same state as this one."""
         other = object.__new__(Session)
         other._spec, other._most = self._spec, self._most
         other._run = _kadr.Run(self._spec, self._most)
         other._run.restore(self._run.snapshot())
         return other
 
-    # ---- what is so far
+    # ---- results so far
 
     def motions(self) -> npt.NDArray[np.void]:
-        """The motions so far as a numpy structured array, a row each.
+        """The motions so far as a numpy structured array, one row each.
 
-        begins, seconds (s, by programmed feeds), length (mm), feed (mm/min, 0: rapid), center and turns (of an arc), line, block (-1: no
-        number), tool, file (index into ``files``), kind (``Kind``), channel; start, to (work coordinates), machine_start, machine_to: a
-        value of each axis, in the order of ``axes``, mm or degrees.
+        Fields: begins, seconds (s, by programmed feeds), length (mm), feed (mm/min; 0: rapid), center and turns (of an arc), line, block
+        (-1: no number), tool, file (index into ``files``), kind (``Kind``), channel; start, to (work coordinates), machine_start,
+        machine_to: one value per axis, in the order of ``axes``, in mm or degrees.
         """
         return array_of(self._run.rows(), len(self.axes))
 
     def moves(self) -> Iterator[Motion]:
-        """The same one by one, without numpy."""
+        """Yields the same motions one by one, without numpy."""
         return moves_of(self._run.rows(), len(self.axes))
 
     def evaluate(self, expression: str) -> float:
-        """The value of an expression, written as the program would write it, now: ``#100 + 1``, ``R2``."""
+        """Returns the current value of an expression in the syntax of the program: ``#100 + 1``, ``R2``."""
         return self._run.evaluate(expression)
 
     @property
@@ -179,7 +179,7 @@ class Session:
 
     @property
     def next(self) -> Optional[Block]:
-        """The block before which it stands, after ``step()``."""
+        """The block that ``step()`` executes next."""
         place = self._run.next
         return None if place is None else Block(*place)
 
@@ -190,42 +190,42 @@ class Session:
 
     @property
     def position(self) -> dict[str, float]:
-        """Where the tool stands, work coordinates."""
+        """Position of the tool, in work coordinates."""
         return self._run.position(machine=False)
 
     @property
     def machine_position(self) -> dict[str, float]:
-        """Where the axes stand, machine coordinates."""
+        """Positions of the axes, in machine coordinates."""
         return self._run.position(machine=True)
 
     @property
     def seconds(self) -> float:
-        """Virtual time so far, by programmed feeds and rapid rates."""
+        """Virtual time so far, in s, by programmed feeds and rapid rates."""
         return self._run.seconds
 
     @property
     def variables(self) -> dict[str, float]:
-        """All that are set: ``#100``, ``R2``."""
+        """All variables that have a value: ``#100``, ``R2``."""
         return self._run.variables()
 
     @property
     def modal(self) -> list[str]:
-        """Codes in force."""
+        """The modal codes in force."""
         return self._run.modal()
 
     @property
     def warnings(self) -> list[Finding]:
-        """What was warned of so far, the first thousand."""
+        """The warnings so far; at most the first thousand."""
         return [Finding(**fields) for fields in self._run.warnings()]
 
     @property
     def files(self) -> list[str]:
-        """The program's file and those that it called so far, by ``file`` of a motion."""
+        """The program's file and the files it has called so far; ``file`` of a motion is an index into this list."""
         return self._run.files()
 
     @property
     def control(self) -> str:
-        """Id of the control, guessed or named."""
+        """Id of the control, guessed or given."""
         return self._spec.control
 
     @property
@@ -233,26 +233,28 @@ class Session:
         """Id of the machine."""
         return self._spec.machine
 
-    # ---- of the whole program: by a way through it of their own; this session stays where it is
+    # ---- whole program: each of these runs the program separately; the state of this session does not change
 
     def check(self) -> list[Finding]:
-        """Every fault of the program, each once; it goes on after each. Empty: there is none."""
+        """Returns every fault of the program, each once; the check continues after each fault. Empty if there is none."""
         return [Finding(**fields) for fields in self._spec.check()]
 
     def plot(self) -> Picture:
-        """The path as SVG; where an alarm stops the program, up to there."""
+        """Draws the path as SVG; if an alarm stops the program, the path ends there."""
         return Picture(self._spec.picture('.svg').decode())
 
     def png(self) -> bytes:
-        """The same as PNG; needs libcairo."""
+        """Draws the path as PNG; needs libcairo."""
         return self._spec.picture('.png')
 
     def _repr_svg_(self) -> str:
         return self.plot()
 
     def samples(self, rate: float = 1000, max_seconds: float = 3600) -> npt.NDArray[np.void]:
-        """The axes in the least time that the machine's limits allow (docs/planner.md), ``rate`` times a second: a numpy structured array
-        with the fields t (s) and each axis (machine coordinates). A motion longer than ``max_seconds`` is an ``Alarm``."""
+        """Samples the axes along the minimum-time motion within the machine's limits (docs/planner.md), ``rate`` times a second.
+
+        Returns a numpy structured array with the fields t (s) and each axis (machine coordinates). A motion longer than ``max_seconds``
+        raises an ``Alarm``."""
         if not 1 <= rate <= 100_000:
             raise ValueError('rate: 1 … 100000 Hz')
         if not max_seconds > 0:
@@ -262,7 +264,7 @@ class Session:
         return numpy.frombuffer(rows, dtype=numpy.dtype([(name, 'f8') for name in ['t', *axes]]))
 
     def planned(self) -> PlannedTime:
-        """The time of the program by the planner of least time."""
+        """Returns the duration of the program by the minimum-time planner."""
         return PlannedTime(**self._spec.axes_in_time(0, 0)[2])
 
     def __repr__(self) -> str:

@@ -1,25 +1,26 @@
-"""Reads tests/cases/CONTROL/TOPIC.cases: cases in the words of tests/golden/README.md, as a programmer reads a manual's example.
+"""Reads tests/cases/CONTROL/TOPIC.cases: cases with the keys of tests/golden/README.md, written like the examples of a manual.
 
     == turn-single-block | 19.B | inferred            id | source | basis; the control is the folder
     Single block stops after each pass                title
     derivation one stop a place                       how the expected figures follow
     setup {"start": {"X": 50, "Z": 10}, …}            JSON; left out if empty
         G74.7 R0                                      the program: lines indented by four blanks,
-        G74.7 X44 Z5 P6 Q5   -> feed Z5 -> rapid Z10  behind -> what they do, in the order of the text
+        G74.7 X44 Z5 P6 Q5   -> feed Z5 -> rapid Z10  after ->: their actions, in the order of the text
                              -> stop single_block
-    then feed Z5 -> rapid Z10                         actions that stand beside no line: loops, subprograms; `then nothing` = none at all
+    then feed Z5 -> rapid Z10                         actions not tied to a line: loops, subprograms; `then nothing` = none at all
     end X44 Z5                                        the keys of `expect`: the run as a whole
     variables #100=5 #101=vacant
     alarm 2012 line 2 text "…"                        alarm any_number: no number is stated; alarm none; alarm not_judged
 
-An action: what it does (`motion` = any motion), the end point's words (X2=5 for a name of several characters), then its other keys
-with their values: `arc_ccw X0 Y10 center X0 Y0 turns 0.25`; shortly `dwell 2`, `spindle cw rpm 500`, `tool 5`, `m M70`, `stop single_block`.
-JSON strings, lists and objects may stand for any value.
-`why TEXT`: cannot be run. `notes TEXT`. `subset`, `open`, `unordered`, `optional`, `loose` have no value.
+An action: its type (`motion` = any motion), the end point's words (X2=5 for a name of several characters), then its other keys
+with their values: `arc_ccw X0 Y10 center X0 Y0 turns 0.25`; shortly `dwell 2`, `spindle cw rpm 500`, `tool 5`, `m M70`, `stop
+single_block`.
+Any value may be a JSON string, list or object.
+`why TEXT`: the case cannot be run, for this reason. `notes TEXT`. `subset`, `open`, `unordered`, `optional`, `loose` have no value.
 `file NAME`, `channel N`: the indented lines that follow are that file of the program memory, the program of that channel.
-`-- NAME`: a variant; what stands below replaces what stands above.
-A program's line that is empty, ends in a blank, holds a tab, … is written as a JSON string. `| ` continues the keyed line before it.
-A line that begins with # and a blank is a remark.
+`-- NAME`: a variant; the lines below it replace those above.
+A program line that is empty, ends in a blank, contains a tab, … is written as a JSON string. `| ` continues the keyed line before it.
+A line that begins with # and a blank is a comment.
 """
 import json
 import re
@@ -37,7 +38,7 @@ VALUES = ('block', 'line', 'plane', 'turns', 'length', 'feed', 'unit', 'feed_max
           'reason', 'channels', 'at', 'torque', 'master', 'slave', 'ratio', 'phase', 'note')
 MARKS = ('optional', 'loose')
 AT_ONCE = {'m': 'code', 'sync': 'code', 'stop': 'reason', 'spindle': 'dir', 'tool': 'tool', 'toolchange': 'tool', 'dwell': 'seconds',
-           'message': 'text'}                          # the key whose value may stand at once behind the action: `dwell 2`
+           'message': 'text'}                          # the key whose value may follow the type of the action directly: `dwell 2`
 OF_ALARM = ('line', 'block', 'text', 'text_en', 'text_ru')
 NUMBER = r'-?(?:\d+\.?\d*|\.\d+)(?:e-?\d+)?'
 WORD = re.compile(rf'([A-Z])({NUMBER})|([A-Z][A-Z0-9]*)=({NUMBER})')
@@ -45,7 +46,7 @@ CONTROL_CHARACTER = re.compile(r'[\x00-\x1f\x7f]')
 
 
 class Unreadable(Exception):
-    """What is wrong with a line."""
+    """A line that cannot be read; the message names the fault."""
 
 
 # ---------------------------------------------------------------- values
@@ -75,7 +76,7 @@ def number_of(text):
 
 
 def tokens_of(text):
-    """(bare, text) of each word, (json, value) of each JSON string, list or object."""
+    """Returns the (bare, text) pairs of words and the (json, value) pairs of JSON strings, lists and objects."""
     at, tokens = 0, []
     while at < len(text):
         if text[at] == ' ':
@@ -103,7 +104,7 @@ def value_of(token):
 
 
 def keyed(tokens, points=(), values=(), marks=(), first=None):
-    """A table of `key value`, points as words; words before any key belong to `first`."""
+    """Reads `key value` pairs, with points as words, into a dict; words before any key are added to `first`."""
     table, here, left = {}, first, list(tokens)
     while left:
         kind, text = left.pop(0)
@@ -136,7 +137,7 @@ def action_of(tokens):
 
 
 def actions_of(text):
-    """`feed Z5 -> rapid Z10`"""
+    """Reads a line of actions: `feed Z5 -> rapid Z10`."""
     parts = [[]]
     for token in tokens_of(text):
         if token == ('bare', ARROW):
@@ -180,7 +181,7 @@ def expected(key, text):
 
 
 def program_line(line):
-    """(text of the program, text of the actions or None) of an indented line."""
+    """Splits an indented line into (text of the program, text of the actions or None)."""
     body = line[len(INDENT):]
     if body.startswith('"'):
         try:
@@ -202,7 +203,7 @@ def program_line(line):
 # ---------------------------------------------------------------- a case
 
 class Part:
-    """A case or a variant while its lines are read."""
+    """A case or a variant while its lines are being read."""
 
     def __init__(self):
         self.keys, self.setup, self.expect = {}, None, {}
@@ -210,7 +211,7 @@ class Part:
         self.into = 'program'
 
     def line(self, line):
-        """A line that is not empty: indented, or with a key."""
+        """Reads a line that is not empty: indented, or with a key."""
         if line.startswith(INDENT):
             self.indented(line)
             return
@@ -247,7 +248,7 @@ class Part:
             self.expect.setdefault('trace', []).extend(actions_of(actions))
 
     def whole(self):
-        """The dict of the keys that are present."""
+        """Returns the dict of the keys that are present."""
         setup = self.setup
         for into, lines in self.texts.items():
             if into == 'program':
@@ -265,7 +266,7 @@ class Part:
 
 
 def case_of(control, head, lines):
-    """The dict of a case; `lines` are (number, line); errors get the number of the line."""
+    """Returns the dict of a case; `lines` are (number, line) pairs; errors carry the number of the line."""
     names = [name.strip() for name in head[1][2:].split('|')]
     if len(names) != 3 or not all(names):
         raise Unreadable(f'{head[0]}: a case begins with == ID | SOURCE | BASIS')
@@ -294,7 +295,7 @@ def case_of(control, head, lines):
 
 
 def logical_lines(text):
-    """(number, line) without remarks and empty lines; continuations are joined to what they continue."""
+    """Yields (number, line) without comments and empty lines; continuation lines are joined to the line they continue."""
     lines = []
     for number, line in enumerate(text.split('\n'), 1):
         if line.startswith('| ') and lines and not lines[-1][1].startswith(INDENT):
@@ -305,7 +306,7 @@ def logical_lines(text):
 
 
 def read_text(text, control):
-    """([(number of the line, case)], [faults 'LINE: …'])"""
+    """Returns ([(line number, case)], [faults 'LINE: …'])."""
     blocks, faults, cases = [], [], []
     for number, line in logical_lines(text):
         if line.startswith('=='):
@@ -325,7 +326,7 @@ def read_text(text, control):
 
 
 def read_all(folder=CASES):
-    """([(FILE:LINE, case)], [faults 'FILE:LINE: …']) of all files below the folder."""
+    """Returns ([(FILE:LINE, case)], [faults 'FILE:LINE: …']) of all files below the folder."""
     cases, faults, known = [], [], {}
     for file in sorted(Path(folder).rglob('*.cases')):
         where = file.relative_to(folder)
@@ -344,7 +345,7 @@ def read_all(folder=CASES):
 
 
 def cases():
-    """The dicts of all our cases, for runners that want their programs; a file that cannot be read is run_cases.py's to tell."""
+    """Returns the dicts of all our cases, for runners that use their programs; run_cases.py reports files that cannot be read."""
     read, faults = read_all()
     if faults:
         raise SystemExit('\n'.join(faults))

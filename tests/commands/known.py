@@ -1,4 +1,5 @@
-"""What is known to be wrong, with the reason. It does not fail tests/every_command.py, and fails it once it is mended: then its row goes."""
+"""Faults that are known and open, with the reason. They do not fail tests/every_command.py. Once one is fixed the test fails, so that its
+row is removed."""
 import collections
 import dataclasses
 import fnmatch
@@ -9,8 +10,8 @@ import harness
 
 @dataclasses.dataclass
 class Open:
-    check: str | list   # the checks that find it, by their names (fnmatch): one pattern or several
-    fault: str          # what they say of it (a regular expression)
+    check: str | list   # the checks that find it, by name (fnmatch): one pattern or several
+    fault: str          # the message that the checks report (a regular expression)
     why: str
 
     def finds(self, what):
@@ -21,7 +22,7 @@ OPEN = {}   # name → Open
 
 
 class Tally(harness.Tally):
-    """Counts the checks; what OPEN names is counted by its row."""
+    """Counts the checks; a check that OPEN names is counted under its row."""
 
     def __init__(self, tell_open=False):
         super().__init__()

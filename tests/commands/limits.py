@@ -1,6 +1,6 @@
-"""Every command where something is short: threads, memory, open files, room on the disk, a reader, time. For tests/every_command.py.
+"""Runs every command where a resource is short: threads, memory, open files, disk space, a reader, time. Used by tests/every_command.py.
 
-Each function of LIMITS gives pairs of what it looks at and what is wrong there; it has a folder of its own."""
+Each function of LIMITS yields pairs of the checked subject and its faults; each has a folder of its own."""
 import itertools
 import os
 import resource
@@ -14,19 +14,19 @@ import harness
 from commands.observed import STATUSES, text
 from commands.programs import CUT, EXAMPLES, TOOLS
 
-SHORT_OF = {   # a handful: cycles, subprograms, macros, Russian letters; and a tape
+SHORT_OF = {   # a few programs with canned cycles, subprograms, macros, Russian letters; and a tape
     'mach3/bolt_circle.tap': 'mach3', 's2c42/flange.nc': 's2c42', 'fanuc/flange_taps.nc': 'fanuc', 'haas/local_subprogram.nc': 'haas', 's2c42/flange.tape': 's2c42'}
-CUT_MORE = ('--stock', 'box:-60,-60,-20,60,60,0', '--resolution', '1', '--threads', '8')   # so many on every machine
+CUT_MORE = ('--stock', 'box:-60,-60,-20,60,60,0', '--resolution', '1', '--threads', '8')   # added to `cut` for every machine
 ENDLESS = 'F1000\nG1 X#1\n#1=[1-#1]\nM99\n'   # mach3
 FOR_EVER = ('--max-passes', '1000000000', '--max-blocks', '1000000000000')
-MOST_S = 2.0                # of processor time behind a signal
-MOST_READ = 128 << 20       # bytes of address space, for a program that has no end
+MOST_S = 2.0                # s of processor time after a signal
+MOST_READ = 128 << 20       # bytes of address space, for a program that never ends
 NOBODY = {'user': 65534, 'group': 65534, 'extra_groups': []}
 OLD = b'old\n'
 
 
 def works(program, control, tools):
-    """Command → its words and outputs, as many as it has."""
+    """Returns command → its arguments and outputs, as many as the command can have."""
     words = ['--control', control]
     return {
         'run': (['run', program, *words, '--trace', 't.jsonl', '--plot', 'p.svg', '--samples', 's.csv', '--max-time', '2'], ('t.jsonl', 'p.svg', 's.csv')),
@@ -43,7 +43,7 @@ def works(program, control, tools):
 
 
 def of_each(kadr, most=len(SHORT_OF)):
-    """(command, program, words, outputs); the programs lie in a folder beside that of the outputs."""
+    """Yields (command, program, words, outputs); the programs are in a sibling folder of the outputs."""
     inputs, kadr.folder = kadr.folder / 'inputs', kadr.folder / 'work'
     for folder in (inputs, kadr.folder):
         folder.mkdir()
@@ -64,9 +64,9 @@ def clear(folder):
 
 
 def no_threads(kadr):
-    """A user who may have no more processes."""
+    """Runs as a user who may start no more processes."""
     root = os.geteuid() == 0
-    if root:   # it has no such limit: it becomes nobody, who must be able to read all
+    if root:   # root has no such limit: the test becomes nobody, who must be able to read everything
         os.chmod(kadr.folder, 0o755)
         if not for_nobody(kadr):
             return harness.skipped('no threads: nobody may not begin the program')
@@ -78,7 +78,7 @@ def no_threads(kadr):
 
 
 def for_nobody(kadr):
-    """Copies the program to where nobody may begin it, if need be.  returns whether it does begin"""
+    """Copies the program, if necessary, to where user nobody may start it.  returns whether it starts there"""
     def begins():
         try:
             return kadr.call('--version', **NOBODY).returncode == 0
@@ -95,7 +95,7 @@ def for_nobody(kadr):
 
 
 def least_to_begin(kadr):
-    """Megabytes of address space with which the program says its version: with less its libraries are not there, and main() is not reached."""
+    """Returns the least megabytes of address space with which the program prints its version: with less its libraries do not load."""
     def begins(megabytes):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
         return subprocess.run([kadr.program, '--version'], capture_output=True, preexec_fn=limit).returncode == 0
@@ -103,7 +103,7 @@ def least_to_begin(kadr):
 
 
 def memory(kadr):
-    """From hardly enough to begin with to enough for most."""
+    """Runs with memory limits from barely enough to start up to enough for most commands."""
     if kadr.sanitized:
         return harness.skipped('little memory: a program with a sanitizer has no limit of address space')
     least = least_to_begin(kadr)
@@ -123,8 +123,8 @@ def open_files(kadr):
 
 
 def full_disk(kadr):
-    """Not a byte is left, or a page; root has a small disk for that, others a limit of the size of files. A file that is written is that of
-    another run with room, an old one stays or is replaced by it."""
+    """Runs with no byte, or one page, left on the disk; root has a small disk for that, others a file size limit. A file that is written
+    must be the same as with enough space; an old file stays or is replaced by such a file."""
     disk = kadr.folder / 'disk'
     disk.mkdir()
     mounted = os.geteuid() == 0 and subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=64k', 'none', disk], capture_output=True).returncode == 0
@@ -133,7 +133,7 @@ def full_disk(kadr):
             usual = kadr.observed(words, outputs)[0].returncode
             whole = {name: (kadr.folder / name).read_bytes() for name in outputs if (kadr.folder / name).exists()}
             for name, left, old in (('full', 0, False), ('full, old files', 0, True), ('a page left', 4096, False)):
-                if old and command == 'setup':   # it takes no name of a file that is there
+                if old and command == 'setup':   # this command refuses the name of an existing file
                     continue
                 for output in outputs if old else ():
                     (disk / output).write_bytes(OLD)
@@ -164,14 +164,14 @@ def fill(disk, left):
 
 
 def file_size(kadr):
-    """`ulimit -f`, as a shell sets it: the signal is not ignored."""
+    """Runs under `ulimit -f` as a shell sets it: the signal is not ignored."""
     for command, program, words, outputs in of_each(kadr):
         _, faults = kadr.observed(words, outputs, [(resource.RLIMIT_FSIZE, 4096)])
         yield f'{command} {program}', faults
 
 
 def no_reader(kadr):
-    """`| true`, `| head`: it ends as if that were said, and has nothing to say of it."""
+    """`| true`, `| head`: the command ends as if all had been printed, and reports nothing about it."""
     tap, nc, waves = EXAMPLES / 'mach3/bolt_circle.tap', EXAMPLES / 's2c42/flange.nc', EXAMPLES / 'cut/waves.ngc'
     mach3 = ('--control', 'mach3')
     cut = ('cut', tap, *mach3, *CUT, '--tools', EXAMPLES / 'cut/tools.toml')
@@ -199,26 +199,26 @@ def no_reader(kadr):
 
 
 def complaints(said, usual=()):
-    """Messages of the program, not the summary, that it has not otherwise."""
+    """Returns the messages, without the summary, that the program does not print otherwise."""
     for line in said.splitlines():
         if line.startswith(b'kadr:') and line not in usual and b'otherwise: --control' not in line:
             yield f'complains: {text(line)}'
 
 
 def name_of(words):
-    """A command as the name of a check has it."""
+    """Returns the command as it is written in the name of a check."""
     words = map(str, words)
     return ' '.join(os.path.relpath(word, harness.ROOT) if word.startswith(str(harness.ROOT)) else word for word in words).encode('unicode_escape').decode()
 
 
 def signals(kadr):
-    """In mid work: it ends soon, and what was there stays, and that alone."""
+    """Sends a signal while the command works: it ends soon, and the files that existed before, and only those, remain."""
     program = kadr.file('p.nc', ENDLESS)
     contour = kadr.file('c.txt', 'from 0 0\nline 200 0\nline 200 200\nline 0 200\nclose\n')
     kadr.file('tools.toml', TOOLS)
     milled = ['mill', 'pocket', contour, '--tool-diameter', '2', '--stepover', '0.02', '--depth', '50', '--pass', '0.1', '--control', 'mach3', '--output', 'm.nc', '--plot', 'm.svg']
     for command, (words, outputs) in {**works(program, 'mach3', 'tools.toml'), 'mill': (milled, ('m.nc', 'm.svg'))}.items():
-        if command in ('setup', 'tape'):   # soon over, whatever the program
+        if command in ('setup', 'tape'):   # these end soon with any program
             continue
         words = [*words, *(FOR_EVER if command != 'mill' else ())]
         for sign in (signal.SIGHUP, signal.SIGQUIT, signal.SIGTERM, signal.SIGINT):
@@ -231,7 +231,7 @@ def signals(kadr):
 
 def begun(kadr, words, before=lambda: None):
     """Starts a command and waits until it works, with its outputs open."""
-    (kadr.folder / 'commands').write_bytes(b'continue\n')   # for kadr debug
+    (kadr.folder / 'commands').write_bytes(b'continue\n')   # commands for kadr debug
     with open(kadr.folder / 'said', 'wb') as said, open(kadr.folder / 'commands', 'rb') as commands:
         process = kadr.start(*words, stdin=commands, stdout=subprocess.DEVNULL, stderr=said, preexec_fn=kadr.bounded(before=before))
     harness.until(lambda: harness.ended(process) or (harness.spent(process) > 0.05 and kadr.left_over()) or harness.spent(process) > 0.3)
@@ -254,7 +254,7 @@ def interrupted(kadr, words, outputs, sign, before=lambda: None):
 
 
 def signals_alone(kadr):
-    """The same where no thread can be made that waits for them."""
+    """Sends signals where no thread can be created that waits for them."""
     kadr.folder.chmod(0o777)
     root = os.geteuid() == 0
     if root and not for_nobody(kadr):
@@ -279,7 +279,7 @@ def signals_alone(kadr):
 
 
 def nohup(kadr):
-    """A signal that is ignored from the beginning stays ignored."""
+    """A signal that is ignored at the start stays ignored."""
     program = kadr.file('p.nc', ENDLESS)
     process = begun(kadr, ['run', program, '--control', 'mach3', *FOR_EVER], lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
     process.send_signal(signal.SIGHUP)
@@ -289,7 +289,7 @@ def nohup(kadr):
 
 
 def names(kadr):
-    """Control characters in names and words reach no terminal."""
+    """Control characters in names and arguments do not reach the terminal."""
     bad = 'a\x1b[31m\x07\x01b'
     program = bad + '.nc'
     kadr.file(program, 'G0 X1\nG1 Q0\nM30\n')
@@ -306,7 +306,7 @@ def names(kadr):
 
 
 def texts(kadr):
-    """Nor do those in the text of a program, which is shown with its alarms."""
+    """Nor do control characters in a program text, which is printed with its alarms."""
     kadr.file('p.nc', 'T1 M6 (a\x1b[31m\x07)\nG0 X1 (\x1b)\nG1 Z-1 F100 (MSG, \x07\x1b[31m)\nG1 Q0 (\x1b)\nM30\n')
     kadr.file('tools.toml', TOOLS)
     for command, (words, outputs) in works('p.nc', 'mach3', 'tools.toml').items():
@@ -319,7 +319,7 @@ def texts(kadr):
 
 
 def pipe(kadr):
-    """Where a file is wanted, a pipe into which nobody writes is refused; a program may come from one."""
+    """A pipe without a writer is refused where a file is expected; a program may come from a pipe."""
     tap, tools = EXAMPLES / 'mach3/bolt_circle.tap', EXAMPLES / 'cut/tools.toml'
     for name in ('fifo', 'fifo.stl'):
         os.mkfifo(kadr.folder / name)
@@ -337,7 +337,7 @@ def pipe(kadr):
 
 
 def device(kadr):
-    """A program that has no end is not read for ever."""
+    """Reading stops for a program text without an end."""
     if kadr.sanitized:
         return harness.skipped('devices: a program with a sanitizer has no limit of address space')
     (kadr.folder / 'tools.toml').write_text(TOOLS)
@@ -356,7 +356,7 @@ def read_whole(done):
 
 
 def small(kadr):
-    """Short programs that ask for much: time and memory in proportion to what is asked."""
+    """Short programs that request much: time and memory stay in proportion to the request."""
     if kadr.sanitized:
         return harness.skipped('programs that ask for much: a program with a sanitizer has no limit of address space')
     for name, control, program, more in (('samples of a long cycle', 'haas', 'O1\nG73 X0 Y0 Z-99999 R1 Q0.001 F100\nM30\n', ('--samples', 's.csv', '--max-time', '1')),
@@ -371,7 +371,7 @@ LIMITS = {'no threads': no_threads, 'memory': memory, 'open files': open_files, 
 
 
 def over_limits(kadr):
-    """name → job, which gives (check, faults)"""
+    """Returns name → job; a job returns (check, faults)."""
     for name, check in LIMITS.items():
         def job(name=name, check=check):
             with tempfile.TemporaryDirectory(prefix='kadr_every_') as folder, type(kadr)(kadr.program, folder) as own:

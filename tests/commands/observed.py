@@ -1,4 +1,4 @@
-"""One run of a command, and what is wrong with it whatever the command is. For tests/every_command.py."""
+"""Runs a command once and checks what must hold for every command. Used by tests/every_command.py."""
 import json
 import os
 import re
@@ -8,8 +8,8 @@ import subprocess
 
 import harness
 
-CPU_S = 60                  # of processor time, the most that one run may take
-SLOWER = 10                 # so much slower is a program with a sanitizer
+CPU_S = 60                  # s of processor time, the most that one run may use
+SLOWER = 10                 # factor by which a program with a sanitizer is slower
 MEMORY = 2 << 30            # bytes of address space
 STATUSES = (0, 1, 2)
 CONTROL_CHARACTER = re.compile(rb'[\x00-\x08\x0b-\x1f]')
@@ -20,14 +20,14 @@ class Kadr(harness.Kadr):
     sanitized = False
 
     def limits(self, more=()):
-        """Limit → value of every run; `more` are further pairs."""
+        """Returns limit → value for every run; `more` are further pairs."""
         those = {resource.RLIMIT_CPU: CPU_S * (SLOWER if self.sanitized else 1), resource.RLIMIT_CORE: 0}
-        if not self.sanitized:   # its shadow memory has no end
+        if not self.sanitized:   # the shadow memory of a sanitizer has no limit
             those[resource.RLIMIT_AS] = MEMORY
         return {**those, **dict(more)}
 
     def bounded(self, limits=(), before=lambda: None):
-        """What a child does before it becomes the program."""
+        """Returns what a child process does before it becomes the program."""
         def set_them():
             before()
             for what, most in self.limits(limits).items():
@@ -35,20 +35,20 @@ class Kadr(harness.Kadr):
         return set_them
 
     def observed(self, words, asked=(), limits=(), before=None, folder=None, said=True, **more):
-        """Runs a command in the folder; `asked` are the files that it is to write.  returns what it gave, and what is wrong"""
+        """Runs a command in the folder; `asked` are the files that it must write.  returns its result, and the faults"""
         folder = folder or self.folder
         listed = listing(folder)
         if limits or before:
             more['preexec_fn'] = self.bounded(limits, before or (lambda: None))
         done = self.carried_out(words, more.pop('input', b''), {'cwd': folder, **more})
         if done.returncode == 127 and b'error while loading shared libraries' in done.stderr:
-            return done, []   # it has not begun
+            return done, []   # it did not start
         return done, [*ends_wrongly(done, said, asked), *prints_wrongly(words, done), *writes_wrongly(folder, listed, asked, done.returncode)]
 
     def carried_out(self, words, given, more):
         streams = {'stdin': subprocess.PIPE, **more} if given else more
         with subprocess.Popen(self.command(words), **self.streams(streams, binary=True)) as process:
-            if 'preexec_fn' not in more:   # usual limits are set behind the start: that takes half the time
+            if 'preexec_fn' not in more:   # the usual limits are set after the start: that takes half the time
                 self.limit(process)
             try:
                 out, err = process.communicate(given or None, timeout=harness.TIME_LIMIT_S)
@@ -61,22 +61,22 @@ class Kadr(harness.Kadr):
         try:
             for what, most in self.limits().items():
                 resource.prlimit(process.pid, what, bounds(what, most))
-        except ProcessLookupError:   # over already
+        except ProcessLookupError:   # the process has ended already
             pass
 
 
 def bounds(what, most):
-    """The soft limit and the hard one: that of time would be SIGKILL."""
+    """Returns the soft and the hard limit: reaching the hard limit of time would be SIGKILL."""
     return most, most + (what == resource.RLIMIT_CPU)
 
 
 def text(data):
-    """Bytes as a person reads them in a line, the end of them."""
+    """Returns the last bytes as one readable line."""
     return ' / '.join(data.decode('utf-8', 'backslashreplace').split('\n')).strip(' /')[-200:]
 
 
 def listing(folder):
-    """Name below the folder → size and time of the last change."""
+    """Returns name below the folder → size and time of the last change."""
     found = {}
     for place, _, names in os.walk(folder):
         for name in names:
@@ -91,21 +91,21 @@ def ends_wrongly(done, said=True, asked=()):
         yield f'ended by {signal.Signals(-done.returncode).name}: {text(done.stderr)}'
     elif done.returncode not in STATUSES:
         yield f'exit status {done.returncode}: {text(done.stderr)}'
-    elif said and done.returncode and not done.stderr.strip() and (done.returncode == 2 or not (done.stdout.strip() or asked)):   # findings may stand elsewhere
+    elif said and done.returncode and not done.stderr.strip() and (done.returncode == 2 or not (done.stdout.strip() or asked)):   # findings may be elsewhere
         yield f'exit status {done.returncode} without a word'
     if b'Sanitizer' in done.stderr or b'runtime error: ' in done.stderr:
         yield f'Sanitizer: {text(done.stderr)}'
 
 
 def prints_wrongly(words, done):
-    data_on_stdout = words[:2] == ['tape', 'decode']   # the text as it is
+    data_on_stdout = words[:2] == ['tape', 'decode']   # decoded text may contain any byte
     for name, printed in (('standard output', b'' if data_on_stdout else done.stdout), ('standard error', done.stderr)):
         if found := CONTROL_CHARACTER.search(printed):
             yield f'control character {found[0]!r} on {name}: {printed[max(0, found.start() - 40):found.end() + 40]!r}'
 
 
 def writes_wrongly(folder, before, asked, status):
-    """Files that nobody asked for, or that are not whole."""
+    """Lists files that were not requested, or that are incomplete."""
     after = listing(folder)
     left = sorted(name for name in after if after[name] != before.get(name) and name not in asked and not name.startswith('written/'))
     if left:
@@ -129,9 +129,9 @@ def not_json(data):
 
 
 def not_whole(path):
-    """Why a file that is written is no whole one; empty where it is."""
+    """Returns why a written file is incomplete; empty if it is complete."""
     data = path.read_bytes()
-    if not data and path.suffix not in ('.jsonl', '.txt'):   # of a program without a block
+    if not data and path.suffix not in ('.jsonl', '.txt'):   # a program without blocks gives an empty file
         return 'it is empty'
     if path.suffix == '.json':
         return not_json(data)

@@ -1,5 +1,5 @@
-"""Every command over one program: the examples as dev/examples calls them, the golden programs as tests/golden/check.py lays them out.
-For tests/every_command.py."""
+"""Runs every command over one program: the examples as dev/examples calls them, the golden programs as tests/golden/check.py lays them out.
+Used by tests/every_command.py."""
 import dataclasses
 import json
 import re
@@ -17,33 +17,33 @@ EXAMPLES = harness.ROOT / 'examples'
 PROGRAMS = ('.nc', '.nct', '.tap', '.ngc', '.tape')
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
 TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflute_length = 30\nlength = 60\n' for number in range(1, 31))
-CUT = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')   # a small blank, coarse
+CUT = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')   # a small blank at a coarse resolution
 RUN_OUTPUTS = {'--trace': 't.jsonl', '--plot': 'p.svg', '--plot-speed': 'v.svg', '--samples': 's.csv'}
-FEW = ('--max-passes', '10')   # of a program that has no end
+FEW = ('--max-passes', '10')   # for a program that never ends
 DEBUG = b'step\nnext\nwhere\nstate\ncontinue\nquit\n'
 
 
 @dataclasses.dataclass
 class Place:
-    """A program that is laid out, and how it is called."""
+    """A program in its folder, and the arguments to call it with."""
     kadr: Kadr
     name: str
     folder: Path         # where the commands work
-    program: str         # as the command line names it
-    changed: str         # a copy of it in which one digit is another
+    program: str         # the name on the command line
+    changed: str         # a copy with one digit changed
     control: str | None  # None: guessed
     words: list          # --machine, --setup
 
 
 def change(path, copy):
-    """Writes a copy in which the last digit is another; a text without digits gets a block more."""
+    """Writes a copy with the last digit changed; a text without digits gets one more block."""
     data = path.read_bytes()
     at = max((found.start() for found in re.finditer(rb'\d', data)), default=None)
     copy.write_bytes(data + b'\nG4\n' if at is None else data[:at] + (b'1' if data[at:at + 1] != b'1' else b'2') + data[at + 1:])
 
 
 def commands(place, number):
-    """(name, words, outputs, more) of each command over a program."""
+    """Yields (name, words, outputs, more) of each command over a program."""
     p, control = place.program, ['--control', place.control] if place.control else []
     words = [*control, *place.words]
     target = [to for to in CONTROLS if to != place.control][number % (len(CONTROLS) - 1)]
@@ -68,7 +68,7 @@ def commands(place, number):
 
 
 def printed_wrongly(name, done):
-    """What a command prints on standard output that is not what its form wants."""
+    """Returns what a command prints on standard output that does not match its format."""
     if name in ('check --format json', 'check --format sarif', 'setup') and (done.stdout or done.returncode == 0):
         yield not_json(done.stdout)
     if name == 'setup --tools' and done.returncode == 0:
@@ -81,7 +81,7 @@ def printed_wrongly(name, done):
 
 
 class Explained:
-    """Alarms that were explained already, over all programs."""
+    """The alarms that were explained already, over all programs."""
 
     def __init__(self):
         self.lock, self.those = threading.Lock(), set()
@@ -94,10 +94,10 @@ class Explained:
 
 
 def names_of(finding):
-    """What an alarm is called: its id, its number, and both in one as its text has it (PS0114, error:20)."""
+    """Returns the names of an alarm: its id, its number, and both together as its text has it (PS0114, error:20)."""
     yield finding['id']
     number = finding['number']
-    if number and finding['id'] != 'program_alarm':   # that number is the program's own
+    if number and finding['id'] != 'program_alarm':   # that number belongs to the program
         yield number
         first = finding['text'].split()[0]
         if first.endswith(number):
@@ -105,9 +105,9 @@ def names_of(finding):
 
 
 def over_a_program(place, number, explained):
-    """(check, faults) of every command over one program."""
+    """Yields (check, faults) of every command over one program."""
     for name, words, outputs, more in commands(place, number):
-        if name == 'tape decode' and not (place.folder / words[2]).exists():   # a character that has no code
+        if name == 'tape decode' and not (place.folder / words[2]).exists():   # the program has a character without a code
             continue
         done, faults = place.kadr.observed(words, outputs, folder=place.folder, **more)
         faults += filter(None, printed_wrongly(name, done))
@@ -123,7 +123,7 @@ def over_a_program(place, number, explained):
 
 
 def known_examples():
-    """Program → its control and the words that dev/examples calls it with."""
+    """Returns program → its control and the arguments that dev/examples calls it with."""
     known = {}
     for line in (harness.ROOT / 'dev/examples').read_text(encoding='utf-8').splitlines():
         if found := re.match(r'example +(\S+) +(\S+) +(\S+)', line):
@@ -135,8 +135,8 @@ def known_examples():
 
 
 def examples_called():
-    """(program, control, more words) of each example: those that dev/examples does not call are called as a user would who knows nothing of
-    them."""
+    """Yields (program, control, more words) of each example. Examples that dev/examples does not call are called without options, as a new
+    user would."""
     known = known_examples()
     files = [path for path in sorted(EXAMPLES.rglob('*')) if path.suffix in PROGRAMS]
     missing = known.keys() - {path.relative_to(EXAMPLES).as_posix() for path in files}
@@ -150,19 +150,19 @@ def examples_called():
 
 
 def example_words():
-    """(program, all its words) of each example."""
+    """Yields (program, all its arguments) of each example."""
     for path, control, words in examples_called():
         own = EXAMPLES / control if control and control.endswith('.toml') else control
         yield path, [*(['--control', own] if own else []), *words]
 
 
 def examples(kadr, every):
-    """A job for each example."""
+    """Returns a job for each example."""
     for path, control, words in list(examples_called())[::every]:
         name = path.relative_to(EXAMPLES).as_posix()
 
         def laid_out(folder, path=path, name=name, control=control, words=words):
-            copies = folder / 'copy'   # what is called lies beside the changed copy too
+            copies = folder / 'copy'   # called files are next to the changed copy too
             copies.mkdir()
             for other in path.parent.iterdir():
                 if other.suffix in (*PROGRAMS, '.json', '.toml'):
@@ -174,7 +174,7 @@ def examples(kadr, every):
 
 
 def golden_programs(kadr, every):
-    """A job for each golden program of the share."""
+    """Returns a job for each golden program of the share."""
     runs = [(file, case, run) for file, case in golden.load_cases([harness.ROOT / 'tests/golden']) if case['runnable'] for run in golden.runs_of(case)]
     harness.expect(runs, 'there is no golden case')
     for file, case, (variant, setup, program, _) in runs[::every]:
@@ -189,7 +189,7 @@ def golden_programs(kadr, every):
 
 
 def over_programs(kadr, options):
-    """name → job, which gives (check, faults)"""
+    """Returns name → job; a job returns (check, faults)."""
     explained = Explained()
     for number, (name, laid_out) in enumerate([*examples(kadr, options.examples_every), *golden_programs(kadr, options.every)]):
         def job(laid_out=laid_out, number=number):

@@ -1,4 +1,4 @@
-"""Programs and what becomes of them: for tests/convert*.py."""
+"""Programs and the results of converting them. Used by tests/convert*.py."""
 import concurrent.futures
 import dataclasses
 import json
@@ -9,7 +9,7 @@ from pathlib import Path
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / 'examples'
 SECONDS = 120
-# What `kadr convert` says of the proof, and how `kadr diff` is told the same.
+# The proof notes that `kadr convert` prints, and the option that makes `kadr diff` ignore the same.
 NOTES = {'messages': ('what the program shows to the operator is a comment there', '--no-messages'), 'tools': ('tools are changed by hand', '--tools-by-hand'),
          'feeds': ('feed per revolution is written per minute', '--feeds-at-speed'),
          'rounded': ('feeds are rounded to what the F word', '--feeds-rounded')}
@@ -21,7 +21,7 @@ class Converted:
     file: Path
     setup: Path | None
     to: str
-    outcome: str  # 'refused', the way it is proven by, or what went wrong
+    outcome: str  # 'refused', the method of the proof, or what went wrong
     said: str
     out: Path
 
@@ -58,7 +58,7 @@ def setup_of(file):
 
 
 def convert(kadr, control, file, to, out, setup=None):
-    """No third outcome: proven and written, or refused with the reason, and nothing written."""
+    """Checks that a conversion either is proven and written, or is refused with the reason and writes nothing."""
     made = Converted(control, file, setup, to, '', '', out)
     for old in (out, made.out_setup()):
         old.unlink(missing_ok=True)
@@ -92,20 +92,21 @@ def all_of(work, jobs, threads=2):
 
 
 def tolerance_of(*controls):
-    """mm: what `kadr convert` proves with, of arcs, whose centres are rounded too (docs/commands/convert.md): GOST writes Z in hundredths."""
+    """Returns the tolerance in mm that `kadr convert` proves arcs with, whose centres are rounded too (docs/commands/convert.md): GOST
+    writes Z in hundredths."""
     half, of_z = 0.0005, 0.005 if 'gost' in controls else 0.0005
     return math.hypot(3 * half, 3 * half, of_z) + 1e-5
 
 
 def diff(kadr, made, other=None, tolerance=None):
-    """… against the source, by `kadr diff`."""
+    """Compares the result with the source by `kadr diff`."""
     tolerance = tolerance or tolerance_of(made.control, made.to)
     return run(kadr, 'diff', made.file, other or made.out, '--control-a', made.control, '--control-b', made.to, '--tolerance', tolerance, '--setup-b', made.out_setup(), '--lang', 'en',
                *(['--setup-a', made.setup] if made.setup else []), *made.rules())
 
 
 def course(kadr, file, control, setup):
-    """What a program does as `kadr diff` looks at it, roughly: motions and acts with spindle and coolant along them; None: an alarm."""
+    """Returns a rough form of what `kadr diff` compares: motions, and the spindle and coolant state along them; None if an alarm stops it."""
     got = run(kadr, 'run', file, '--control', control, '--setup', setup, '--trace', '-', '--quiet')
     if got.returncode != 0:
         return None

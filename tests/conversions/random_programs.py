@@ -1,6 +1,7 @@
-"""Random programs over the grammar of each control, which end without an alarm nearly always: for tests/convert_random.py.
+"""Random programs over the grammar of each control, nearly all of which end without an alarm. Used by tests/convert_random.py.
 
-What a program does is chosen first, as places in mm; how it is said is the control's: words and their units, cycles, subprograms, loops.
+The program's actions are chosen first, as positions in mm; the control's grammar then decides how they are written: words and their
+units, canned cycles, subprograms, loops.
 """
 import json
 
@@ -8,12 +9,12 @@ FEW = 14  # pieces of a program
 
 
 class Dialect:
-    """What of a control's grammar the programs use."""
+    """The parts of a control's grammar that the programs use."""
     end, start, number, stop = '', '%', None, 'M30'
     lengths, work, sides, cycles, arcs_by_radius, planes, changes_tools, iso = 'H', ('G54', 'G55', 'G56'), True, True, True, True, True, True
     loop = sub = shift = None
     two_digits = False  # G01
-    exact = ('G61', 'G64'), None  # exact stops: a mode and its end, a code of the block
+    exact = ('G61', 'G64'), None  # exact stops: a modal code and the code that ends it, a non-modal code
     absolute_centres = False
     dwell = staticmethod(lambda seconds: f'G4 P{plain(seconds)}')
 
@@ -98,7 +99,7 @@ PLANES = {17: ('X', 'Y', 'I', 'J'), 18: ('Z', 'X', 'K', 'I'), 19: ('Y', 'Z', 'J'
 
 
 def setup_of(control):
-    """Zeros, tools and a start that all of a control's programs begin with."""
+    """The work offsets, tools and start position that all programs of a control begin with."""
     setup = {'start': {'X': 0, 'Y': 0, 'Z': 100}}
     zeros = [{'X': 12, 'Y': -7.5, 'Z': 3}, {'X': -20, 'Y': 30, 'Z': 0}, {'X': 5, 'Y': 5, 'Z': -4.25}]
     if control == 's2c42':
@@ -132,7 +133,7 @@ class Program:
         return round(self.chance.uniform(low, high), self.chance.choice((0, 1, 2)))
 
     def to(self, **places):
-        """Words of a motion to there, by the mode in force."""
+        """Words of a motion to that position, by the distance mode in force."""
         words = []
         for axis, mm in places.items():
             words.append(self.word(axis, mm - self.at[axis] if self.incremental else mm))
@@ -140,7 +141,7 @@ class Program:
         return words
 
     def motion(self, code):
-        """G0 is said again sometimes, and always where it changes."""
+        """Writes G0 and the like where the code changes, and sometimes repeats it."""
         says = code != self.code or self.chance.random() < 0.3
         self.code = code
         return code if says else ''
@@ -192,7 +193,7 @@ class Program:
         self.say(self.motion(code), *words, self.feed_word() if code == 'G1' else '')
 
     def exact_stops(self):
-        """A few lines that are stopped after, and one that is not."""
+        """Lines with an exact stop at their end, and one without."""
         mode, block = self.of.exact
         if not (mode or block):
             return
@@ -210,7 +211,7 @@ class Program:
         self.say('G91' if self.incremental else 'G90')
 
     def arc(self):
-        """Quarters, halves and whole circles: their ends are exact in any format."""
+        """Quarter, half and full circles: their ends are exact in any format."""
         if self.of.planes and self.chance.random() < 0.3:
             self.plane = self.chance.choice((17, 18, 19))
             self.say(f'G{self.plane}')
@@ -259,7 +260,7 @@ class Program:
         if len(self.of.work) > 1:
             self.safe()
             self.say(self.chance.choice(self.of.work))
-            # The same place has other figures now: it is gone to anew.
+            # The coordinates of this position have changed: the tool moves there again.
             self.say(self.motion('G0'), *self.to(X=self.near(), Y=self.near()))
             self.say(*self.to(Z=self.near(10, 30)))
 
@@ -310,12 +311,12 @@ class Program:
             self.say(*self.to(X=corner[0], Y=corner[1]), self.feed_word())
         self.say(*self.to(X=x, Y=y))
         self.say('G40', *self.to(X=x - 15, Y=y - 15))
-        if isinstance(self.of, S2c42):  # it cancels lengths as well (spec/s2c42 6)
+        if isinstance(self.of, S2c42):  # it cancels tool lengths as well (spec/s2c42 6)
             self.say(self.motion('G0'), 'G43', *self.to(Z=50.0), 'D1')
         self.safe()
 
     def body(self, axis='X'):
-        """Steps that begin and end in the same modes: of subprograms and loops."""
+        """Steps that begin and end in the same modes, used in subprograms and loops."""
         return [f'G91 G1 {self.word(axis, 3)} {self.of.feed(150)}', f'{self.word("Z", -1)}', f'{self.word("Z", 1)}', 'G90']
 
     def repeated(self, times, axis):
@@ -374,7 +375,7 @@ class Program:
 
     def end(self):
         self.safe()
-        if self.chance.random() < 0.8:  # else the end of the program does it, or nobody
+        if self.chance.random() < 0.8:  # else the end of the program cancels it, or nothing does
             self.say('M5')
         self.say(self.of.stop)
 

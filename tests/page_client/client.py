@@ -1,5 +1,5 @@
-"""A page without a browser: starts kadr serve, talks to it over a WebSocket, and holds each message of either side against
-docs/panel-protocol.schema.json. For tests/serve*.py and bench/serve_time."""
+"""A page without a browser: starts kadr serve, talks to it over a WebSocket, and checks each message in both directions against
+docs/panel-protocol.schema.json. Used by tests/serve*.py and bench/serve_time."""
 import base64
 import json
 import os
@@ -16,14 +16,14 @@ import harness
 
 SCHEMA = json.loads((Path(__file__).resolve().parent.parent.parent / 'docs/panel-protocol.schema.json').read_text(encoding='utf-8'))
 VALIDATORS = {}
-seen = set()  # 'answer.open', 'event.done': definitions of the schema that a message has had the form of
+seen = set()  # 'answer.open', 'event.done': definitions of the schema that some message has matched
 
 tally = harness.Tally()
-expect, result = tally.expect, tally.result  # result: the last line of a runner, and its exit status
+expect, result = tally.expect, tally.result  # result: prints the last line of a runner, returns its exit status
 
 
 def fault_of(message, form):
-    """What keeps a message from having that form of the schema; None: nothing."""
+    """Returns why a message does not match that definition of the schema; None if it does."""
     if form not in SCHEMA['$defs']:
         return f'{form} is no form of the schema'
     if form not in VALIDATORS:
@@ -49,7 +49,7 @@ class Server:
         self.port, self.token = int(found[2]), found[3]
 
     def request(self, text):
-        """The answer; what there is of it where the server has closed the connection."""
+        """Returns the answer; the part received so far if the server has closed the connection."""
         got = b''
         try:
             with socket.create_connection(('127.0.0.1', self.port), timeout=harness.TIME_LIMIT_S) as s:
@@ -66,17 +66,17 @@ class Server:
         return self.process.wait(timeout=harness.TIME_LIMIT_S)
 
     def spent(self):
-        """Processor time, s."""
+        """Processor time of the server, s."""
         return harness.spent(self.process)
 
     def works(self, seconds=0.3):
-        """Waits until it has spent so much more processor time; what it is to work at has been asked for.  returns whether it has"""
+        """Waits until the server has spent that much more processor time on a request that was sent before.  returns whether it has"""
         end = self.spent() + seconds
         return harness.until(lambda: self.spent() >= end)
 
 
 class Page:
-    """A WebSocket client: RFC 6455, as much of it as the protocol needs."""
+    """A WebSocket client: the part of RFC 6455 that the protocol needs."""
 
     def __init__(self, server, **headers):
         self.socket = socket.create_connection(('127.0.0.1', server.port), timeout=harness.TIME_LIMIT_S)
@@ -92,7 +92,7 @@ class Page:
         self.status = int(head.split()[1])
         self.number = 0
         self.events, self.frames = [], []
-        self.asked = {}  # what has no answer yet, by its number
+        self.asked = {}  # unanswered requests, by number
 
     def send(self, data, opcode=1):
         mask = os.urandom(4)
@@ -114,7 +114,7 @@ class Page:
         return bytes(got)
 
     def receive(self):
-        """(opcode, bytes) of the next message, its fragments put together."""
+        """Returns (opcode, bytes) of the next message, its fragments joined."""
         message, kind = bytearray(), 0
         while True:
             first, second = self.exactly(2)
@@ -135,7 +135,7 @@ class Page:
                 return kind, bytes(message)
 
     def take(self):
-        """The next message; None: a frame."""
+        """Returns the next message; None if it is a frame."""
         kind, data = self.receive()
         if kind == 2:
             self.frames.append(data)
@@ -153,7 +153,7 @@ class Page:
         return SCHEMA['$defs']
 
     def begin(self, do, wrong=False, **more):
-        """Asks, and waits for nothing. `wrong`: the question is to be one that the schema has not; None: it may be.
+        """Sends a request without waiting. `wrong`: True if the schema must not match the request; None: it may match.
         returns  its number"""
         self.number += 1
         question = {'id': self.number, 'do': do, **more}
@@ -193,7 +193,7 @@ class Page:
 
 
 def vertices(frame):
-    """Rows of a frame of the path: x, y, z, time, line, kind, level."""
+    """Returns the rows of a frame of the path: x, y, z, time, line, kind, level."""
     kind, which, count, channel = struct.unpack_from('<4I', frame)
     begins = struct.unpack_from('<d', frame, 16)[0]
     at = 96

@@ -1,4 +1,4 @@
-"""A machine whose axes are fast, at its panel. For tests/panel*.py."""
+"""A machine with fast axes, at its panel. Used by tests/panel*.py."""
 import time
 
 from page_client.client import expect
@@ -13,7 +13,7 @@ Z = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
 
 
 def until(page, wanted, seconds=60):
-    """The panel when that is so; a busy machine is no fault."""
+    """Returns the panel once the condition is true; a busy machine is no fault."""
     end = time.monotonic() + seconds
     while True:
         panel = page.ask('panel')

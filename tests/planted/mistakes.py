@@ -1,6 +1,6 @@
-"""Mistakes that tests/checklist.py plants into clean programs: each function finds the places of one kind in a program and gives the text with
-the mistake, the line that must be told and the ids that may tell it. A place is where the mistake is written, but for what shows only
-where the tool first cuts (FIRST CUT below)."""
+"""Mistakes that tests/checklist.py plants into clean programs: each function finds the locations for one type of mistake in a program, and
+returns the text with the mistake, the line that must be reported and the ids that may report it. The line is where the mistake is
+written, except for mistakes that show only where the tool first cuts (FIRST CUT below)."""
 import dataclasses
 import json
 import re
@@ -9,12 +9,12 @@ import re
 @dataclasses.dataclass
 class Mistake:
     kind: str
-    ids: tuple      # one of them must be told
-    line: int       # there
+    ids: tuple      # one of them must be reported
+    line: int       # where it must be reported
     text: list
     setup: dict | None = None   # instead of the program's own
-    tools: list | None = None   # numbers of a tools file beside the program
-    most_rpm: int | None = None   # of the machine
+    tools: list | None = None   # the numbers for a tools file of the program
+    most_rpm: int | None = None   # of the machine file
 
 
 def plant(kind, ids, at, text, setup=None, **more):
@@ -24,7 +24,7 @@ def plant(kind, ids, at, text, setup=None, **more):
 # ---- numbers
 
 def point_dropped(p):
-    if p.control not in ('fanuc', 'haas'):   # of the others a number means the same without its point
+    if p.control not in ('fanuc', 'haas'):   # on the others a number means the same without its point
         return
     for b in p.blocks:
         for w in b.words:
@@ -33,7 +33,7 @@ def point_dropped(p):
 
 
 def digit_too_many(p):
-    """Of the outermost coordinate of the program, and two digits too many of any other."""
+    """For the outermost coordinate of the program, and with two digits too many for any other."""
     cuts = [(b, w) for b in p.blocks if b.cuts() and not b.incremental and (b.motion < 2 or b.cycle) for w in b.words if w.letter in 'XY']
     for letter in 'XY':
         mine = [(b, w) for b, w in cuts if w.letter == letter and w.number]
@@ -44,7 +44,7 @@ def digit_too_many(p):
 
 
 def unit_changed(p):
-    if p.control in ('s2c42', 'gost', 'correctors'):   # they know no inches
+    if p.control in ('s2c42', 'gost', 'correctors'):   # they have no inches
         return
     for change in p.tools()[1:]:
         move = next((b for b in p.stint(change) if any(b.has(a) for a in 'XYZ') and not b.has('G', 28, 53)), None)
@@ -56,10 +56,10 @@ def unit_changed(p):
                 yield plant('G20 in mid program', 'units_changed', b.at + 1, p.inserted(b.at, 'G20'))
 
 
-# ---- what belongs to a tool
+# ---- offsets and spindle of a tool
 
 def offset_of_another(p):
-    """FIRST CUT of the tool for the length."""
+    """FIRST CUT of the tool, for its length."""
     others = sorted({b.tool for b in p.tools()})
     for change in p.tools():
         for b in p.stint(change):
@@ -78,7 +78,7 @@ def offset_of_another(p):
 
 
 def length_dropped(p):
-    """FIRST CUT. Where no code ended the offset of the tool before, that one's is still in force."""
+    """FIRST CUT. If no code cancelled the offset of the previous tool, that offset is still in force."""
     if len(p.tools()) < 2:
         return
     for change in p.tools():
@@ -90,7 +90,7 @@ def length_dropped(p):
 
 
 def spindle_mistakes(p):
-    """M3 missing and M5 too early: FIRST CUT behind it. M4 for M3 at its own line."""
+    """M3 missing and M5 too early: FIRST CUT after it. M4 for M3 at its own line."""
     changes = p.tools() or p.blocks[:1]
     for change in changes:
         stint = p.stint(change)
@@ -101,9 +101,9 @@ def spindle_mistakes(p):
             continue
         b, word = start
         taps = cut.cycle in (74, 84)
-        if not taps:   # many controls start the spindle in the cycle
+        if not taps:   # many controls start the spindle in the canned cycle
             yield plant('M3 dropped', 'cut_without_spindle', cut.at, p.replaced(b.at, word, 'M8' if word.number == 13 else ''))
-        if len(changes) > 1 and not taps:   # a tap turns both ways
+        if len(changes) > 1 and not taps:   # a tap needs both directions of rotation
             yield plant('M4 for M3', 'direction_of_others', b.at, p.replaced(b.at, word, {'3': 'M4', '03': 'M04', '13': 'M14'}[word.text]))
         cuts = [c for c in stint if c.cuts() and not taps]
         for before in cuts[1:len(cuts) - 1:3]:
@@ -122,7 +122,7 @@ def coolant_dropped(p):
 
 
 def system_changed(p):
-    """FIRST CUT. A tool that says nothing of the work offset would take over the wrong one, so each must say it."""
+    """FIRST CUT. A tool without a work offset code would inherit the wrong one, so every tool must have one."""
     changes = p.tools()
     stated = [next((b for b in p.stint(c) if b.code('G', 54)), None) for c in changes]
     for i, (change, b) in enumerate(zip(changes, stated)):
@@ -144,7 +144,7 @@ def tool_not_changed(p):
 
 
 def retract_dropped(p):
-    """All of what lifts the tool behind its last cut."""
+    """Drops all motions that retract the tool after its last cut."""
     changes = p.tools()
     for change, following in zip(changes, changes[1:]):
         stint = p.stint(change)
@@ -168,7 +168,7 @@ def teeth_of(p, change):
 
 
 def feed_mistakes(p):
-    whole = p.control in ('s2c42', 'gost')   # their F has no fraction
+    whole = p.control in ('s2c42', 'gost')   # their F is an integer
     for b in p.blocks:
         feed = b.find('F')
         if feed is None or b.cycle in (74, 84) or not (b.motion or b.cycle) or b.has('G', 65):
@@ -209,12 +209,12 @@ def tap_mistakes(p):
 
 
 def speed_mistakes(p):
-    """Beyond the machine's file, and beyond the gears of the set-up."""
+    """Above the limit of the machine file, and above the gears of the set-up."""
     for b in p.blocks:
         speed = b.find('S')
         if speed and speed.number > 10:
             yield plant('S beyond the machine', 'speed_beyond_spindle', b.at, list(p.lines), most_rpm=int(speed.number) - 1)
-    if p.control != 'nct' or p.setup is None:   # no other control's set-up states the gears
+    if p.control != 'nct' or p.setup is None:   # the set-ups of other controls do not contain the gears
         return
     setup = {**p.setup, 'axes': ['X', 'Y', 'Z'], 'spindle': {'1': {'name': 'S', 'ranges': [[50, 1000], [800, 8000]]}}}
     for b in p.blocks:
@@ -223,13 +223,14 @@ def speed_mistakes(p):
             yield plant('S beyond the gears', 'speed_beyond_spindle', b.at, p.replaced(b.at, speed, 'S2' + speed.text + '0'), setup)
 
 
-# ---- the tables beside the program
+# ---- the tables next to the program
 
-STRANGE = 19   # no program has a tool, nor an offset, of this number
+STRANGE = 19   # no program has a tool, or an offset, with this number
 
 
 def table_mistakes(p):
-    """At the first word that calls the tool; what is never called, at the first call of all. The file holds the tools of the program."""
+    """At the first word that calls the tool; for a tool that is never called, at the first call of any. The file has the tools of the
+    program."""
     changes = p.tools()
     numbers = sorted({b.tool for b in changes})
     for number in numbers:
@@ -259,7 +260,7 @@ def table_mistakes(p):
             yield plant('an offset under another number', 'offset_row_unused', first.at, list(p.lines), setup)
 
 
-# ---- cycles
+# ---- canned cycles
 
 def cycle_mistakes(p):
     for b in p.blocks:
@@ -282,10 +283,10 @@ def cycle_mistakes(p):
                 yield plant('sign of Z lost', 'levels_swapped', at, p.replaced(at, z, f'Z{z.text.lstrip("-")}'))
 
 
-# ---- the contour
+# ---- cutter compensation
 
 def compensation_mistakes(p):
-    if p.control == 'correctors':   # its G41 says how a corrector is added, and no side
+    if p.control == 'correctors':   # its G41 states how a corrector is added, not a side
         return
     for b in p.blocks:
         code = b.code('G', 41, 42)
@@ -332,7 +333,7 @@ def arc_mistakes(p):
 # ---- heights
 
 def inside(p, at):
-    """Whether the tool stands over what is cut, not beside it, when the block comes: beside the stock a rapid may go down."""
+    """True if the tool is over cut material when the block starts; next to the stock a rapid may go down."""
     place = {}
     for b in p.blocks[:at]:
         place.update({w.letter: p.value(w) for w in b.words if w.letter in 'XY' and not b.incremental})
@@ -360,7 +361,7 @@ def rapid_mistakes(p):
 
 
 def low_mistakes(p):
-    """The retract between two cuts is missing; the rapid behind it is told."""
+    """Drops the retract between two cuts; the rapid after it is reported."""
     for b, following in zip(p.blocks, p.blocks[1:]):
         z = b.find('Z')
         if z and not b.sideways() and not b.cycle and (b.motion == 0 or p.control == 'gost') and p.value(z) > 0 and not b.section:
@@ -373,7 +374,7 @@ def low_mistakes(p):
                 yield plant('retract dropped in a subprogram', 'rapid_sideways_low', move.at, [*p.lines[:b.at], *p.lines[b.at + 1:]])
 
 
-# ---- flow and modes
+# ---- program flow and modes
 
 def flow_mistakes(p):
     gotos = [b for b in p.blocks if 'GOTO' in p.lines[b.at]]
@@ -404,10 +405,11 @@ def flow_mistakes(p):
 
 
 def end_mistakes(p):
-    """The file is cut off in transfer, behind a cut of the program itself. The other controls miss the end, or the closing %: they warn, or stop."""
+    """The file is truncated in transfer, after a cut of the main program. The other controls miss the end, or the closing %: they warn, or
+    stop."""
     if p.control not in ('mach3', 'grbl'):
         return
-    lifted = False   # by a rapid, since the tool was changed
+    lifted = False   # by a rapid, since the tool change
     for b in p.blocks:
         lifted = (lifted or bool(b.motion == 0 and b.find('Z') and p.value(b.find('Z')) > 0)) and not b.code('M', 6)
         if lifted and b.motion in (1, 2, 3) and b.sideways() and b.cuts() and not b.cycle and not b.section and not b.find('Z'):
@@ -415,9 +417,9 @@ def end_mistakes(p):
 
 
 def mode_mistakes(p):
-    """Of a program whose head does not state the mode, and whose end does not take it back by itself."""
+    """For a program whose head does not set the mode, and whose end does not reset it."""
     moved = next((b.at for b in p.blocks if any(b.has(a) for a in 'XYZ')), 0)
-    if p.control in ('grbl', 'linuxcnc'):   # M2 and M30 bring G90 back
+    if p.control in ('grbl', 'linuxcnc'):   # M2 and M30 restore G90
         return
     head = p.blocks[:moved + 1]
     on = {b.at for b in p.blocks if b.code('G', 91, 68)}
@@ -438,7 +440,7 @@ KINDS = (point_dropped, digit_too_many, unit_changed, offset_of_another, length_
 
 
 def all_of(program):
-    """Each mistake once, of all kinds."""
+    """Returns each mistake of every type once."""
     seen = set()
     for kind in KINDS:
         for m in kind(program):

@@ -1,11 +1,11 @@
-"""A part program as tests/checklist.py reads it to plant a mistake: its blocks as words, and what is in force in each. It knows no more of a
-control than how its numbers are written."""
+"""A part program as tests/checklist.py reads it to plant a mistake: its blocks as words, and the modes in force in each. The only knowledge
+about a control is how its numbers are written."""
 import dataclasses
 import json
 import re
 
 WORD = re.compile(r'([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))')
-SCALE = {'s2c42': {a: 1000 for a in 'XYZIJK'}, 'gost': {**{a: 1000 for a in 'XYIJ'}, 'Z': 100}}   # increments in a millimetre
+SCALE = {'s2c42': {a: 1000 for a in 'XYZIJK'}, 'gost': {**{a: 1000 for a in 'XYIJ'}, 'Z': 100}}   # increments per millimetre
 POINTED = ('fanuc', 'haas', 'nct', 'correctors')
 
 
@@ -23,7 +23,7 @@ class Word:
 
 @dataclasses.dataclass
 class Block:
-    """One line; `motion`, `cycle`, `side`, `tool` and `incremental` are in force when it is carried out."""
+    """One line; `motion`, `cycle`, `side`, `tool` and `incremental` are in force when it is executed."""
     at: int
     words: list
     motion: int = 0
@@ -31,9 +31,9 @@ class Block:
     side: bool = False
     incremental: bool = False
     tool: int = 0
-    section: int = 0     # 0 the program, then one a subprogram
-    label: int = 0       # of the subprogram that begins here
-    calls: int = 0       # subprogram
+    section: int = 0     # 0: the program; each subprogram has the next number
+    label: int = 0       # number of the subprogram that starts here
+    calls: int = 0       # number of the called subprogram
 
     def find(self, letter):
         return next((w for w in self.words if w.letter == letter), None)
@@ -52,7 +52,7 @@ class Block:
 
 
 def without_comments(line):
-    """The same length, blanks in their place."""
+    """Replaces comments with blanks; the length stays the same."""
     return re.sub(r'\([^)]*\)|;.*', lambda m: ' ' * len(m[0]), line)
 
 
@@ -110,7 +110,7 @@ class Program:
     # ---- numbers
 
     def written(self, letter, value):
-        """A length in mm as this control writes it."""
+        """Writes a length in mm as this control does."""
         if self.control in SCALE:
             return str(round(value * SCALE[self.control].get(letter, 1)))
         text = f'{value:.4f}'.rstrip('0')
@@ -122,7 +122,7 @@ class Program:
     # ---- the text with a change
 
     def replaced(self, at, word, new):
-        """`new`: the whole word, or nothing."""
+        """Returns the text with a word replaced; `new`: the whole new word, or empty to remove it."""
         line = self.lines[at]
         text = line[:word.begin] + new + line[word.end:]
         return [*self.lines[:at], re.sub(r'  +', ' ', text) if not new else text, *self.lines[at + 1:]]
@@ -131,21 +131,21 @@ class Program:
         return [*self.lines[:at], *new, *self.lines[at:]]
 
     def own_line(self, words):
-        """Words as a line of this control."""
+        """Writes words as a line of this control."""
         return {'s2c42': f'N9000 {words} ПС', 'gost': f'N9000 {words} LF', 'correctors': f'N900 {words} LF'}.get(self.control, words)
 
-    # ---- what is where
+    # ---- queries
 
     def tools(self):
-        """Blocks that change the tool."""
+        """Returns the blocks that change the tool."""
         return [b for b in self.blocks if b.code('M', 6)]
 
     def numbers(self):
-        """Of all tools that it calls; nothing where it calls none."""
+        """Returns the numbers of all tools that the program calls; empty if it calls none."""
         return sorted({b.tool for b in self.tools()}) or None
 
     def first_call(self, tool=None):
-        """The block whose T calls that tool first, or any tool."""
+        """Returns the first block whose T calls that tool, or any tool."""
         for b in self.blocks:
             word = b.find('T')
             number = word and (int(word.number) // 100 if self.control in ('gost', 'correctors') else int(word.number))
@@ -154,7 +154,7 @@ class Program:
         return None
 
     def stint(self, change):
-        """The blocks from a tool change to the next, or to the end of the program."""
+        """Returns the blocks from a tool change to the next, or to the end of the program."""
         stint = []
         for b in self.blocks[change.at + 1:]:
             if b.code('M', 6) or b.section != change.section:
@@ -163,7 +163,7 @@ class Program:
         return stint
 
     def first_cut(self, blocks):
-        """The first block that cuts sideways or drills; of a call, in the subprogram."""
+        """Returns the first block that cuts sideways or drills; for a call, in the subprogram."""
         for b in blocks:
             if b.calls:
                 sections = {s.label: s.section for s in self.blocks if s.label}

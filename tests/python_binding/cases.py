@@ -1,4 +1,4 @@
-"""Runs the functions test_… of a file: `passed NAME` or `failed NAME: why`, then `done`."""
+"""Runs the functions test_… of a file and prints `passed NAME` or `failed NAME: why` for each, then `done`."""
 import sys
 import traceback
 from pathlib import Path
@@ -8,7 +8,7 @@ PART = ROOT / 'examples/library/part.nc'
 
 
 def raises(kind, call, *pieces):
-    """The exception, with these pieces in its text."""
+    """Checks that the call raises this exception, with these parts in its text."""
     try:
         call()
     except kind as error:

@@ -1,4 +1,4 @@
-"""What is wrong ends in an exception that says it."""
+"""Faults raise exceptions that describe them."""
 import threading
 import time
 

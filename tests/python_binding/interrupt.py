@@ -1,4 +1,4 @@
-"""Ctrl-C ends a run that would last, in time; and Python is as it was."""
+"""Ctrl-C soon ends a long run, and Python remains usable."""
 import os
 import signal
 import threading
@@ -15,7 +15,7 @@ def interrupted(call):
     handler = signal.getsignal(signal.SIGINT)
     timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
-    raises(KeyboardInterrupt, call)     # not interrupted, it would be the alarm of an endless program
+    raises(KeyboardInterrupt, call)     # without an interrupt it would end with the alarm of an endless program
     assert signal.getsignal(signal.SIGINT) is handler
 
 

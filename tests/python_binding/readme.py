@@ -1,4 +1,4 @@
-"""What python/README.md shows is what happens."""
+"""Checks that the examples of python/README.md run and give the results shown there."""
 import doctest
 import os
 

@@ -1,4 +1,4 @@
-"""A session: motions, steps, snapshots, picture, axes in time. examples/library/part.nc: tests/library.py says what it is."""
+"""Tests a session: motions, steps, snapshots, picture, axes over time. tests/library.py describes examples/library/part.nc."""
 import tempfile
 from math import pi, hypot
 from pathlib import Path
@@ -102,7 +102,7 @@ def test_axes_in_time():
     speed = numpy.hypot(numpy.diff(rows['X']), numpy.diff(rows['Y']))[:-1] / 0.01
     assert 9.9 < speed.max() < 10.001                                            # F600
     planned = session.planned()
-    assert planned.tool_change == 20 and planned.cutting > 7 + (50 + ARC) / 5    # two of 10 s (machine generic)
+    assert planned.tool_change == 20 and planned.cutting > 7 + (50 + ARC) / 5    # two tool changes of 10 s (machine generic)
     assert abs(planned.total - rows['t'][-1]) < 0.02
     assert hypot(rows['X'].max() - 30, rows['Y'].max() - 40) < 0.02
     raises(kadr.Alarm, lambda: session.samples(max_seconds=1), 'samples_too_long')

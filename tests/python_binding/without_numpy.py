@@ -1,7 +1,7 @@
-"""numpy is not needed but for arrays."""
+"""Checks that only arrays need numpy."""
 import sys
 
-sys.modules['numpy'] = None   # as if it were not there
+sys.modules['numpy'] = None   # simulates a missing numpy
 
 from cases import PART, raises, run_all  # noqa: E402
 

@@ -1,10 +1,12 @@
-"""LinuxCNC's stand-alone interpreter as an oracle: what `rs274` (Debian's linuxcnc-uspace) makes of a program, as actions of a golden case.
+"""LinuxCNC's stand-alone interpreter as an oracle: runs a program in `rs274` (Debian's linuxcnc-uspace) and returns the actions as in a
+golden case.
 
-Three things are done to it, none to the interpreter itself: its stub of the machine says by one constant of the executable that a user
-unit is an inch (a copy with the constant 1 is a machine in mm: tool table and parameter file are in mm then), and by another that there are
-six axes (a copy with nine, for programs with U V W); a preloaded library prints nine decimals for the stub's four, and before a call with U V
-W, of which the stub prints nothing, a line ALSO_UVW with them. What the stub does not know, so what no test may rest on: tool length and rotation where the interpreter
-asks for the position (after M6, M61, M66, G38.n), where a probe touches, inputs.
+Three changes are made around the interpreter, none in it. A constant of the executable makes its stub of the machine report that a user
+unit is an inch; a copy with the constant 1 is a machine in mm (tool table and parameter file are then in mm). Another constant says that
+there are six axes; a copy has nine, for programs with U V W. A preloaded library prints nine decimals instead of the stub's four, and
+before a call with U V W, which the stub does not print, a line ALSO_UVW with them. The stub does not know some things, so no test may
+depend on them: tool length and rotation where the interpreter requests the position (after M6, M61, M66, G38.n), where a probe touches,
+inputs.
 """
 import math
 import os
@@ -103,11 +105,11 @@ __attribute__((constructor)) static void begin(void) { dl_iterate_phdr(of_librar
 
 
 class Absent(Exception):
-    """There is no oracle on this machine; the text says what is missing."""
+    """This machine has no oracle; the text states what is missing."""
 
 
 class Oracle:
-    """`folder`: where its copy is made; it must stay as long as the oracle is used."""
+    """`folder`: where the oracle's copy is created; it must exist as long as the oracle is used."""
 
     def __init__(self, folder):
         if not os.path.exists(PROGRAM):
@@ -131,13 +133,13 @@ class Oracle:
         subprocess.run([compiler, '-shared', '-fPIC', '-O1', '-o', self.shim, source], check=True)
 
     def run(self, folder, name, seconds=10, axes='XYZABC'):
-        """Runs the file `name` of the folder, in which tool.tbl and p.var stand: (canonical lines, text of the alarm or None)."""
+        """Runs the file `name` of the folder, which contains tool.tbl and p.var; returns (canonical lines, text of the alarm or None)."""
         program = self.nine_axes if 'U' in axes else self.program
-        with tempfile.TemporaryDirectory(prefix='rs274home') as home:   # of its own: the tool table is a shared file ~/.tool.mmap
+        with tempfile.TemporaryDirectory(prefix='rs274home') as home:   # a separate home: the tool table is a shared file ~/.tool.mmap
             done = subprocess.run([str(program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
                                   timeout=seconds, stdin=subprocess.DEVNULL,
                                   env={**os.environ, 'HOME': home, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
-        noise = ('executing', 'link (', 'PYTHON:', 'ModuleNotFoundError:')  # the latter two of a build without Python
+        noise = ('executing', 'link (', 'PYTHON:', 'ModuleNotFoundError:')  # the last two come from a build without Python
         said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(noise)]
         lines = done.stdout.decode('latin-1').splitlines()
         return lines, None if done.returncode == 0 else said[0] if said else 'ended without a word'
@@ -149,7 +151,7 @@ def number(value):
 
 
 class Converter:
-    """Canonical calls → actions (tests/golden/README.md), of the kinds named besides motions."""
+    """Converts canonical calls to actions (tests/golden/README.md): motions and the types named."""
 
     def __init__(self, kinds=frozenset(KINDS)):
         self.kinds, self.actions = kinds, []
@@ -159,7 +161,7 @@ class Converter:
         self.rotation, self.speed, self.tool = 0.0, 0.0, 0
         self.inverse = self.turning = self.changing = self.spline_open = False
         self.used = set()
-        self.uvw = [0.0, 0.0, 0.0]                       # of the next call
+        self.uvw = [0.0, 0.0, 0.0]                       # for the next call
 
     def all(self, lines):
         last = max((i for i, line in enumerate(lines) if 'SET_FEED_MODE' in line), default=-1)
@@ -187,9 +189,9 @@ class Converter:
         action = {'do': do, 'to': to, **fields}
         moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZUVW')
         if self.spline_open:
-            self.spline_open, moves = False, True        # from where is not told
+            self.spline_open, moves = False, True        # its start is not printed
         if do in ('rapid', 'feed') and not moves and all(abs(target[a] - self.here[a]) <= 1e-9 for a in 'ABC'):
-            return                                       # of no length: a trace may leave it out
+            return                                       # a motion without length: a trace may leave it out
         if do.startswith('arc') or (do == 'feed' and moves):
             if self.inverse:
                 length = length or self.way(target, 'XYZ') or self.way(target, 'UVW')
@@ -207,7 +209,7 @@ class Converter:
         return dict(self.g5x), dict(self.g92), self.rotation, dict(self.length)
 
     def change_frame(self, change):
-        """The work position changes with the frame, the machine does not move."""
+        """The work position changes with the frame; the machine does not move."""
         g5x, g92, rotation, length = self.frame()
         p = {a: self.here[a] + g92[a] for a in AXES}
         turn(p, rotation)
@@ -265,7 +267,7 @@ class Converter:
                     plane=first + second, turns=number(swept / 2 / math.pi))
 
     def on_nurbs_feed(self, args, _):
-        self.actions.append({'do': 'spline'})             # where it ends the next motion tells
+        self.actions.append({'do': 'spline'})             # the next motion shows where it ends
         self.spline_open = True
 
     # ---- frames
@@ -319,14 +321,14 @@ class Converter:
         self.add('spindle', dir=sense, rpm=number(self.speed))
 
     def on_stop_spindle_turning(self, *_):
-        if self.turning:                                  # M6 and M2 stop it on their own: the trace may say so
+        if self.turning:                                  # M6 and M2 stop it by themselves: the trace may show that
             self.add('spindle', dir='stop', **({'optional': True} if self.changing else {}))
         self.turning = False
 
     def on_orient_spindle(self, args, _):
         self.add('spindle', dir='orient', angle=number(args[1]))
 
-    # ---- the rest
+    # ---- other calls
     def on_dwell(self, args, _):
         self.add('dwell', seconds=number(args[0]))
 
@@ -350,7 +352,7 @@ class Converter:
     def on_flood_on(self, *_):
         self.add('coolant', code='M8')
 
-    def on_mist_off(self, *_):                            # M2 tells it where mist is on
+    def on_mist_off(self, *_):                            # M2 calls this when mist is on
         self.add('coolant', code='M9', **({'optional': True} if self.changing else {}))
 
     def on_program_stop(self, *_):

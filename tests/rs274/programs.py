@@ -1,5 +1,5 @@
-"""Random LinuxCNC programs, by topic. Each is made of blocks that mostly hold; one in some programs ends with a faulty one. What rs274's stub does
-not know (tests/rs274/oracle.py) does not occur: no tool change, no probe, no input."""
+"""Random LinuxCNC programs, by topic. Most blocks are valid; some programs end with an invalid one. What rs274's stub does not know
+(tests/rs274/oracle.py) does not occur: no tool change, no probe, no input."""
 import random
 
 SYSTEMS = ['G54', 'G55', 'G56', 'G57', 'G58', 'G59', 'G59.1', 'G59.2', 'G59.3']
@@ -43,7 +43,7 @@ class Program:
         turns = f' P{r.randint(1, 3)}' if self.chance(0.2) else ''
         sense = r.choice(['G2', 'G3'])
         self.add(plane)
-        if self.chance(0.5):                              # a full circle, or an arc of known ends
+        if self.chance(0.5):                              # a full circle, or an arc with given ends
             self.add(f'{sense} {centers[0]}{r.randint(1, 9)} {centers[1]}{r.randint(-9, 9)}{helix}{turns}')
         else:
             x, y = r.randint(-20, 20), r.randint(-20, 20)
@@ -128,7 +128,7 @@ class Program:
     def message(self):
         self.add(self.random.choice(['(PRINT,x #5420 y #5421)', '(MSG, text)', '(DEBUG,#200 %d #200 %.2f#5422)', '(plain remark)']))
 
-    # ---- of a machine with U V W
+    # ---- machine with U V W
     def straight_uvw(self):
         self.add(f'{self.random.choice(["G0", "G1", "G1", ""])} {self.words(self.random.choice(["UVW", "XYZUVW", "XYZ", "UVWAB"]))}'.strip())
 
@@ -144,11 +144,11 @@ class Program:
         plane = r.choice(['G17', 'G18', 'G19', 'G17.1', 'G18.1', 'G19.1', 'G17.1', 'G18.1', 'G19.1'])
         of = 'UVW' if plane.endswith('.1') else 'XYZ'
         first, second, drill = {'G17': of, 'G18': of[2] + of[0] + of[1], 'G19': of[1] + of[2] + of[0]}[plane[:3]]
-        if self.chance(0.1):                              # a letter of the other kind of plane
+        if self.chance(0.1):                              # a letter of the other type of plane
             first = r.choice('XYZUVW')
         code = r.choice(['G81', 'G82 P0.2', 'G83 Q1.3', 'G73 Q0.9', 'G85', 'G89 P0.1', 'G86 P0.1', 'G87 I0.5 J0.3 K-0.2', 'G84', 'G74'])
         if of == 'XYZ' and plane != 'G17' and code in ('G84', 'G74'):
-            code = 'G81'                                  # strokes along axes that are turned: a fault of the control
+            code = 'G81'                                  # drilling along rotated axes: a fault of the control
         self.add(f'{plane} {"M4" if code == "G74" else "M3"} {r.choice(["G98", "G99"])} {r.choice(["G90", "G90", "G91"])}')
         self.add(f'G0 {drill}{r.randint(3, 12)}')
         count = f' L{r.randint(1, 3)}' if self.chance(0.3) and code != 'G74' else ''
@@ -185,6 +185,6 @@ def random_program(seed, axes='XYZABC'):
     if program.chance(0.3):
         program.lines.insert(program.random.randint(2, len(program.lines)), program.random.choice(faulty))
     program.add('M2')
-    if any('G43' in line for line in program.lines):    # rs274's stub does not convert a length in force
+    if any('G43' in line for line in program.lines):    # rs274's stub does not convert the tool length in force
         program.lines = ['G21' if line == 'G20' else line for line in program.lines]
     return topic, '\n'.join(program.lines)

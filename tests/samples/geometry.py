@@ -1,4 +1,5 @@
-"""What the samples of tests/run_samples.py must obey, reckoned with numpy: limits of the axes, the path, planes, threads, feeds per revolution.
+"""The rules that the samples of tests/run_samples.py must obey, computed with numpy: limits of the axes, the path, planes, threads, feeds
+per revolution.
 
 `rows` is an array with a row for each sample: time in s, then the machine position of each axis of `names`. `spindle` is the spindle's
 angle at the same times.
@@ -11,19 +12,19 @@ from samples.programs import SMOOTH_PROGRAMS, SURFACE_PROGRAMS
 
 LIMITS = {'speed': 200.0, 'acceleration': 1000.0, 'jerk': 20000.0}  # mm/s, mm/s², mm/s³
 TOLERANCE = 0.02       # mm
-OVER = 1.005           # of a limit: differences of samples with nine decimals
-EXACT_PATH = 0.005     # mm: the exact run's own arcs, chords between its samples, THIN
-MOST_PATH = 2000       # samples whose way to the path is measured
-THIN = 0.003           # mm: points of the exact run nearer than this are one
-STANDS = 1e-4          # mm: at rest at the ends of a chain of threads
-IN_STEP = 1e-6         # mm, degrees: rounding of nine decimals, and of what is reckoned from them
+OVER = 1.005           # of a limit: for differences of samples with nine decimals
+EXACT_PATH = 0.005     # mm: from the exact run's own arcs, chords between its samples, THIN
+MOST_PATH = 2000       # samples whose distance from the path is measured
+THIN = 0.003           # mm: points of the exact run closer than this are merged
+STANDS = 1e-4          # mm: motion that counts as stopped at the ends of a chain of threads
+IN_STEP = 1e-6         # mm, degrees: rounding of nine decimals, and of values computed from them
 NEAR_CORNER = 2        # mm
-OVER_IN_CORNER = 1.03  # of the feed in a plane: roundings are made in the axes' own
+OVER_IN_CORNER = 1.03  # of the feed in a plane: the axes round the corners separately
 SLOW = 0.15            # of the samples: at corners, the start and the end
-AROUND_NEAR = 15       # points of the exact run, before and behind, where it is looked for,
-AROUND = 150           # and so many if it is not within NEAR of them
+AROUND_NEAR = 15       # points of the exact run before and after, where the nearest is searched
+AROUND = 150           # the same, if none of the former is within NEAR
 NEAR = 0.01            # mm
-CHUNK = 64             # samples whose distances are reckoned at once
+CHUNK = 64             # samples whose distances are computed at once
 
 
 def lengths(ways):
@@ -31,7 +32,7 @@ def lengths(ways):
 
 
 def distances(points, begins, ends):
-    """Of each point from each stretch: an array with a row for each point."""
+    """Returns the distance of each point from each segment: an array with a row for each point."""
     ways = ends - begins
     square = (ways * ways).sum(1)
     to = points[:, None, :] - begins
@@ -40,11 +41,11 @@ def distances(points, begins, ends):
 
 
 def used(names, rows):
-    """(share, limit, axis, time) of the most that is used of each limit by each axis."""
+    """Returns (share, limit, axis, time) of the greatest use of each limit by each axis."""
     if len(rows) < 3:
         return
     period = rows[1, 0] - rows[0, 0]
-    values = rows[:-1, 1:]  # the last one is the end itself, less than a period on
+    values = rows[:-1, 1:]  # the last row is the end itself, less than a period later
     moving = values.min(0) != values.max(0)
     for limit, most in LIMITS.items():
         values = np.diff(values, axis=0) / period
@@ -64,7 +65,7 @@ def thinned(points):
 
 
 class Distances:
-    """Of samples from the stretches of a path, each looked for along a part of the path that goes on with the samples."""
+    """Distances of samples from the segments of a path; each sample is searched along a part of the path that advances with the samples."""
 
     def __init__(self, points, path):
         self.points, self.begins, self.ends = points, path[:-1], path[1:]
@@ -72,7 +73,7 @@ class Distances:
         self.table = []
 
     def of(self, row, first, past):
-        """Of one sample from the stretches `first` to `past`, without the last."""
+        """Returns the distance of one sample from the segments `first` to `past`, without the last."""
         if not (self.row <= row < self.row + len(self.table) and self.first <= first and past <= self.past):
             self.row, self.first, self.past = row, first, min(past + CHUNK, len(self.begins))
             found = distances(self.points[row:row + CHUNK], self.begins[first:self.past], self.ends[first:self.past])
@@ -81,7 +82,7 @@ class Distances:
 
 
 def furthest(rows, exact):
-    """Greatest distance of a sample from the exact path, looked for around where the last one was near, and its time."""
+    """Returns the greatest distance of a sample from the exact path, searched around the segment nearest to the last sample, and its time."""
     rows = rows[:MOST_PATH]
     moving = np.flatnonzero((exact[:, 1:] != exact[0, 1:]).any(0) | (rows[:, 1:] != exact[0, 1:]).any(0)) + 1
     path = thinned(exact[:, moving].tolist())
@@ -95,7 +96,7 @@ def furthest(rows, exact):
             best = min(found)
             if best < NEAR:
                 break
-        close = [i for i, d in enumerate(found, first) if d <= best + 1e-3]  # where the path comes back on itself: rather on than back
+        close = [i for i, d in enumerate(found, first) if d <= best + 1e-3]  # where the path returns to the same place, a later segment is preferred to an earlier one
         near = min((i for i in close if i >= near), default=close[-1])
         if best > worst[0]:
             worst = (best, rows[row, 0])
@@ -103,8 +104,8 @@ def furthest(rows, exact):
 
 
 def off_feed(rows, spindle):
-    """Where the axes are neither speeding up nor slowing down much, a turn takes them 0.2 mm, nearly: along a motion speeds are kept
-    within 2 %, and lower beside the ends of its pieces."""
+    """Where the axes hardly accelerate, a revolution moves them 0.2 mm: along a motion speeds are kept within 2 %, and lower near the ends
+    of its segments."""
     def of_20(steps):
         sums = np.concatenate(([0], steps.cumsum()))
         return sums[20:] - sums[:-20]
@@ -120,7 +121,7 @@ def off_feed(rows, spindle):
 
 
 def off_chords(name, rows):
-    """Of the run on a machine that rounds nothing by itself."""
+    """Checks the run on a machine that does not round corners by itself."""
     q, tolerance, _, points = SMOOTH_PROGRAMS[name.removeprefix('smoothing ')]
     points = np.array([(x, round(y, 4)) for x, y in points])
     path = rows[lengths(rows[:, 1:3] - points[0]).argmin():, 1:3]
@@ -138,7 +139,7 @@ def off_chords(name, rows):
 
 
 def off_surface(name, names, rows):
-    """Off the contour of the plane, faster than its feed, or slower without a reason."""
+    """Reports samples that are off the contour of the plane, faster than its feed, or slower without a reason."""
     setup, radius, feed, contour = SURFACE_PROGRAMS[name.removeprefix('surface ')]
     x, turned = rows[:, names.index('X') + 1], rows[:, names.index('C' if radius == 0 else 'A') + 1]
     angle, contour = np.radians(turned), np.array(contour, dtype=float)
@@ -163,7 +164,7 @@ def off_surface(name, names, rows):
 
 
 def legs_in_step(actions):
-    """Of the motions in step with the spindle: (first of its chain, from, to, degrees that the spindle turns, where it begins)."""
+    """Returns the motions in step with the spindle: (first of its chain, from, to, degrees that the spindle turns, where it begins)."""
     at, chained = {}, False
     for action in actions:
         to = action.get('machine')
@@ -182,19 +183,19 @@ def legs_in_step(actions):
 
 
 def out_of_step(actions, names, rows, spindle):
-    """A chain begins and ends at rest; in between, away from ramps and corners, way and angle go together."""
+    """A chain starts and ends at rest; in between, away from ramps and corners, path and angle stay in step."""
     faults, chains = [], []
     for first, start, end, turned, angle in legs_in_step(actions):
         if first:
             chains.append((angle, []))
         chains[-1][1].append((np.array([start.get(n, 0) for n in names]), np.array([end[n] for n in names]), turned))
-    behind = 0  # where the last chain ended
+    behind = 0  # end of the last chain
     for angle, legs in chains:
         at_start = np.flatnonzero(lengths(rows[behind:, 1:] - legs[0][0]) < STANDS) + behind
         if len(at_start) == 0:
             faults.append(f'the chain to {legs[-1][1]} is not in the samples')
             break
-        leaves = np.flatnonzero(np.diff(at_start) > 1)  # it stands there in one stretch, and may come back later
+        leaves = np.flatnonzero(np.diff(at_start) > 1)  # the axis stays at the start for some time, and may return later
         begin = at_start[leaves[0] if len(leaves) else -1]
         at_end = np.flatnonzero(lengths(rows[begin + 1:, 1:] - legs[-1][1]) < STANDS) + begin + 1
         if len(at_end) == 0:
@@ -217,9 +218,9 @@ def chain_out_of_step(rows, spindle, angle, legs):
     rate = abs(spindle[-1] - spindle[0]) / (rows[-1, 0] - rows[0, 0])
     middle = lengths(rows[:, 1:] - (start + end) / 2).argmin()
     part = math.dist(rows[middle, 1:], start) / math.dist(start, end)
-    pulse = 360 * round((clockwise * spindle[middle] - angle - turned * part) / 360) + angle  # where the chain begins
+    pulse = 360 * round((clockwise * spindle[middle] - angle - turned * part) / 360) + angle  # start of the chain
     fastest = max(math.dist(a, b) * rate / way for a, b, way in legs)
-    ramp = rate * 2 * max(2 * fastest / LIMITS['acceleration'], math.sqrt(4 * fastest / LIMITS['jerk']))  # degrees, generously
+    ramp = rate * 2 * max(2 * fastest / LIMITS['acceleration'], math.sqrt(4 * fastest / LIMITS['jerk']))  # degrees, a generous bound
     faults, seen = [], 0
     for start, end, turned in legs:
         part = (clockwise * spindle - pulse) / turned

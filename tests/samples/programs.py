@@ -1,6 +1,6 @@
-"""The programs that tests/run_samples.py samples: those of the golden and other cases, and its own of each kind.
+"""The programs that tests/run_samples.py samples: those of the golden and other cases, and its own of each type.
 
-Each is (name, control, setup, text); the first word of the name of its own programs is their kind.
+Each is (name, control, setup, text); the name of an own program starts with its type.
 """
 import json
 import math

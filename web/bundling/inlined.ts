@@ -1,5 +1,5 @@
-// Puts script and style of a built page into its HTML, and says by their hashes that nothing else may run: the file is
-// opened from anywhere.
+// Puts the script and the style of a built page into its HTML, and adds a policy with their hashes so that nothing
+// else may run: the file can be opened from anywhere.
 import { createHash } from "node:crypto";
 import type { Plugin } from "vite";
 
@@ -24,7 +24,7 @@ export function inlined(page: string): Plugin {
           : new RegExp(`<link rel="stylesheet"[^>]*href="\\./${escaped(name)}"[^>]*>`);
         if (!place.test(text)) throw new Error(`${name} has no place in ${page}`);
         text = text.replace(place, "");
-        // A script waits for the data above it: at the end of the body.
+        // The script goes to the end of the body, because it needs the data above it.
         text = script
           ? text.replace("</body>", () => `<script type="module">${inside}</script>\n</body>`)
           : text.replace("</head>", () => `<style>${inside}</style>\n</head>`);
@@ -41,7 +41,8 @@ export function inlined(page: string): Plugin {
 }
 
 const escaped = (s: string): string => s.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-/// What would end the element, or begin a comment in it: in a string or a pattern both mean the same with a backslash.
+/// Escapes text that would end the element or start a comment in it: in a string or a regular expression the backslash
+/// changes nothing.
 export const safe_script = (code: string): string => code.replace(/<\/(script)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
 function safe_style(css: string): string {
   if (/<\/style/i.test(css)) throw new Error("a style sheet ends its element");

@@ -1,5 +1,5 @@
-// Which packages are really in a bundle, with their licences and notices: by the modules that the bundler took in. A
-// licence that may not be embedded stops the build.
+// Lists the packages that a bundle really contains, with their licences and notices, by the modules that the bundler
+// read. A licence that may not be embedded stops the build.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import type { Plugin } from "vite";
@@ -13,7 +13,7 @@ export interface Part {
   text: string;
 }
 
-/// Writes the list into `file`, beside what is served.
+/// Writes the list into `file`, next to the served files.
 export function notices(file: string): Plugin {
   return {
     name: "kadr-notices",
@@ -38,7 +38,7 @@ export function notices(file: string): Plugin {
   };
 }
 
-/// The folder of the package that a module belongs to; null for our own.
+/// Returns the folder of the package that a module belongs to; null for our own modules.
 export function package_of(id: string): string | null {
   const found = /^\0?(.*\/node_modules\/(?:@[^/]+\/)?[^/?]+)/.exec(id.replace(/\\/g, "/"));
   return found ? found[1]! : null;

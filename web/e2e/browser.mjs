@@ -1,4 +1,4 @@
-// What all browser tests share: a browser with an empty profile, and a page that reports every error it meets.
+// The common parts of all browser tests: a browser with an empty profile, and a page that reports every error.
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ const flags = [
   "--disable-component-update",
   "--disable-sync",
   "--disable-features=LocalNetworkAccessChecks,BlockInsecurePrivateNetworkRequests",
-  "--disable-gpu-compositing", // no GPU made of software for the page itself, only for what it draws by WebGL
+  "--disable-gpu-compositing", // no software GPU for the page itself, only for WebGL
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
 ];
@@ -41,7 +41,7 @@ export async function browser(size = { width: 1600, height: 1000 }) {
   return { context, page, errors, close };
 }
 
-/// Waits until `what` gives something true; says what was waited for if it never does.
+/// Waits until `what` gives a true value; throws an error with `name` if it never does.
 export async function until(name, what, ms = 25000) {
   const end = Date.now() + ms;
   for (;;) {
@@ -55,7 +55,7 @@ export async function until(name, what, ms = 25000) {
 export const must = (yes, what) => {
   if (!yes) throw new Error(what);
 };
-/// Of the page that `of` gives at the moment.
+/// Helpers that look at the page which `of` returns at the moment.
 export function looks_at(of) {
   const count = (what) => of().locator(what).count();
   const text = (what) => of().locator(what).first().textContent();
@@ -68,16 +68,16 @@ export function looks_at(of) {
         b = e?.getBoundingClientRect();
       return b && b.top >= box.top - 1 && b.bottom <= box.bottom + 1 ? e.textContent : "";
     });
-  /// What this tab keeps for a reload (src/model/memory.ts).
+  /// Returns what this tab keeps for a reload (src/model/memory.ts).
   const kept = (name) => of().evaluate((key) => JSON.parse(sessionStorage.getItem(key) ?? "null"), `kadr.${name}`);
-  /// The view as it stays: what was asked for before may still be on its way to it.
+  /// Waits until the view no longer changes: answers to earlier requests may still arrive.
   const settled_view = async () => {
     let last = null;
     return until("the view stands", async () => {
       const before = last;
       await of().evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))));
       last = await of().locator(".scene-host").screenshot();
-      await of().waitForTimeout(200); // the view is drawn finely only when it has stood for a little
+      await of().waitForTimeout(200); // the view is drawn finely only after a short time without a change
       return before?.equals(last) ? last : null;
     });
   };

@@ -1,4 +1,5 @@
-// A program for another control, in a real browser: refused with the places, proven and kept. For page.mjs.
+// Converting a program for another control, in a real browser: refused with the locations, proven and saved. Used by
+// page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 

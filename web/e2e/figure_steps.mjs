@@ -1,4 +1,4 @@
-// Where marks stand, and in which units figures are shown. For page.mjs.
+// Positions of marks, and units of figures. Used by page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -54,7 +54,8 @@ export function figure_steps({ kadr, page, pictures, only }) {
           },
           [kind, told],
         );
-      // The path cuts from (-20, 0) to (40, 38), 8 beyond the contour: the figures stand at the middles of its sides, the end at a corner.
+      // The path goes from (-20, 0) to (40, 38), 8 beyond the contour: the figures are at the middles of its sides,
+      // the end at a corner.
       const end = await flag("end"),
         wide = await flag("figure", "60.000"),
         high = await flag("figure", "38.000");

@@ -1,5 +1,5 @@
-// How soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…]. From the
-// question `open` to a picture that has some of the path in it.
+// Measures how soon the first path of a long program is on the screen: KADR=…/kadr node e2e/first_path.mjs [BLOCKS…].
+// The time is from the question `open` to a picture that shows some of the path.
 import { closeSync, mkdtempSync, openSync, rmSync, writeSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -25,8 +25,8 @@ function write_program(name, blocks) {
   closeSync(file);
 }
 
-/// In the page, before its own script: when `open` was asked, its answer came, frames came, lines were first drawn; and
-/// each long task.
+/// Runs in the page, before its own script: records when `open` was sent, its answer came, frames came, lines were
+/// first drawn; and each long task.
 function listen() {
   const w = (window.first = { tasks: [] }),
     send = WebSocket.prototype.send,
@@ -49,7 +49,7 @@ function listen() {
     draw.call(this, mode, first, count);
     if (mode !== this.LINES || count < 500 || w.asked === undefined || w.drawn !== undefined) return; // axes and boxes are a few lines
     w.drawn = performance.now();
-    requestAnimationFrame(() => setTimeout(() => mark("shown"), 0)); // the picture has been handed to the compositor
+    requestAnimationFrame(() => setTimeout(() => mark("shown"), 0)); // the picture has been passed to the compositor
   };
   new PerformanceObserver((l) => {
     for (const e of l.getEntries()) w.tasks.push([e.startTime, e.duration]);

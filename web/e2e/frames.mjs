@@ -1,5 +1,5 @@
-// How many pictures a second while a long path is turned, moved and zoomed: node e2e/frames.mjs [SEGMENTS] [PICTURES].
-// The path comes from a made-up session.
+// Measures the pictures per second while a long path is rotated, moved and zoomed: node e2e/frames.mjs [SEGMENTS]
+// [PICTURES]. The path comes from a mock session.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { browser, until } from "./browser.mjs";
@@ -11,7 +11,7 @@ const segments = Number(process.argv[2] ?? 5_000_000),
 const server = await serve_session(long_session(segments));
 const { page, errors, close } = await browser();
 
-/// From now on: the time of each picture, and each task of the page's thread above 50 ms.
+/// Starts to record the time of each picture, and each task of the page's thread above 50 ms.
 const watch = () =>
   page.evaluate(() => {
     const w = (window.watched = { frames: [], tasks: [], on: true });

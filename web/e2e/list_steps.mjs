@@ -1,4 +1,4 @@
-// One list of what is wrong: what the cut finds stands among the problems, with the ids of `kadr cut`. For page.mjs.
+// One list of all problems: collisions of the cut are among them, with the ids of `kadr cut`. Used by page.mjs.
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
@@ -18,7 +18,7 @@ export function list_steps({ kadr, page, pictures, examples, only }) {
     await page.waitForTimeout(300);
     await ended();
   }
-  /// What the command says of the same program: "id line", in the order of both.
+  /// The findings of the command for the same program: "id line", in the order of both.
   function by_command(name) {
     const cut = join(examples, "cut");
     const words = ["--control", "mach3", "--stock", stock, "--tools", join(cut, "tools.toml"), "--json", "-", "-q"];

@@ -1,11 +1,11 @@
-// A path of any number of segments as frames of the protocol: a surface milled line by line, 256 motions a line,
-// heights that no level leaves out alike.
+// A path of any number of segments as frames of the protocol: a surface milled line by line, 256 motions per line,
+// with heights that every level of detail simplifies differently.
 const most = 8192,
   row = 256,
   step = 0.25,
   levels = 16;
 
-/// Frame of piece `index` of a path of `segments` motions.
+/// Returns the frame of piece `index` of a path of `segments` motions.
 export function long_frame(index, segments) {
   const first = index * (most - 1),
     n = Math.min(most, segments + 1 - first),
@@ -57,7 +57,7 @@ export function long_frame(index, segments) {
 export const pieces_of = (segments) => Math.ceil(segments / (most - 1));
 const trailing_zeros = (v) => 31 - Math.clz32(v & -v);
 
-/// A session whose one program is that path; `told(name)` hears of what it is asked.
+/// Creates a session whose only program is that path; `told(name)` is called for each question.
 export const long_session = (segments) => (send, drained) => {
   const say = (m) => send(JSON.stringify(m));
   const extents = [

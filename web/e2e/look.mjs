@@ -1,4 +1,4 @@
-// The page with a made-up session, for looking at it: node e2e/look.mjs FOLDER writes pictures there.
+// The page with a mock session, to look at it: node e2e/look.mjs FOLDER writes pictures there.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -1,4 +1,4 @@
-// Programs from drawings, tape out and in, in a real browser. For page.mjs.
+// Programs from drawings, writing and reading tape, in a real browser. Used by page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -7,10 +7,10 @@ export function making_steps({ kadr, page, pictures }) {
   return {
     async "making: a new program from a drawing, by the keyboard alone"() {
       await page.goto(kadr.address());
-      await page.reload(); // the same address with another token is no new page
+      await page.reload(); // the same address with another token loads no new page
       await until("the files", () => count(".file-row"));
       await page.click(".crumbs button >> nth=0");
-      await until("the folder that is served", async () => (await count(".crumbs button")) === 1); // what was open before brings its own folder
+      await until("the folder that is served", async () => (await count(".crumbs button")) === 1); // the last open program opens its own folder
       const folder = (await count('.file-row.folder .file-name:text-is("mill")')) ? "mill/" : "";
       const focused = () => page.evaluate(() => document.activeElement?.name ?? "");
       const told = () => text(".mill-told");
@@ -24,7 +24,7 @@ export function making_steps({ kadr, page, pictures }) {
         async () => {
           await page.keyboard.type(`${folder}cover.txt`);
           if ((await chosen()) === `${folder}cover.txt`) return true;
-          await page.waitForTimeout(1200); // what was typed is forgotten: a busy browser had taken too long over it
+          await page.waitForTimeout(1200); // waits until the input is forgotten: a busy browser was too slow for it
           return false;
         },
         60_000,
@@ -54,7 +54,7 @@ export function making_steps({ kadr, page, pictures }) {
         "the picture is none",
       );
       await page.keyboard.press("Shift+Tab");
-      await page.keyboard.type("0"); // all of it is chosen by Tab
+      await page.keyboard.type("0"); // Tab has selected all of it
       await until(
         "it is out of range",
         async () =>

@@ -1,6 +1,6 @@
 // What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit
-// status 1 when a step fails. Waits are for conditions, and long: a busy machine is slow, not wrong. What the server
-// does not serve is skipped, which is said.
+// status 1 if a step fails. Waits are for conditions, with long limits: a busy machine is slow, not wrong. Steps that
+// the server does not support are skipped with a message.
 import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -23,8 +23,8 @@ const { count, text, ended, toasts, line_shown, kept, settled_view } = looks_at(
 const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
 const line = () => text(".state .block-told .dim");
 const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
-/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse is on its way:
-/// then once more.
+/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse moves; then it
+/// tries again.
 async function click_line(begins) {
   await page.locator(".slider").focus();
   await page.keyboard.press("Home");
@@ -38,14 +38,15 @@ async function click_line(begins) {
     return ((await page.locator(".cm-activeLine").first().textContent()) ?? "").startsWith(begins);
   });
 }
-/// A new last line. Enter, not a line feed in the text: that would be whatever the browser makes of it.
+/// Adds a last line. It presses Enter: the effect of a line feed in typed text would depend on the browser.
 async function add_line(told) {
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+End");
   await page.keyboard.press("Enter");
   await page.keyboard.insertText(told);
 }
-/// What the view tells at each of these places, by a pointer of the page's own: a place a picture.
+/// Returns the text that the view shows at each of these positions, by synthetic pointer events: one position per
+/// picture.
 const told_at = (places) =>
   page.evaluate(async (all) => {
     const canvas = document.querySelector(".scene-host canvas"),
@@ -58,11 +59,11 @@ const told_at = (places) =>
     }
     return told;
   }, places);
-/// Moves the mouse over the view to a motion that `wanted` likes; gives where. The places are those of a grid, one far
-/// from the next, so that few need to be tried.
+/// Moves the mouse over the view to a motion that `wanted` accepts; returns its position. The positions are from a
+/// grid, each far from the next, so that few need to be tried.
 async function find_motion(wanted = () => true) {
   const box = await page.locator(".scene-host canvas").boundingBox(),
-    [columns, rows, step, batch] = [30, 24, 443, 20]; // step: no divisor in common with the number of places
+    [columns, rows, step, batch] = [30, 24, 443, 20]; // step: no divisor in common with the number of positions
   const places = Array.from({ length: columns * rows }, (_, i) => (i * step) % (columns * rows)).map((k) => [
     box.x + (0.2 + 0.02 * (k % columns)) * box.width,
     box.y + (0.15 + 0.03 * Math.floor(k / columns)) * box.height,
@@ -81,7 +82,7 @@ async function find_motion(wanted = () => true) {
   throw new Error("no such motion found under the mouse");
 }
 
-const only = process.env.STEPS; // parts of their names, divided by |: those alone
+const only = process.env.STEPS; // parts of step names, separated by |: only these steps run
 const steps = {
   async "opens, and takes the token out of the address"() {
     await page.goto(kadr.address());
@@ -300,7 +301,7 @@ const steps = {
       60_000,
     );
     await until("the end", async () => (await now()) > 1);
-    await settled_view(); // the part before may still be told
+    await settled_view(); // the previous part may still arrive
     const whole = (await page.locator(".cut .note").allTextContents()).join(" ");
     await page.keyboard.press("Home");
     await until(
@@ -382,7 +383,7 @@ const steps = {
   },
   async "a reload keeps file and instant"() {
     await page.goto("about:blank");
-    await page.goto(kadr.address()); // the server that came back has another token
+    await page.goto(kadr.address()); // the restarted server has another token
     await ended();
     await page.locator(".slider").focus();
     await page.keyboard.press("End");
@@ -416,7 +417,7 @@ const steps = {
   async "a reload keeps what was not saved"() {
     await add_line("(NOT SAVED)");
     await until("unsaved", () => count(".dirty"));
-    await page.waitForTimeout(600); // it is kept a little after the last key
+    await page.waitForTimeout(600); // it is saved a short time after the last key
     await page.reload();
     await ended();
     await until(
@@ -486,7 +487,7 @@ const steps = {
     if (!process.env.KADR) return "skipped: the made-up session has no rotary axes";
     await page.goto(`${new URL(kadr.address()).origin}/`);
     await until("the files", () => count(".file-row"));
-    if (!only) await ended(); // what was open before the reload has been opened again, with its folder
+    if (!only) await ended(); // the program that was open before the reload has opened again, with its folder
     await page.click(".crumbs button >> nth=0");
     for (const name of ["five-axes", "trunnion_drilling.nct"]) await page.click(`.file-row:has-text('${name}')`);
     await ended();
@@ -506,7 +507,7 @@ const steps = {
     const tick = async () => {
       await page.click(".filters summary");
       await page.locator(".filters label:has-text('The part turns')").click();
-      await page.click(".filters summary"); // the list lies over the view, and would be in its picture
+      await page.click(".filters summary"); // the list covers the view, and would be in its picture
       await page.locator(".slider").hover();
     };
     await page.locator(".slider").hover();

@@ -1,4 +1,4 @@
-// What an operator does at the panel of a machine, step by step, in a real browser. For page.mjs.
+// What an operator does at the panel of a machine, step by step, in a real browser. Used by page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -63,7 +63,7 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.click(".restart button:has-text('Find')");
       await until("that it is not there", async () => (await toasts()).includes("not reached"), 20_000);
       await field("line").fill("20");
-      await field("line").press("Enter"); // keyboard alone
+      await field("line").press("Enter"); // by keyboard only
       await until("the sheet", () => count(".restart-sheet"), 20_000);
       await until(
         "a clearance over all that is gone through",
@@ -302,7 +302,8 @@ export function panel_steps({ kadr, page, pictures, only }) {
   };
 }
 
-/// The last ones: once another context has had the keys, type-ahead in lists does not come back to the first page.
+/// These steps are last: once another browser context has had the keyboard, type-ahead in lists no longer works in the
+/// first page.
 export function finger_steps({ kadr, browser, pictures }) {
   let page;
   const { count, ended } = looks_at(() => page);

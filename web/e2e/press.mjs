@@ -1,9 +1,9 @@
-// From a press to its effect on the screen: KADR=…/kadr node e2e/press.mjs [PRESSES=40]. Hold and Start in turn on a
-// long motion, in Chromium.
-// Told stage by stage, so that what the page does is not taken for what the browser's drawing takes:
-//   answer   of the server to the press          told    the first state that shows it has come
+// Measures the time from a key press to its effect on the screen: KADR=…/kadr node e2e/press.mjs [PRESSES=40]. Hold and
+// Start in turn on a long motion, in Chromium.
+// Printed stage by stage, to separate the time of the page from the time of the browser's drawing:
+//   answer   of the server to the press          told    the first state that shows it has arrived
 //   page     the page shows it (its DOM)         frame   the animation frame after that begins (docs/benchmarks.md)
-//   painted  that frame has been handed to the compositor
+//   painted  that frame has been passed to the compositor
 import { mkdtempSync, writeFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -21,7 +21,7 @@ const kadr = await server(folder),
   { page, close } = await browser();
 await kadr.prepare(page);
 await page.addInitScript(() => {
-  // what comes over the line, before the page sees it
+  // sees messages before the page does
   const Plain = window.WebSocket;
   window.WebSocket = class extends Plain {
     constructor(...of) {
@@ -42,7 +42,7 @@ await page.click("[data-tab=panel]");
 await page.click(".operator button:has-text('Switch on')");
 await until("it stands", () => page.locator(".operator .mode.standing").count());
 
-/// In the page. Hold shows as soon as the axes are slower than planned; that they stand takes as long as they brake.
+/// Runs in the page. Hold shows as soon as the axes are slower than planned; a full stop takes as long as braking.
 const press = (button, key) =>
   new Promise((yes) => {
     const panel = document.querySelector(".operator"),
@@ -77,7 +77,7 @@ const press = (button, key) =>
     observer.observe(panel, { childList: true, subtree: true, characterData: true, attributes: true });
     button.click();
   });
-/// In the page: ms between frames while the machine runs and nobody presses.
+/// Runs in the page: ms between frames while the machine runs and no key is pressed.
 const pace = () =>
   new Promise((yes) => {
     const gaps = [];

@@ -1,5 +1,5 @@
-// Opens reports of `kadr report` as a file, without a network: node e2e/report.mjs SMALL WRONG LONG (tests/report.py
-// makes them).
+// Opens reports of `kadr report` as files, without a network: node e2e/report.mjs SMALL WRONG LONG (tests/report.py
+// creates them).
 import { pathToFileURL } from "node:url";
 import { browser, until } from "./browser.mjs";
 
@@ -21,7 +21,7 @@ page.on("request", (r) => {
   if (!/^(file|blob):/.test(r.url())) asked.push(r.url());
 });
 
-/// Pixels of the sheet's picture that are not its ground: something is drawn.
+/// Counts the pixels of the sheet's picture that differ from its background, to check that something is drawn.
 async function drawn() {
   await page.getByRole("button", { name: /Set-up sheet|Карта наладки/ }).click();
   await until(

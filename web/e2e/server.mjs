@@ -1,5 +1,5 @@
-// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session
-// answers. DIST: a built page in place of the one inside the program.
+// The server under test: KADR names the program, and a copy of its examples is served. Without KADR the mock session
+// answers. DIST: a built page that replaces the one inside the program.
 import { spawn } from "node:child_process";
 import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -12,7 +12,7 @@ export async function server(examples) {
   return process.env.KADR ? real(process.env.KADR, examples) : made_up();
 }
 
-/// The page's files from a folder, for a page that is newer than the program.
+/// Serves the page's files from a folder, for a page that is newer than the program.
 export async function page_from(page, dist) {
   if (dist)
     await page.route(/^http:\/\/127\.0\.0\.1:\d+\/[\w.-]*$/, (route) => {
@@ -21,7 +21,7 @@ export async function page_from(page, dist) {
     });
 }
 
-/// Programs that no example shows: a stated work zero, inches, an offset that two tools share.
+/// Programs for which there is no example: a stated work offset, inches, an offset that two tools share.
 const our_own = {
   "zero.nc": [
     "%",
@@ -102,7 +102,7 @@ export async function real(kadr, examples) {
     change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"),
     lose: stop,
     regain: async () => {
-      address = (await start(Number(port), "--open"))[1]; // it has another token: a page that was open may only look
+      address = (await start(Number(port), "--open"))[1]; // it has another token: a page that was open may only watch
     },
     close: async () => {
       await stop();
@@ -129,12 +129,12 @@ async function made_up() {
             try {
               ws.send(typeof m === "string" ? m : Buffer.from(m));
             } catch {
-              /* the page has gone */
+              /* the page was closed */
             }
           }),
         );
       }),
-    change: () => {}, // the made-up session refuses a text that says CONFLICT
+    change: () => {}, // the mock session refuses a text that contains CONFLICT
     lose: async () => {
       lost = true;
       for (const ws of open.splice(0)) await ws.close();

@@ -1,13 +1,13 @@
-// A page's server made up for measurements: the built page by HTTP and a session over a real WebSocket, so that binary
-// frames come as fast as from `kadr serve`.
+// A mock server for measurements: the built page by HTTP and a session over a real WebSocket, so that binary frames
+// arrive as fast as from `kadr serve`.
 import { createHash } from "node:crypto";
 import { fileURLToPath } from "node:url";
 import { serve_page } from "../test/mock-server.mjs";
 
 const magic = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"; // RFC 6455, 1.3
 
-/// `answer_with(send, drained)` gives the function that takes each message; `drained()` waits until what was sent has
-/// gone.
+/// `answer_with(send, drained)` returns the function that receives each message; `drained()` waits until everything
+/// sent has left.
 export async function serve_session(answer_with) {
   const server = await serve_page(fileURLToPath(new URL("../dist", import.meta.url)));
   server.http.on("upgrade", (request, socket) => {
@@ -48,7 +48,8 @@ function head_of(message) {
   return head;
 }
 
-/// The first message of these bytes, unmasked; null while it is not whole. What is no text has text null.
+/// Returns the first message of these bytes, unmasked; null while it is incomplete. A message that is not text has
+/// text null.
 function take(bytes) {
   if (bytes.length < 6) return null;
   let length = bytes[1] & 127,

@@ -1,4 +1,4 @@
-// What is shown is what is compared, kept and run: the text as it stands in the editor. For page.mjs.
+// What is shown is what is compared, saved and run: the current text of the editor. Used by page.mjs.
 import { join } from "node:path";
 import { looks_at, must, until } from "./browser.mjs";
 
@@ -15,7 +15,7 @@ export function text_steps({ kadr, page, pictures, only }) {
     await ended();
     await until(`the text of ${name}`, async () => (await text(".source .pane-title")).includes(name));
   }
-  /// Types at the end of the line that begins so, as a person does.
+  /// Types at the end of the line with this beginning, as a person does.
   async function type_at(begins, told) {
     await page.locator(".cm-line", { hasText: begins }).first().click();
     await page.keyboard.press("End");
@@ -104,7 +104,7 @@ export function text_steps({ kadr, page, pictures, only }) {
     },
     async "a tab that is closed: the browser asks, and the text is offered on the next visit"() {
       if (!process.env.KADR) return "skipped: the made-up session has no files to come back to";
-      await open("plate.nc"); // what the server has opened last
+      await open("plate.nc"); // the file that the server opened last
       const visit = async () => {
         const its = await page.context().newPage();
         await kadr.prepare(its);
@@ -158,7 +158,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await until("unsaved", () => third.locator(".dirty").count());
       await third.click(".switch [lang=en]");
       await until("its run", () => third.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
-      kadr.change(); // somebody else, meanwhile
+      kadr.change(); // another client changes the file meanwhile
       await close(third);
 
       const fourth = await visit();
@@ -170,7 +170,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await until("its run", () => fourth.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
       await fourth.keyboard.press("Control+s");
       await until("the conflict", () => fourth.locator("dialog:has-text('changed on the disk')").count());
-      await fourth.click("dialog button.main"); // theirs
+      await fourth.click("dialog button.main"); // the other client's version
       await until(
         "what lies on the disk",
         async () => !(await fourth.locator(".cm-content").textContent()).includes("YESTERDAY"),

@@ -1,4 +1,4 @@
-// The page put together: one app, its panes, and how they lead each other.
+// Assembles the page: one app, its panes, and their connections.
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
@@ -47,14 +47,14 @@ set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
 const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
-const until_shown = 120; // ms in which a key's effect is shown, before the view takes the browser's time
+const until_shown = 120; // ms in which the effect of a key is shown before the view uses the browser's time
 const operator = new Operator(() => new WebSocket(address) as unknown as Socket);
 let shapes: Shape[] = [],
   stock: SceneBox[] = [],
   shown_file = "";
 
 const scene_pane = new ScenePane(app, (v) => {
-  if (v.which & 1) return; // the other version's path has no place on this program's slider
+  if (v.which & 1) return; // the path of the other version has no time on this program's slider
   app.seek(v.time);
   if (v.file === 0) source.show(v.line);
 });
@@ -133,7 +133,7 @@ document.body.append(
 app.on_path.on((frame) => scene?.addPath(frame));
 app.on_part.on((frame) => scene?.setPart(frame));
 app.on_opening.on((file) => {
-  if (file === shown_file) return scene?.replacePath(); // run anew: what is seen stays until the new path comes
+  if (file === shown_file) return scene?.replacePath(); // the program runs again: the old picture stays until the new path arrives
   shown_file = file;
   scene?.clearPath();
   scene?.view("fit");
@@ -175,7 +175,7 @@ operator.on_panel.on((p) => {
   scene?.highlight(p.line, 0);
 });
 
-/// To the pass of a line that is nearest to where the slider stands.
+/// Goes to the pass of a line that is nearest to the slider.
 async function go_to_line(line: number, file: number): Promise<void> {
   scene?.highlight(line, file);
   if (app.done) await app.seek_line(line, file);
@@ -183,7 +183,7 @@ async function go_to_line(line: number, file: number): Promise<void> {
 
 function jump_to(p: Problem): void {
   if (p.at !== undefined) app.seek(p.at);
-  if (is_of_cut(p)) void app.seek_line(p.line, p.file); // what hits is the block that begins there, not the one that ends
+  if (is_of_cut(p)) void app.seek_line(p.line, p.file); // the block that hits is the one that starts there, not the one that ends
   if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
 }
 
@@ -204,6 +204,6 @@ listen_keys(app, player, {
 offer_unsaved(app);
 window.addEventListener("beforeunload", (e) => {
   app.keep_place();
-  if (app.dirty) e.preventDefault(); // the browser asks: its tab may be closed for good
+  if (app.dirty) e.preventDefault(); // the browser asks the user: the tab may be closing
 });
 app.client.connect();

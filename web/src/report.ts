@@ -1,4 +1,4 @@
-// A report put together: the page's viewer without a server, with its data inside the file.
+// Assembles a report: the page's viewer without a server, with its data inside the file.
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
@@ -31,7 +31,7 @@ import { toast } from "./ui/toast";
 import { Topbar } from "./ui/topbar";
 import { WorstPanel } from "./ui/worst_panel";
 
-keep_nothing_of_tab(); // the tab may hold another report next
+keep_nothing_of_tab(); // the tab may show another report next
 set_language(language());
 const held = document.getElementById("kadr-data")?.textContent ?? "";
 unpack(held).then(show, (e: unknown) => {
@@ -141,14 +141,14 @@ function show(report: Report): void {
   });
   app.client.connect();
 
-  /// To the pass of a line that is nearest to where the slider stands.
+  /// Goes to the pass of a line that is nearest to the slider.
   async function go_to_line(line: number, file: number): Promise<void> {
     scene?.highlight(line, file);
     if (app.done) await app.seek_line(line, file);
   }
   function jump_to(p: Problem): void {
     if (p.at !== undefined) app.seek(p.at);
-    if (is_of_cut(p)) void app.seek_line(p.line, p.file); // what hits is the block that begins there, not the one that ends
+    if (is_of_cut(p)) void app.seek_line(p.line, p.file); // the block that hits is the one that starts there, not the one that ends
     if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
   }
 }

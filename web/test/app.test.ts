@@ -1,4 +1,4 @@
-// What the page holds of a program, on a socket made of nothing: the last wish counts, however late an answer comes.
+// Tests the state of the page for a program, on a fake socket: the last request counts, however late an answer comes.
 import { expect, test, vi } from "vitest";
 import { App } from "../src/model/app";
 import type { Socket } from "../src/protocol/client";
@@ -25,7 +25,7 @@ vi.mock("../src/protocol/token", () => ({ token: () => undefined }));
 const settle = async (): Promise<void> => {
   for (let i = 0; i < 20; i++) await Promise.resolve();
 };
-/// An App whose program has run for 100 s in 50 blocks. `answer(what, body)` answers the newest question of that kind.
+/// An App whose program has run for 100 s in 50 blocks. `answer(what, body)` answers the newest question of that type.
 async function run_over(): Promise<{ app: App; socket: Fake; answer: (what: string, body: object) => Promise<void> }> {
   const socket = new Fake();
   const app = new App(() => socket);
@@ -85,7 +85,7 @@ test("steps go on from where the slider stands, whatever was told before", async
   const { app, socket, answer } = await run_over();
   await answer("state", { number: 50, at: 100 });
   app.seek(0);
-  app.step(10); // its state is not there yet
+  app.step(10); // its state has not arrived yet
   await answer("state", { number: 1, at: 0 });
   expect(socket.sent.filter((q) => q.do === "state").at(-1)!.number).toBe(10);
 });

@@ -1,10 +1,10 @@
-// Pieces that are drawn together: their segments in order, joined anew only where something changed.
+// Tests pieces that are drawn together: their segments in order, joined again only where something changed.
 import { LineBasicMaterial } from "three";
 import { expect, test } from "vitest";
 import { Bundle, type Part } from "../src/scene/bundle";
 import type { Segments } from "../src/scene/segments";
 
-/// Segments along X from `first` on, each 1 long; its colour is its number.
+/// Segments along X from `first` on, each 1 long; the colour of a segment is its number.
 function segments(first: number, count: number): Segments {
   const each = Array.from({ length: count }, (_, i) => first + i);
   return {

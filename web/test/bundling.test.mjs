@@ -1,4 +1,5 @@
-// What is put into one file stays in its element; what may not be embedded stops the build.
+// Tests that the contents of the one file stay in their elements, and that a package which may not be embedded stops
+// the build.
 import { describe, expect, it } from "vitest";
 import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,4 +1,4 @@
-// The part as it stands on the machine: joints in their order, and the eye that goes round it.
+// Tests the part as it is on the machine: joints in their order, and the eye that rotates about it.
 import { describe, expect, it } from "vitest";
 import { Matrix4, Vector3 } from "three";
 import type { Joint } from "../src/protocol/types";

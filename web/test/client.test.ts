@@ -1,4 +1,4 @@
-// The client on a socket made of nothing: numbers, promises, events, frames, lost lines.
+// Tests the client on a fake socket: numbers, promises, events, frames, lost connections.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { Client, Lost, Refused, wait_before, type Socket } from "../src/protocol/client";
 
@@ -89,7 +89,7 @@ test("events and frames go to their listeners; what is neither is left alone", a
   client.event.on((e) => got.push(e.name));
   client.frame.on((f) => got.push(f.kind));
   socket.say({ event: "progress", part: 0.5 });
-  socket.say(new Uint32Array([3, 0, 0, 0]).buffer); // a part of nothing
+  socket.say(new Uint32Array([3, 0, 0, 0]).buffer); // an empty part
   socket.say(new ArrayBuffer(20));
   for (const data of ["no json", "null", "7", "[]", "{}", undefined]) socket.onmessage?.({ data });
   socket.say({ re: 99 });

@@ -1,4 +1,4 @@
-// What is asked of a conversion, how the answer is shown and kept, and that a long one is given up.
+// Tests the question of a conversion, how the answer is shown and saved, and that a long conversion is stopped.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { App } from "../src/model/app";
 import { beginning_of, by_reason, conversion_of, says_something, setup_name_of } from "../src/model/convert_form";
@@ -141,7 +141,7 @@ describe("asking", () => {
     line.answer(line.asked[1]!, { text: "equal", tolerance: 1, written: null, tries: [] });
     await settle();
     expect([asking.answer, asking.refusal]).toEqual([null, ""]);
-    asking.want(question, true); // the same once more
+    asking.want(question, true); // the same question again
     await settle();
     line.answer(line.asked.at(-1)!, { error: { text: "no such control" } });
     await settle();

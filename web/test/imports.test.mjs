@@ -1,5 +1,5 @@
-// The files of src import one another without a circle, also not by their types: each can be read and tested with what
-// stands beneath it alone.
+// Checks that the imports of the files of src have no cycle, not even by types: each file can be read and tested with
+// only the files below it.
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -7,7 +7,8 @@ import { expect, test } from "vitest";
 
 const src = fileURLToPath(new URL("../src", import.meta.url));
 
-/// Our own files that a text names in `import … from "…"`, `export … from "…"`, `import "…"` and `import("…")`.
+/// Returns our own files that a text names in `import … from "…"`, `export … from "…"`, `import "…"` and
+/// `import("…")`.
 function imported(file, text) {
   const names = [...text.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*"(\.[^"]*)"/g)].map((m) => m[1]);
   return names
@@ -15,8 +16,8 @@ function imported(file, text) {
     .map((name) => normalize(join(dirname(file), `${name.replace(/\.ts$/, "")}.ts`)));
 }
 
-/// `files`: texts by name. A circle as the names along it, the first one once more at the end; null where there is
-/// none.
+/// `files`: texts by name. Returns a cycle as the names along it, with the first one repeated at the end; null if
+/// there is none.
 function circle_in(files) {
   const over = new Set(),
     way = [];

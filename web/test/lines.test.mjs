@@ -1,4 +1,5 @@
-// No line is so long that it does not fit a screen. The formatter breaks code; what it leaves, texts and comments, is seen here.
+// Checks that no line is too long for a screen. The formatter breaks code; this checks what it leaves: texts and
+// comments.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -7,7 +8,7 @@ import { expect, test } from "vitest";
 const web = fileURLToPath(new URL("..", import.meta.url));
 const most = 150; // characters
 
-/// Places of the lines that are longer.
+/// Returns the locations of longer lines.
 const too_long = (name, text) =>
   text.split("\n").flatMap((line, i) => ([...line].length > most ? [`${name}:${i + 1}`] : []));
 

@@ -1,4 +1,4 @@
-// What is marked in the view: boxes without some of their sides, what goes beyond them, flags, figures of the legend.
+// Tests marks in the view: boxes without some of their sides, paths that leave them, flags, figures of the legend.
 import { Box3, Vector3 } from "three";
 import { expect, test } from "vitest";
 import type { Mark } from "../src/protocol/types";
@@ -54,7 +54,7 @@ test("a figure stands at the lowest edge of its axis", () => {
     [10, 20, 30],
   ];
   expect(new Set(Array.from({ length: 8 }, (_, i) => corner(box, i).join())).size).toBe(8);
-  expect(figure_places(box, (p) => -p[2])[0]![2]).toBe(0); // seen from the side: what lies low
+  expect(figure_places(box, (p) => -p[2])[0]![2]).toBe(0); // seen from the side: the lower edges
   expect(figure_places(box, (p) => p[2])[0]).toEqual([5, 0, 30]);
   expect(figure_places(box, (p) => p[0] + p[1])[2]).toEqual([10, 20, 15]);
 });
@@ -71,7 +71,7 @@ test("of too many marks the gravest stay; where an alarm stopped it there is no 
     ["tool", 3],
     ["end", 9],
   ]);
-  expect(flags_of([mark("tool", 3)], 9, () => null)).toEqual([]); // nothing is known of where
+  expect(flags_of([mark("tool", 3)], 9, () => null)).toEqual([]); // the position is unknown
 });
 
 test("a ramp has as many places as its range asks for", () => {

@@ -1,4 +1,4 @@
-// Circles through vertices, anchors, distances between points, edges and centres.
+// Tests circles through vertices, anchors, distances between points, edges and centres.
 import { describe, expect, it } from "vitest";
 import { circle } from "../src/scene/arc";
 import { anchor_of, distance_between } from "../src/scene/measure";

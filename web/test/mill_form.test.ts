@@ -1,4 +1,4 @@
-// What is typed of a drawing that is to be milled, the question that it makes, and whose answers count.
+// Tests the input for milling a drawing, the question that it gives, and which answers count.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Making } from "../src/model/making";
 import { is_asked, number_of, question_of, type MillForm } from "../src/model/mill_form";

@@ -1,4 +1,4 @@
-// A session made up for looking at the page without the server: answers by the protocol about a program it makes
+// A mock session to look at the page without the server: answers by the protocol about a program that it creates
 // itself. For development and page tests only.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
@@ -14,7 +14,7 @@ const policy =
   "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; " +
   "img-src 'self' blob:; connect-src 'self' ws:; frame-ancestors 'none'; base-uri 'none'";
 
-/// Serves the built page with the headers the server will have.
+/// Serves the built page with the server's headers.
 export function serve_page(dist) {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url, "http://x").pathname).replace(/^\/$/, "/index.html");

@@ -1,4 +1,4 @@
-// The made-up session itself: one function a question. `send` takes text or an ArrayBuffer.
+// The mock session itself: one function per question. `send` accepts text or an ArrayBuffer.
 import { part_frame, path_frame, program } from "./mock-server.mjs";
 
 const long_lines = 3_000_000;

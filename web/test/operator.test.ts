@@ -1,4 +1,4 @@
-// The line to a machine: switched on, looked at, refused, lost and found again.
+// Tests the connection to a machine: switched on, watched, refused, lost and restored.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Operator } from "../src/model/operator";
 import type { Socket } from "../src/protocol/client";

@@ -1,4 +1,4 @@
-// Texts, problems, shapes of tools, the path's columns: what has a right answer without a browser.
+// Tests texts, problems, shapes of tools, the path's columns: everything that needs no browser.
 import { expect, test, vi } from "vitest";
 import { en } from "../src/texts/en";
 import { ru } from "../src/texts/ru";

@@ -1,4 +1,4 @@
-// A report's data becomes the frames of a session, and its socket answers as one.
+// Tests that a report's data becomes the frames of a session, and that its socket answers like a session.
 import { describe, expect, it } from "vitest";
 import { Client } from "../src/protocol/client";
 import { WorstLines } from "../src/model/worst";
@@ -59,7 +59,7 @@ const data = {
   part: { cell: 0.5, off: 0.01 },
 } as unknown as ReportData;
 
-/// Line 2 comes twice; x to -2.5 and back; the last way leans.
+/// Line 2 occurs twice; x to -2.5 and back; the tool is tilted in the last motion.
 function sample(): Uint8Array {
   const path = new Bytes()
     .u32(4)

@@ -1,4 +1,5 @@
-// Going on in mid program: asked for until it is found, the way that is drawn, what is left as it is.
+// Tests a restart in the middle of a program: requests until it is found, the approach that is drawn, what stays
+// unchanged.
 import { describe, expect, it, vi } from "vitest";
 import { Restart } from "../src/model/restart";
 import { Signal } from "../src/model/signal";
@@ -105,7 +106,7 @@ describe("a restart", () => {
     restart.set_leave("2/tool:", true);
     restart.set_point(0, "Z", 50, 2);
     restart.go_first(2);
-    await restart.find({ line: 9 }); // once more, as for another clearance
+    await restart.find({ line: 9 }); // again, as after a change of the clearance
     expect([...restart.leave]).toEqual(["2/tool:"]);
     expect(restart.ways.map((w) => w.channel)).toEqual([2, 1]);
     restart.set_point(0, "Z", 50, 2);

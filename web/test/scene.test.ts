@@ -1,4 +1,4 @@
-// The 3D view's arithmetic: frames that lie, levels, what is drawn at them, where the tool is.
+// Tests the arithmetic of the 3D view: invalid frames, levels, what is drawn at them, the position of the tool.
 import { describe, expect, it } from "vitest";
 import { read_frame, type PartFrame, type PathFrame, type RowsFrame } from "../src/protocol/frames";
 import { Eye } from "../src/scene/camera";

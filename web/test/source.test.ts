@@ -1,4 +1,4 @@
-// Virtual view and words of the source.
+// Tests the virtual view and the words of the source.
 import { expect, test } from "vitest";
 import { greatest_height, ScrollMap } from "../src/source/virtual_map";
 import { token_at } from "../src/source/tokens";

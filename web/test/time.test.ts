@@ -1,4 +1,4 @@
-// Arithmetic of the slider.
+// Tests the arithmetic of the slider.
 import { expect, test } from "vitest";
 import { clusters, instant_at, next_mark, place_of, played, slider_of, times_of } from "../src/model/time";
 import { clock, coordinate, grouped } from "../src/ui/figures";

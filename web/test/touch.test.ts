@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { touch_at } from "../src/model/touch";
 
 const rules = { clearance: 20, away: 5, feed: 100, radius: 2 };
-/// The zero lies at (100, 50, -200); the tool is 30 long.
+/// The work offset is (100, 50, -200); the tool is 30 long.
 const panel = {
   position: { X: 1, Y: 2, Z: 10 },
   machine: { X: 101, Y: 52, Z: -160 },

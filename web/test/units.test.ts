@@ -1,4 +1,4 @@
-// Figures in the unit that is shown: the program's own, until another is chosen for it.
+// Tests figures in the shown unit: the program's own, until another is chosen for it.
 import { beforeEach, expect, test, vi } from "vitest";
 import { choose_unit, take_program_unit, unit } from "../src/model/units";
 import { on_language, set_language } from "../src/texts/texts";

@@ -1,5 +1,5 @@
-// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call
-// its verbs.
+// The state of the page: what is open, the results of the run, the position of the slider. Panes listen to its signals
+// and call its methods.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import type { Frame, OfPathFrame, PartFrame } from "../protocol/frames";
 import type {
@@ -28,8 +28,8 @@ import { clamp } from "./time";
 import { take_program_unit } from "./units";
 import { Unsaved, type KeptText } from "./unsaved";
 
-const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
-const most_problems = 10_000; // more than anybody reads; the rest is the same again
+const longest_without_part = 1500; // ms during play: a part may take a second, and states wait for it
+const most_problems = 10_000; // more than anybody reads; the rest repeats
 
 export type Choice = { control?: string; machine?: string; setup?: string };
 
@@ -39,17 +39,17 @@ export class App {
   opened: Opened | null = null;
   choice: Choice = {};
   tables: { file: string; edited: JsonTable } | null = null; // of the machine of that program: laid over its set-up
-  text: string | null = null; // as edited; null where the file is not held here
+  text: string | null = null; // as edited; null if the page does not hold the file
   saved_text: string | null = null;
-  ran: string | null = null; // the text that the session has run: path, state and sheet are of it
-  digest: string | null = null; // of what lies on the disk: saving names what it replaces
+  ran: string | null = null; // the text that the session has run: path, state and sheet belong to it
+  digest: string | null = null; // of the file on the disk: saving names the version that it replaces
   running = false;
   progress: Progress | null = null;
   done: Done | null = null;
   instant = 0;
   state: State | null = null;
   problems: Problem[] = []; // of the run
-  checked: Problem[] | null = null; // of the text as it stands in the editor
+  checked: Problem[] | null = null; // of the current text in the editor
   findings: Finding[] = [];
   cut: CutResult | null = null;
   cutting = false;
@@ -57,7 +57,7 @@ export class App {
   path = new PathIndex();
 
   readonly on_line = new Signal<LineState>();
-  readonly on_opening = new Signal<string>(); // the file that is asked for
+  readonly on_opening = new Signal<string>(); // the requested file
   readonly on_opened = new Signal<Opened>();
   readonly on_run = new Signal<void>(); // progress, done, running
   readonly on_done = new Signal<Done>();
@@ -71,12 +71,12 @@ export class App {
   readonly on_text = new Signal<void>();
   readonly on_error = new Signal<string>();
   readonly on_dirty = new Signal<boolean>();
-  readonly on_files = new Signal<string>(); // a new one has been saved
+  readonly on_files = new Signal<string>(); // a new file has been saved
   readonly unsaved = new Unsaved();
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;
-  private wishes = 0; // to be elsewhere: the last one counts, however late an answer comes
+  private wishes = 0; // requests for another instant: the last one counts, however late an answer comes
   private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
   private parts = new Latest<number>((at) => this.fetch_part(at));
   private want_part = debounce(
@@ -86,13 +86,13 @@ export class App {
     },
     longest_without_part,
   );
-  // A program may meet thousands of warnings in a second: the panes draw a few times a second at most.
+  // A program may cause thousands of warnings in a second: the panes draw a few times a second at most.
   private tell_problems = spaced(100, () => this.on_problems.emit());
   private tell_findings = spaced(100, () => this.on_cut.emit(null));
   private keep = debounce(300, () => this.keep_place());
-  private recut = false; // a part that was there before the line was lost is cut once more
-  private opening = 0; // questions `open` without an answer: what comes meanwhile belongs to an older program
-  private target = 0; // the block that stepping aims at, while answers are under way
+  private recut = false; // a part that existed before the connection was lost is cut once more
+  private opening = 0; // questions `open` without an answer: messages meanwhile belong to an older program
+  private target = 0; // the block that stepping aims at, while answers are pending
 
   constructor(make: () => Socket) {
     this.client = new Client(make, (c) => this.greet(c));
@@ -139,7 +139,7 @@ export class App {
       const opened = await this.client.ask("open", question).finally(() => {
         this.opening--;
       });
-      if (this.opening) return; // another was asked for meanwhile
+      if (this.opening) return; // another one was requested meanwhile
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
       if (question.text === undefined) this.found_on_disk(opened);
@@ -162,7 +162,7 @@ export class App {
     }
   }
 
-  /// Runs what stands in the editor, saved or not, with these choices.
+  /// Runs the current text of the editor, saved or not, with these choices.
   async run_again(choice: Choice = this.choice): Promise<void> {
     if (!this.opened) return;
     const question: OpenQuestion = { file: this.opened.file, ...choice };
@@ -172,8 +172,8 @@ export class App {
     await this.open(question, this.instant);
   }
 
-  /// What is asked of the session is about the text that it has run: what stands in the editor is run first, unless it
-  /// is that. False: it cannot be opened, which has been told.
+  /// Questions to the session are about the text that it has run: if the editor's text differs, it is run first.
+  /// Returns false if it cannot be opened, which has been reported.
   async run_shown(): Promise<boolean> {
     if (this.text !== this.ran) await this.run_again();
     return this.opened !== null;
@@ -190,14 +190,14 @@ export class App {
     this.states.want({ at: this.instant });
   }
 
-  /// To a block by its number in the run; the instant comes with the answer.
+  /// Goes to a block by its number in the run; the instant comes with the answer.
   seek_block(number: number): void {
     const last = this.done?.blocks ?? Infinity;
     this.wishes++;
     this.target = clamp(number, 1, last);
     this.states.want({ number: this.target });
   }
-  /// To the pass of a line that is nearest to where the slider stands.
+  /// Goes to the pass of a line that is nearest to the slider.
   async seek_line(line: number, file: number): Promise<void> {
     const wish = ++this.wishes;
     try {
@@ -214,7 +214,7 @@ export class App {
     }
   }
   step(blocks: number): void {
-    const told = this.state?.at === this.instant ? this.state.number : this.path.number_at(this.instant); // what was told last may be of elsewhere
+    const told = this.state?.at === this.instant ? this.state.number : this.path.number_at(this.instant); // the last state may be of another instant
     const here = this.target || told;
     this.seek_block(here + blocks);
   }
@@ -244,7 +244,7 @@ export class App {
     this.keep();
     if (before !== this.dirty) this.on_dirty.emit(this.dirty);
   }
-  /// `digest` of the file as it lies on the disk now.
+  /// `digest` of the file as it is on the disk now.
   saved(text: string, digest: string): void {
     this.digest = digest;
     this.saved_text = text;
@@ -257,7 +257,7 @@ export class App {
       await this.greet(this.client); // names of controls
       if (!this.opened) return this.on_line.emit("open");
       if (!has_texts(this)) {
-        this.on_opened.emit(this.opened); // nothing that the run has said is in the other language
+        this.on_opened.emit(this.opened); // no message of the run is in the other language
         return this.states.want({ at: this.instant });
       }
       this.recut = this.cut_ready;
@@ -268,7 +268,7 @@ export class App {
   }
 
   tell(e: unknown): void {
-    if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost line has its own banner
+    if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost connection has its own banner
   }
 
   private async greet(client: Client): Promise<void> {
@@ -289,14 +289,14 @@ export class App {
     if (!file) return;
     const question: OpenQuestion = again ? { ...again.question } : { file };
     const mine = this.dirty && this.opened?.file === file ? { text: this.text!, digest: this.digest } : null,
-      unsaved = mine ?? this.unsaved.own(file); // what the browser has no room for is still here
+      unsaved = mine ?? this.unsaved.own(file); // a text for which the browser has no room is still here
     if (unsaved) return this.reopen_unsaved(question, unsaved, again?.at ?? 0);
     delete question.text;
     await this.open(question, again?.at ?? 0);
   }
 
-  /// The edited text is run, but what lies on the disk is asked first: saving replaces the file that it was made from,
-  /// and no other.
+  /// The edited text is run, but the session opens the file on the disk first: saving must replace only the version
+  /// that was edited.
   private async reopen_unsaved(
     question: OpenQuestion,
     kept: Pick<KeptText, "text" | "digest">,
@@ -311,7 +311,7 @@ export class App {
     this.digest = kept.digest ?? this.digest;
     await this.open({ ...question, text: kept.text }, at);
   }
-  /// A text of an earlier visit, of the program that is open.
+  /// Takes over a text of an earlier visit for the open program.
   async take_unsaved(kept: KeptText): Promise<void> {
     this.unsaved.drop(kept);
     await this.reopen_unsaved({ file: kept.file, ...this.choice }, kept, this.instant);
@@ -371,7 +371,7 @@ export class App {
 
   private async fetch_state(wish: { at: number } | { number: number }): Promise<void> {
     const state = await this.client.ask("state", wish);
-    const moves = "number" in wish && this.target !== 0; // the slider may have been taken elsewhere meanwhile
+    const moves = "number" in wish && this.target !== 0; // the slider may have been moved meanwhile
     if (this.states.stale) {
       if (moves) this.move_to(state.at);
       return;
@@ -389,11 +389,11 @@ export class App {
     }
   }
 
-  /// At once: the page is about to go.
+  /// Runs at once: the page is about to close.
   keep_place(): void {
     if (!this.opened || !this.wanted) return;
     const { text: _, ...question } = this.wanted.question;
-    this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is over the old place is still to be gone to
+    this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is complete, the old position is still the target
     remember("open", this.wanted, "tab");
     this.unsaved.keep(this.opened.file, this.dirty ? this.text : null, this.digest);
   }

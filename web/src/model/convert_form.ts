@@ -1,4 +1,4 @@
-// A program for another control: what is asked, and the names under which the answer is kept.
+// Converting a program for another control: the question, and the names under which the answer is saved.
 import type { ConversionTry, ConvertQuestion } from "../protocol/types";
 import type { App } from "./app";
 
@@ -8,7 +8,8 @@ export interface ConvertForm {
   force: boolean;
 }
 
-/// Of the program as it stands here, saved or not, with its choices; null: no control is chosen, or nothing is open.
+/// The question for the current text, saved or not, with its choices; null if no control is chosen, or nothing is
+/// open.
 export function conversion_of(
   app: Pick<App, "opened" | "choice" | "tables" | "dirty" | "text">,
   form: ConvertForm,
@@ -26,12 +27,12 @@ export function conversion_of(
   return question;
 }
 
-/// The set-up of a program stands beside it, under its name.
+/// The set-up of a program is next to it, under the program's name.
 export const setup_name_of = (program: string): string => `${program.replace(/\.[^./]*$/, "")}.json`;
-/// Of a set-up that says nothing no file is needed.
+/// An empty set-up needs no file.
 export const says_something = (setup: string): boolean => !/^\s*\{\s*\}\s*$/.test(setup);
 
-/// The beginning of a text, whole lines; `more` of them are left out.
+/// Returns the beginning of a text, whole lines; `more` is the number of lines left out.
 export function beginning_of(text: string, most: number): { text: string; more: number } {
   if (text.length <= most) return { text, more: 0 };
   const end = text.lastIndexOf("\n", most) + 1 || most;
@@ -44,7 +45,7 @@ export function beginning_of(text: string, most: number): { text: string; more: 
   };
 }
 
-/// Ways that were not taken, those that one reason forbids together.
+/// Groups the rejected ways of writing by the reason that forbids them.
 export function by_reason(tries: ConversionTry[]): { ways: string[]; one: ConversionTry }[] {
   const groups: { ways: string[]; one: ConversionTry }[] = [];
   const reason = ({ as: _, way: __, ...of }: ConversionTry): string => JSON.stringify(of);

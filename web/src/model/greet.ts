@@ -1,4 +1,4 @@
-// The first word on every line to the server: who asks, and in which language answers are wanted.
+// The first message on every connection to the server: who asks, and the language of the answers.
 import type { Client } from "../protocol/client";
 import { token } from "../protocol/token";
 import type { Hello } from "../protocol/types";

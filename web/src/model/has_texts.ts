@@ -1,4 +1,4 @@
-// Sentences that came with a run, in the language of then.
+// True if a run contains sentences, which are in the language of the time of the run.
 import type { Done, Finding, Mark, Problem } from "../protocol/types";
 
 export function has_texts(run: {

@@ -1,4 +1,4 @@
-// Only the newest wish counts: one is under way, at most one waits, what came between is dropped.
+// Keeps only the newest request: one is in progress, at most one waits, those in between are dropped.
 export class Latest<T> {
   private busy = false;
   private next: T | undefined;
@@ -8,7 +8,7 @@ export class Latest<T> {
     this.next = wish;
     if (!this.busy) void this.run();
   }
-  /// A newer wish waits, so what is being fetched is already old.
+  /// A newer request waits, so the result being fetched is already out of date.
   get stale(): boolean {
     return this.next !== undefined;
   }
@@ -21,14 +21,14 @@ export class Latest<T> {
       try {
         await this.work(wish);
       } catch {
-        /* lost or refused: the next wish asks anew */
+        /* lost or refused: the next request is sent again */
       }
     }
     this.busy = false;
   }
 }
 
-/// Calls `f` once, `ms` after the last call; while calls never cease, every `longest` ms.
+/// Calls `f` once, `ms` after the last call; if calls never pause, every `longest` ms.
 export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void, longest = Infinity): (...a: A) => void {
   let timer: ReturnType<typeof setTimeout> | undefined,
     since = 0;
@@ -46,7 +46,7 @@ export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void, 
   };
 }
 
-/// Calls `f` at most once in `ms`, and always after the last call.
+/// Calls `f` at most once per `ms`, and always after the last call.
 export function spaced(ms: number, f: () => void): () => void {
   let waiting = false;
   return () => {

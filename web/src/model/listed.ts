@@ -1,10 +1,10 @@
-// The one list of all that is wrong: what the run met, what the text as it stands in the editor would meet, what the cut
-// hit. Whoever shows problems shows this list, or a part of it.
+// The one list of all problems: what the run met, what the current text of the editor would meet, what the cut hit.
+// Every view of problems shows this list, or a part of it.
 import type { Finding, Problem } from "../protocol/types";
 
 export interface Listing {
   problems: Problem[]; // of the run
-  checked: Problem[] | null; // of the text as it stands in the editor
+  checked: Problem[] | null; // of the current text in the editor
   findings: Finding[]; // of the cut
   text: string | null;
   ran: string | null;
@@ -12,13 +12,13 @@ export interface Listing {
 
 export const is_of_cut = (p: Problem): p is Finding => "place" in p;
 
-/// What the run met speaks of the text that was run: of another one the check speaks alone. What the cut hit nobody but
-/// a cut can say: it stays until the next run.
+/// Problems of the run belong to the text that was run: for any other text only the check counts. Collisions are known
+/// only to the cut: they stay until the next run.
 export function listed(of: Listing): Problem[] {
   return [...of_text(of), ...of.findings];
 }
 
-/// Those whose lines are the lines of the text as it stands in the editor.
+/// Problems whose lines are lines of the current text in the editor.
 export function of_shown_text(of: Listing): Problem[] {
   return of.text === of.ran ? listed(of) : of_text(of);
 }

@@ -1,5 +1,5 @@
-// A question that may take long, by a line of its own to the server: it keeps nothing else waiting, and is stopped when
-// something else is wanted.
+// A question that may take long, on a connection of its own to the server: it delays nothing else, and is stopped when
+// something else is requested.
 import { Client, Lost, Refused, type Socket } from "../protocol/client";
 import type { Questions } from "../protocol/types";
 import { greet } from "./greet";
@@ -7,7 +7,7 @@ import { Latest } from "./latest";
 import { Signal } from "./signal";
 
 export class LongQuestion<K extends "mill" | "convert"> {
-  answer: Questions[K][1] | null = null; // the last one; of what is asked for now only where `busy` is false
+  answer: Questions[K][1] | null = null; // the last answer; it belongs to the current question only if `busy` is false
   refusal = "";
   busy = false;
   readonly on_change = new Signal<void>();
@@ -27,7 +27,7 @@ export class LongQuestion<K extends "mill" | "convert"> {
     this.client.connect();
   }
 
-  /// null: nothing any more. `again`: the answer to the same may be another one by now.
+  /// null: nothing is requested any more. `again`: the answer to the same question may have changed.
   want(question: Questions[K][0] | null, again = false): void {
     if (!again && question && JSON.stringify(question) === JSON.stringify(this.wanted)) return;
     this.wanted = question;
@@ -51,7 +51,7 @@ export class LongQuestion<K extends "mill" | "convert"> {
       if (question === this.wanted) this.take(answer, "");
     } catch (e) {
       if (question === this.wanted && !(e instanceof Lost))
-        this.take(null, e instanceof Refused ? e.message : String(e)); // a lost line is asked anew when it is back
+        this.take(null, e instanceof Refused ? e.message : String(e)); // after a lost connection the question is sent again
     } finally {
       this.under_way = false;
     }

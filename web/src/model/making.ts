@@ -1,4 +1,4 @@
-// Programs out of drawings: the one that is asked for now.
+// Programs from drawings: the one that is requested now.
 import type { Socket } from "../protocol/client";
 import type { Milled } from "../protocol/types";
 import { LongQuestion } from "./long_question";
@@ -8,7 +8,7 @@ export class Making extends LongQuestion<"mill"> {
     super(make, "mill");
   }
 
-  /// The program that is asked for now, verified; null: there is none.
+  /// The program that is requested now, verified; null if there is none.
   get program(): Milled | null {
     return !this.busy && !this.refusal && this.answer && "text" in this.answer ? this.answer : null;
   }

@@ -1,7 +1,7 @@
-// What outlives a reload: choices of the user in localStorage, what this tab had open in sessionStorage. Both may be
-// forbidden; then nothing is remembered.
+// Values that outlive a reload: choices of the user in localStorage, what this tab had open in sessionStorage. Both
+// may be forbidden; then nothing is remembered.
 let tab_is_kept = true;
-/// Of a page that is a file: what one tab opens one after another has nothing to do with each other.
+/// Used by a page that is a file: the files that a tab opens one after another are unrelated.
 export function keep_nothing_of_tab(): void {
   tab_is_kept = false;
 }
@@ -16,7 +16,7 @@ export function remembered<T>(name: string, otherwise: T, store: "local" | "tab"
   }
 }
 
-/// False: the store is full or forbidden.
+/// Returns false if the store is full or forbidden.
 export function remember(name: string, value: unknown, store: "local" | "tab" = "local"): boolean {
   if (store === "tab" && !tab_is_kept) return false;
   try {
@@ -27,7 +27,7 @@ export function remember(name: string, value: unknown, store: "local" | "tab" = 
   }
 }
 
-/// Of the local store.
+/// Removes a value from the local store.
 export function forget(name: string): void {
   try {
     localStorage.removeItem(`kadr.${name}`);
@@ -36,7 +36,7 @@ export function forget(name: string): void {
   }
 }
 
-/// Names in the local store that begin so.
+/// Returns the names in the local store with this beginning.
 export function names_kept(begins: string): string[] {
   try {
     return Object.keys(localStorage)

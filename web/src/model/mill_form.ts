@@ -1,5 +1,4 @@
-// What is to be milled, as it is typed: texts by the names of the options of kadr mill, and the question that they
-// make.
+// The milling form as it is typed: texts by the names of the options of kadr mill, and the question that they give.
 import type { MillQuestion, MillTask } from "../protocol/types";
 
 export const tasks = ["pocket", "face", "slot"] as const satisfies readonly MillTask[];
@@ -13,7 +12,7 @@ export const schemes = [
   "comb",
   "1comb",
   "2comb",
-] as const; // "": as is usual for the task
+] as const; // "": the usual one for the task
 export const plunges = ["ramp", "tangential", "hole"] as const;
 export const directions = ["", "ccw", "cw"] as const; // "": climb milling
 export const marks = ["", "ПС", "LF"] as const;
@@ -36,7 +35,7 @@ export type Field =
   | "mark";
 export type MillForm = Partial<Record<Field, string>>;
 
-/// Fields that mean something for what is chosen: the others are not asked for, and not sent.
+/// True if the field has a meaning for the current choices: other fields are neither shown nor sent.
 export function is_asked(form: MillForm, field: Field): boolean {
   const scheme = form.scheme || (form.task === "face" ? "zigzag" : "spiral-out");
   if (field === "width") return form.task === "slot";
@@ -46,7 +45,7 @@ export function is_asked(form: MillForm, field: Field): boolean {
   return true;
 }
 
-/// The question, or which fields are wrong (no numbers) and which are still missing.
+/// Returns the question, or the fields that are wrong (not numbers) and those that are still missing.
 export function question_of(form: MillForm): { question: MillQuestion } | { wrong: Field[]; missing: Field[] } {
   const wrong: Field[] = [],
     missing: Field[] = (["drawing", "control", ...needed] as Field[]).filter((f) => !form[f]?.trim());
@@ -73,7 +72,7 @@ export function question_of(form: MillForm): { question: MillQuestion } | { wron
   return wrong.length || missing.length ? { wrong, missing } : { question: question as unknown as MillQuestion };
 }
 
-/// A comma is a point, as both are typed.
+/// Reads a number; a comma is a decimal point, as people type both.
 export function number_of(typed: string): number | null {
   const plain = typed.trim().replace(",", ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;

@@ -1,14 +1,14 @@
-// New files in the served folder: never over one that is there, unless this page wrote it and the user says so.
+// New files in the served folder: an existing file is never replaced, unless this page wrote it and the user agrees.
 import { Refused } from "../protocol/client";
 import { t } from "../texts/texts";
 import type { App } from "./app";
 
-const written = new Map<string, string>(); // digests of what was saved from dialogues, by name
+const written = new Map<string, string>(); // digests of files saved from dialogues, by name
 
 export type Content = { text: string } | { bytes: string };
 
-/// `may_replace` is asked where the file is there and was written here or is open.
-///   returns  why it is not saved; "": it is
+/// Saves a file; `may_replace` asks the user if the file exists and was written here or is open.
+///   returns  why it is not saved; "" if it is saved
 export async function save_new(
   app: App,
   file: string,
@@ -36,8 +36,8 @@ export async function save_new(
   }
 }
 
-/// Files beneath the served folder that `wanted` likes, those of `first` in front: as many folders as can be asked for
-/// while somebody waits.
+/// Returns the files below the served folder that `wanted` accepts, those of `first` in front: from as many folders as
+/// can be read while somebody waits.
 export async function files_beneath(app: App, first: string, wanted: (name: string) => boolean): Promise<string[]> {
   const most_folders = 100,
     found: string[] = [],

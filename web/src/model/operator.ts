@@ -1,18 +1,18 @@
-// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it
-// shows, as often as pictures are drawn.
+// A machine at its panel: on a connection of its own to the server, so that no cut and no long run delays it. Its
+// state is read as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
 import { greet } from "./greet";
 import { Signal } from "./signal";
 
 const moving = 30,
-  standing = 250; // ms from what a look has shown to the next one
+  standing = 250; // ms from showing one state to requesting the next
 const after_act = 15,
-  act_lasts = 400; // ms: what a press does shows at once
-const most_drawn = 200; // ms that a picture may take, or a page that is not seen
+  act_lasts = 400; // ms: the effect of a key press shows at once
+const most_drawn = 200; // ms limit for drawing a picture, for slow pages and pages that are not visible
 
-/// The browser has drawn what has just changed: where that is slow, keys that are pressed meanwhile are not kept
-/// waiting by one look after another.
+/// Waits until the browser has drawn the last change: on a slow browser, key presses would otherwise wait for one
+/// state after another.
 const drawn = (): Promise<void> =>
   new Promise((yes) => {
     if (typeof requestAnimationFrame === "undefined" || document.hidden) return yes();
@@ -27,17 +27,17 @@ const drawn = (): Promise<void> =>
 export class Operator {
   panel: Panel | null = null; // null: no machine is on
   axes: string[] = [];
-  stood: Stood | null = null; // in mid program, when the server ended
+  stood: Stood | null = null; // the program was interrupted when the server ended
   readonly on_panel = new Signal<Panel | null>();
   readonly on_error = new Signal<string>();
-  readonly on_stood = new Signal<void>(); // it has come to stand
-  readonly on_press = new Signal<void>(); // a key is pressed: what it does is to be shown at once
+  readonly on_stood = new Signal<void>(); // it has stopped
+  readonly on_press = new Signal<void>(); // a key is pressed: its effect must show at once
   private client: Client | null = null;
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private looks = 0; // under way
+  private looks = 0; // requests in progress
   private acted_at = -1e9;
-  private settles = false; // a line has been entered: it may be over before anybody looks
+  private settles = false; // a line has been entered: it may be finished before the next state arrives
 
   constructor(private make: () => Socket) {}
 
@@ -45,7 +45,7 @@ export class Operator {
     return this.question?.file ?? null;
   }
 
-  /// Switches the machine of a program on, or looks at it if it is on.
+  /// Switches the machine of a program on, or connects to it if it is on.
   async switch_on(question: OpenQuestion): Promise<void> {
     const { text: _, ...of_disk } = question;
     this.question = of_disk;
@@ -63,13 +63,13 @@ export class Operator {
     });
   }
 
-  /// Refusals are told; the panel shows at once what came of it, unless it is only looked at.
+  /// Sends a request and reports a refusal; the panel shows the result at once if `acts`.
   async ask<K extends keyof Questions>(what: K, body: Questions[K][0], acts = true): Promise<Questions[K][1] | null> {
     if (!this.client) return null;
     try {
       const answer = this.client.ask(what, body);
       if (acts) {
-        // looked at behind it: questions are answered in their order
+        // the state is requested after it: questions are answered in order
         this.acted_at = performance.now();
         this.settles ||= what === "enter" || what === "undo";
         if (what === "press") this.on_press.emit();
@@ -129,7 +129,7 @@ export class Operator {
       if (mode === "running") this.stood = null;
       await drawn();
     } catch (e) {
-      if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
+      if (!(e instanceof Lost)) this.leave(); // off; a lost connection restores itself
     }
     if (--this.looks > 0 || !this.panel) return;
     this.look_soon(

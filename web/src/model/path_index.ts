@@ -1,5 +1,5 @@
-// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as
-// they came.
+// The data of the path that the slider and the speed strip need: time, block and speed of every vertex, as views into
+// the received frames.
 import type { PathFrame } from "../protocol/frames";
 
 interface Piece {
@@ -12,8 +12,8 @@ interface Piece {
   runs: Runs;
 }
 
-/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of
-/// the whole program looks at these.
+/// For every `run_length` vertices: when they end, their least and greatest speed, greatest feed. A strip of the whole
+/// program reads these.
 interface Runs {
   ends: Float32Array;
   least: Float32Array;
@@ -38,7 +38,7 @@ export class PathIndex {
     this.vertices = 0;
   }
 
-  /// Takes pieces of the program itself (`which` 0, channel 0); all else is for the picture only.
+  /// Adds a piece of the program itself (`which` 0, channel 0); all other pieces are for the picture only.
   add(frame: PathFrame): void {
     if (frame.which !== 0 || frame.channel !== 0) return;
     const { start, count, times, numbers, speeds, feeds } = frame;
@@ -58,15 +58,15 @@ export class PathIndex {
     return this.pieces.length ? this.pieces[this.pieces.length - 1]!.end : 0;
   }
 
-  /// Number of the block that is under way at that instant; 0 where there is no path.
+  /// Returns the number of the block in execution at that instant; 0 where there is no path.
   number_at(at: number): number {
     const p = this.piece_at(at);
     if (!p) return 0;
     return p.numbers[first_not_before(p.times, at - p.start)] ?? 0;
   }
 
-  /// The speed in `count` equal stretches of time, least and greatest of each, so that no slow corner is lost between
-  /// two pixels.
+  /// Returns the speed in `count` equal intervals of time, the least and greatest of each, so that no slow corner is
+  /// lost between two pixels.
   bins(from: number, to: number, count: number): Bins {
     const out: Bins = {
       at: new Float64Array(count),
@@ -93,7 +93,7 @@ export class PathIndex {
   }
 }
 
-/// The motions that take time count; a run of them without any has a least speed above its greatest.
+/// Only motions that take time count; a run without any has a least speed above its greatest.
 function runs_of(times: Float32Array, speeds: Float32Array, feeds: Float32Array): Runs {
   const n = Math.ceil((times.length - 1) / run_length),
     r: Runs = {
@@ -145,7 +145,7 @@ function widen(out: Bins, k: number, least: number, greatest: number, feed: numb
   if (feed > 0 && !(out.feed[k]! >= feed)) out.feed[k] = feed;
 }
 
-/// Index of the first value that is not below `what`; the last one where all are.
+/// Returns the index of the first value that is not below `what`; the last index if all are below.
 export function first_not_before(times: Float32Array, what: number): number {
   let low = 0,
     high = times.length - 1;

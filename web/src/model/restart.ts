@@ -1,9 +1,9 @@
-// Going on in mid program: the place is found by the server, what leads there is looked at, changed, and carried out.
+// Restarting in the middle of a program: the server finds the position; the approach is shown, changed, and executed.
 import type { Axes, ChannelWay, RestartPlace, RestartSheet, WayPoint } from "../protocol/types";
 import type { Operator } from "./operator";
 import { Signal } from "./signal";
 
-const ask_again = 100; // ms while it is being looked for
+const ask_again = 100; // ms between requests during the search
 
 export interface WayRules {
   clearance?: number;
@@ -13,13 +13,13 @@ export interface WayRules {
 
 export class Restart {
   sheet: RestartSheet | null = null;
-  ways: ChannelWay[] = []; // as they will be gone, one after the other
-  leave = new Set<string>(); // keys of what stays as it is
+  ways: ChannelWay[] = []; // in the order in which they will be executed
+  leave = new Set<string>(); // keys of what is not changed
   searching = false;
   place: RestartPlace | null = null;
   rules: WayRules = { above: 2, feed: 300 };
   readonly on_change = new Signal<void>();
-  private search = 0; // a new one puts an end to the one before
+  private search = 0; // a new search ends the one before
 
   constructor(private operator: Operator) {
     operator.on_panel.on((p) => {
@@ -27,12 +27,12 @@ export class Restart {
     });
   }
 
-  /// Of a channel; 0: the program's own.
+  /// The approach of a channel; 0: the program's own.
   way(channel = 0): WayPoint[] {
     return this.ways.find((w) => w.channel === (channel || this.sheet?.number))?.way ?? [];
   }
 
-  /// `by_control`: the control's own block search too.
+  /// `by_control`: also requests the control's own block search.
   async find(place: RestartPlace, by_control = false): Promise<void> {
     const mine = ++this.search;
     this.place = place;
@@ -55,7 +55,7 @@ export class Restart {
     }
   }
 
-  /// Where the way goes is looked at anew.
+  /// Changes the rules; the approach is computed again.
   set_rules(rules: Partial<WayRules>): void {
     this.rules = { ...this.rules, ...rules };
     if (this.place) void this.find(this.place);
@@ -69,7 +69,7 @@ export class Restart {
     this.on_change.emit();
   }
 
-  /// Its way is gone before those of the others.
+  /// Moves this channel's approach before those of the others.
   go_first(channel: number): void {
     this.ways.sort((a, b) => Number(b.channel === channel) - Number(a.channel === channel));
     this.on_change.emit();
@@ -101,7 +101,7 @@ export class Restart {
     this.on_change.emit();
   }
 
-  /// Places of the tool's tip along the way, in the coordinates of the path's frames.
+  /// Positions of the tool's tip along the approach, in the coordinates of the path's frames.
   tips(): [number, number, number][] {
     const { sheet } = this,
       from = this.operator.panel?.machine;
@@ -124,7 +124,7 @@ export class Restart {
     this.sheet = sheet;
     this.ways = [sheet, ...sheet.beside].map((s) => ({ channel: s.number, way: copy(s.way) }));
     if (order.length === this.ways.length)
-      this.ways.sort((a, b) => order.indexOf(a.channel) - order.indexOf(b.channel)); // as it was chosen
+      this.ways.sort((a, b) => order.indexOf(a.channel) - order.indexOf(b.channel)); // keeps the chosen order
     const rows = [sheet, ...sheet.beside].flatMap((s) => s.rows);
     for (const key of [...this.leave]) if (!rows.some((r) => r.key === key && r.may_be_left)) this.leave.delete(key);
   }

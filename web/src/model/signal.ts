@@ -1,4 +1,4 @@
-// Something that happens, and those who want to know.
+// An event and its listeners.
 export class Signal<T> {
   private who = new Set<(value: T) => void>();
   on(f: (value: T) => void): () => void {

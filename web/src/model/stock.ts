@@ -1,4 +1,4 @@
-// The blank as `--stock` says it: box:X0,Y0,Z0,X1,Y1,Z1 or anything else, left as it is.
+// Reads the blank as `--stock` writes it: box:X0,Y0,Z0,X1,Y1,Z1; anything else stays as it is.
 import type { Box } from "../protocol/types";
 
 export function box_of(stock: string): Box | null {

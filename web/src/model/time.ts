@@ -1,9 +1,9 @@
-// Arithmetic of the time slider: places on the bar, the next mark, play.
+// Arithmetic of the time slider: positions on the bar, the next mark, playing.
 import type { Mark } from "../protocol/types";
 
 export const clamp = (v: number, low: number, high: number): number => Math.min(Math.max(v, low), high);
 
-/// From a place on a bar `width` wide to an instant, and back.
+/// Converts a position on a bar `width` wide to an instant, and back.
 export function instant_at(x: number, width: number, seconds: number): number {
   return width > 0 ? clamp(x / width, 0, 1) * seconds : 0;
 }
@@ -11,9 +11,9 @@ export function place_of(at: number, width: number, seconds: number): number {
   return seconds > 0 ? clamp(at / seconds, 0, 1) * width : 0;
 }
 
-const same_instant = 1e-4; // s: below what a float's rounding leaves of a time within a day
+const same_instant = 1e-4; // s: below the rounding of a float for a time within a day
 
-/// The nearest mark of these kinds after (`way` 1) or before (−1) an instant; null where there is none.
+/// Returns the nearest mark of these kinds after (`way` 1) or before (−1) an instant; null if there is none.
 export function next_mark(marks: Mark[], kinds: string[], at: number, way: 1 | -1): Mark | null {
   let best: Mark | null = null;
   for (const m of marks) {
@@ -23,19 +23,18 @@ export function next_mark(marks: Mark[], kinds: string[], at: number, way: 1 | -
   return best;
 }
 
-/// One picture of playing: where it stands after `ms` of the clock on the wall. In a loop it begins anew behind its
-/// end.
+/// One picture of playing: returns the instant after `ms` of wall-clock time. In a loop it starts again after the end.
 export function played(at: number, ms: number, times: number, seconds: number, loop: [number, number] | null): number {
   const next = at + (ms / 1000) * times;
   if (loop && next >= loop[1]) return loop[0];
   return clamp(next, 0, seconds);
 }
 
-/// Speeds of play lie on a logarithmic slider: 0 … 1 to 0.1 … 1000.
+/// The speed slider is logarithmic: 0 … 1 gives 0.1 … 1000.
 export const times_of = (slider: number): number => Number((10 ** (slider * 4 - 1)).toPrecision(2));
 export const slider_of = (times: number): number => (Math.log10(times) + 1) / 4;
 
-/// Marks that would stand on the same pixels become one, the gravest kind of them.
+/// Marks on the same pixels become one, with the most severe of their kinds.
 export interface Cluster {
   at: number;
   marks: Mark[];

@@ -1,4 +1,4 @@
-// From the sizes of a tool to its outline: [diameter, height above the tip], of cutting part, shank and holder
+// Computes the outline of a tool from its sizes: [diameter, height above the tip], of cutting part, shank and holder
 // (docs/commands/cut.md, Tools).
 import type { Tool } from "../protocol/types";
 
@@ -10,10 +10,10 @@ export interface Shape {
   holder: Outline;
 }
 
-const arc_steps = 8; // of a quarter circle: finer than a pixel of the pictures drawn of it
+const arc_steps = 8; // per quarter circle: finer than a pixel of the pictures
 
 export function shape_of(tool: Tool): Shape {
-  if (tool.kind === "turning") return { number: tool.number, cutting: [], shank: [], holder: [] }; // no body of revolution
+  if (tool.kind === "turning") return { number: tool.number, cutting: [], shank: [], holder: [] }; // it has no rotational symmetry
   const d = tool.diameter ?? 0,
     flutes = tool.flute_length ?? Math.max(d * 2, 10),
     length = Math.max(tool.length ?? flutes, flutes);

@@ -1,20 +1,20 @@
-// Touching the part with a probe at a place that was clicked on: along the axis that its surface looks to, over a way
-// that keeps clear of it.
+// Touching the part with a probe at a clicked position: along the axis that its surface faces, on an approach that
+// keeps clear of the surface.
 import type { Axes, Panel, WayPoint } from "../protocol/types";
 
 type Point = readonly [number, number, number];
 export const touch_axes = ["X", "Y", "Z"] as const;
 export type TouchAxis = (typeof touch_axes)[number];
 
-/// Lengths mm, feed mm/min. `clearance`: work coordinate of Z over which the way goes; `away`: before the surface, from
-/// where on it goes at `feed`; `radius` of the ball.
+/// Lengths in mm, feed in mm/min. `clearance`: work coordinate of Z at which the approach crosses; `away`: distance
+/// from the surface where the motion at `feed` starts; `radius` of the ball.
 export interface TouchRules {
   clearance: number;
   away: number;
   feed: number;
   radius: number;
 }
-/// `sense`: to which side of the axis the surface looks; `at`: work coordinate of the surface.
+/// `sense`: the direction along the axis that the surface faces; `at`: work coordinate of the surface.
 export interface Touch {
   axis: TouchAxis;
   sense: 1 | -1;
@@ -22,10 +22,10 @@ export interface Touch {
   way: WayPoint[];
 }
 
-const enough = 0.7; // of the surface's direction along one axis: else a touch along it would slip off
+const enough = 0.7; // least component of the normal along the axis: with less a touch would slip off
 
-/// `place`, `normal`: of the surface, as the view has them; `zero` of the picture. Null: no axis can touch there (from
-/// below, or aslant).
+/// `place`, `normal`: of the surface, in the view's coordinates; `zero` of the picture. Null: no axis can touch there
+/// (from below, or at an angle).
 export function touch_at(
   place: Point,
   normal: Point,

@@ -1,5 +1,5 @@
-// Texts that were edited and not saved, kept in this browser for the next visit: one of each tab and file, in
-// localStorage, which outlives the tab. A tab's own comes back by itself after a reload; others are offered.
+// Edited texts that were not saved, kept in this browser for the next visit: one per tab and file, in localStorage,
+// which outlives the tab. A tab's own text returns by itself after a reload; others are offered.
 import { forget, names_kept, remember, remembered } from "./memory";
 import { Signal } from "./signal";
 
@@ -7,7 +7,7 @@ export interface KeptText {
   name: string; // in the store
   file: string;
   text: string;
-  digest: string | null; // of the file that it was made from
+  digest: string | null; // of the file that it was edited from
   at: number; // ms since 1970
 }
 
@@ -26,13 +26,13 @@ export class Unsaved {
     remember("tab", this.tab, "tab");
   }
 
-  /// Programs of the folder that is served.
+  /// Kept programs of the served folder.
   of_folder(folder: string): void {
     this.folder = folder;
   }
 
-  /// What is on the screen now; `text` null: nothing of it is unsaved, and what was kept of it by this page goes.
-  /// Where the browser has no room for it there is its question before the tab is closed, and nothing else.
+  /// Keeps the current text; `text` null: nothing is unsaved, and what this page kept of the file is removed. If the
+  /// browser has no room for the text, the only protection is the question before the tab closes.
   keep(file: string, text: string | null, digest: string | null): void {
     const name = store_name(this.folder, file) + this.tab;
     if (text === null) {
@@ -40,7 +40,7 @@ export class Unsaved {
       return;
     }
     this.here = file;
-    if (text.length > most_text) return forget(name); // better none than an old one
+    if (text.length > most_text) return forget(name); // better no text than an old one
     const kept: KeptText = { name, file, text, digest, at: Date.now() };
     while (!remember(name, kept)) {
       const oldest = this.all("unsaved:").filter((k) => k.name !== name)[0];
@@ -49,13 +49,13 @@ export class Unsaved {
     }
   }
 
-  /// This tab's own, after a reload.
+  /// The text of this tab, after a reload.
   own(file: string): KeptText | null {
     this.here = file;
     return this.all(store_name(this.folder, file)).find((k) => k.name.endsWith(`:${this.tab}`)) ?? null;
   }
 
-  /// Of a file that has been opened as it lies on the disk: tells what is to be offered, the latest first, each once.
+  /// A file was opened as it is on the disk: reports the texts to offer, the latest first, each once.
   offer(file: string, on_disk: string): void {
     const all = this.all(store_name(this.folder, file)).reverse();
     for (const kept of all) if (kept.text === on_disk) forget(kept.name);

@@ -1,5 +1,5 @@
-// Where the machine loses most time against the programmed feed: by line, from the path as it came. Starts, corners,
-// short motions.
+// Where the machine loses most time compared with the programmed feed: by line, from the received path. Causes are
+// starts, corners, short motions.
 import { jump, type OfPathFrame } from "../protocol/frames";
 
 export interface WorstLine {
@@ -19,7 +19,7 @@ export class WorstLines {
     this.by_line.clear();
   }
 
-  /// Takes a piece of the program's own path.
+  /// Adds a piece of the program's own path.
   add(c: OfPathFrame): void {
     if (c.kind !== "path" || c.which !== 0 || c.channel !== 0) return;
     for (let i = 1; i < c.count; i++) {

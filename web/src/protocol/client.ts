@@ -1,11 +1,11 @@
-// One WebSocket to the session: numbered questions with promises, events, binary frames; it comes back by itself when
-// the line is lost.
+// One WebSocket to the session: numbered questions with promises, events, binary frames; it reconnects by itself when
+// the connection is lost.
 import { Signal } from "../model/signal";
 import type { Frame } from "./frames";
 import { read_message, write_question, type SessionEvent } from "./messages";
 import type { Questions } from "./types";
 
-/// An answer that says no. `changed` tells that a file was changed by somebody else since it was opened.
+/// A refusal. `changed`: another client has changed a file since it was opened.
 export class Refused extends Error {
   constructor(
     text: string,
@@ -14,7 +14,7 @@ export class Refused extends Error {
     super(text);
   }
 }
-/// The line was lost before the answer came.
+/// The connection was lost before the answer came.
 export class Lost extends Error {}
 
 export interface Socket {
@@ -29,7 +29,7 @@ export interface Socket {
 export type LineState = "connecting" | "open" | "lost" | "refused";
 
 const first_wait = 250,
-  longest_wait = 8000; // ms between tries: soon after a hiccup, seldom while the server is gone
+  longest_wait = 8000; // ms between tries: short after a brief interruption, long while the server is gone
 
 export class Client {
   readonly line = new Signal<LineState>();
@@ -42,7 +42,7 @@ export class Client {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private over = false;
 
-  /// `greet` runs on every new line before anything else is asked: it says hello.
+  /// `greet` runs on every new connection before any other question: it says hello.
   constructor(
     private make: () => Socket,
     private greet: (client: Client) => Promise<unknown>,
@@ -87,7 +87,7 @@ export class Client {
       },
       (e) => {
         if (!(e instanceof Refused)) return socket.close();
-        this.over = true; // trying again with the same token would be refused again
+        this.over = true; // another try with the same token would be refused too
         this.line.emit("refused");
       },
     );
@@ -116,7 +116,7 @@ export class Client {
   }
 }
 
-/// ms before try number `tries`, doubled each time up to a bound.
+/// Returns the ms before try number `tries`, doubled each time up to a limit.
 export function wait_before(tries: number): number {
   return Math.min(longest_wait, first_wait * 2 ** Math.min(tries, 10));
 }

@@ -1,11 +1,10 @@
-// The one place that knows how binary frames are laid out (docs/panel-protocol.md, Frames): views into the frame,
-// nothing is copied, and each length is checked before it is believed. Whoever writes frames (a report) fills the same
-// views.
+// The only file that knows the layout of binary frames (docs/panel-protocol.md, Frames): views into the frame, without
+// copies; each length is checked before it is used. Writers of frames (a report) fill the same views.
 
 export const levels = 16,
   most_vertices = 8192;
 
-/// Kinds of motion; what a vertex says holds for the way that ends there.
+/// Kinds of motion; the values of a vertex belong to the motion that ends there.
 export const jump = 0,
   rapid = 1,
   clockwise = 3,
@@ -24,13 +23,13 @@ interface OfPath {
 }
 export interface PathColumns {
   kept: Uint16Array; // vertices at each level
-  at: Float32Array; // x, y, z by turns
+  at: Float32Array; // x, y, z alternating
   times: Float32Array;
   lines: Uint32Array;
   numbers: Uint32Array;
   feeds: Float32Array;
   speeds: Float32Array;
-  tools: Uint16Array; // tool and file by turns
+  tools: Uint16Array; // tool and file alternating
   kinds: Uint8Array; // kind, level, 0, 0
 }
 /// A piece of path; least and greatest corner of its vertices, machine coordinates.
@@ -40,13 +39,13 @@ export interface PathFrame extends OfPath, PathColumns {
   least: Triple;
   greatest: Triple;
 }
-/// Of each vertex of the piece before: directions from the tip into the tool, or positions of the joints that turn the
-/// part.
+/// Values for each vertex of the preceding piece: directions from the tip into the tool, or positions of the joints
+/// that rotate the part.
 export interface RowsFrame extends OfPath {
   kind: "directions" | "positions";
   values: Float32Array;
 }
-/// Whatever belongs to a path.
+/// Any frame of a path.
 export type OfPathFrame = PathFrame | RowsFrame;
 export interface PartFrame {
   kind: "part";
@@ -68,7 +67,7 @@ const start_at = 16,
   first_number_at = 52,
   kept_at = 56;
 
-/// null where it is no frame, is shorter than it says of itself, or has a place or a point that is not there.
+/// Returns null if it is not a frame, is shorter than its header states, or has an index or a point that is invalid.
 export function read_frame(frame: ArrayBuffer): Frame | null {
   if (frame.byteLength < head_bytes) return null;
   const [kind, which, count, more] = new Uint32Array(frame, 0, 4) as unknown as [number, number, number, number];
@@ -110,7 +109,7 @@ function read_directions(frame: ArrayBuffer, of: OfPath): RowsFrame | null {
   return { kind: "directions", ...of, values: new Float32Array(frame, head_bytes, 3 * of.count) };
 }
 
-/// How many joints there are, the length says.
+/// The number of joints follows from the length.
 function read_positions(frame: ArrayBuffer, of: OfPath): RowsFrame | null {
   const count = (frame.byteLength - head_bytes) / 4;
   if (count < 1 || count % of.count !== 0) return null;
@@ -137,22 +136,22 @@ function part_columns(frame: ArrayBuffer, n: number, triangles: number): PartFra
   };
 }
 
-/// Nothing times zero is zero, but what is not finite.
+/// Zero times a finite value is zero, otherwise NaN.
 function all_finite(values: Float32Array): boolean {
   let sum = 0;
   for (let i = 0; i < values.length; i++) sum += values[i]! * 0;
   return sum === 0;
 }
 
-/// A frame of zeros with its head.
+/// Returns a frame of zeros with its header.
 function begun(kind: keyof typeof kinds, bytes: number, which: number, count: number, more: number): ArrayBuffer {
   const frame = new ArrayBuffer(bytes);
   new Uint32Array(frame, 0, 4).set([kinds[kind], which, count, more]);
   return frame;
 }
 
-/// `first`: number of its first vertex in the path. `fill` writes the columns but `kept`, which with the corners
-/// follows from them.
+/// `first`: number of its first vertex in the path. `fill` writes all columns except `kept`, which is computed from
+/// them, as the corners are.
 export function write_path(
   of: OfPath & { start: number; first: number },
   fill: (columns: PathColumns) => void,

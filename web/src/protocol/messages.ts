@@ -1,10 +1,10 @@
-// The one reader of what page and session say to each other (docs/panel-protocol.md): a text is a question, an answer
+// The only reader of the messages between page and session (docs/panel-protocol.md): a text is a question, an answer
 // or an event, bytes are a frame.
 import { read_frame, type Frame } from "./frames";
 import type { Events, Questions } from "./types";
 
 export type SessionEvent = { [K in keyof Events]: { name: K; body: Events[K] } }[keyof Events];
-/// `to`: number of the question. `changed` tells that a file was changed by somebody else since it was opened.
+/// `to`: number of the question. `changed`: another client has changed a file since it was opened.
 export type Message =
   | { kind: "answer"; to: number; body: object }
   | { kind: "refusal"; to: number; text: string; changed: boolean }
@@ -16,7 +16,7 @@ export interface Question {
   [field: string]: unknown;
 }
 
-/// What a session has sent; null where it is nothing of these.
+/// Reads a message of the session; null for anything else.
 export function read_message(data: unknown): Message | null {
   if (data instanceof ArrayBuffer) {
     const frame = read_frame(data);
@@ -41,7 +41,7 @@ function read_answer(said: Record<string, unknown>): Message {
 export const write_question = <K extends keyof Questions>(id: number, what: K, body: Questions[K][0]): string =>
   JSON.stringify({ id, do: what, ...body });
 
-/// The other side, for a session that is made in the page itself.
+/// The other side, for a session inside the page itself.
 export const read_question = (text: string): Question => JSON.parse(text) as Question;
 export const write_answer = (to: number, body: object): string => JSON.stringify({ re: to, ...body });
 export const write_event = <K extends keyof Events>(name: K, body: Events[K]): string =>

@@ -1,5 +1,5 @@
-// The token of the printed address: read once from `#token=…`, kept for this tab, taken out of the address so that
-// nobody copies it by chance.
+// The token of the printed address: read once from `#token=…`, kept for this tab, and removed from the address so that
+// nobody copies it by accident.
 const key = "kadr.token";
 
 export function token(): string | undefined {

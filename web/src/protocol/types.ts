@@ -159,8 +159,8 @@ export interface ToolTime {
   radius?: number;
   length?: number;
 }
-/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it
-/// lies at `from`.
+/// A joint that moves the part, in the order from the bed to the part: rotates right-handed about the line through
+/// `through`, or moves along it; drawn as it is at `from`.
 export interface Joint {
   axis: string;
   turns: boolean;
@@ -299,7 +299,7 @@ export interface Compared {
   lost: boolean;
 }
 
-/// Each question, with what goes along and what comes back.
+/// Each question, with its contents and its answer.
 export type PanelMode = "standing" | "running" | "held" | "ended" | "alarm" | "emergency";
 export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off" | "block" | "over" | "out";
 export interface StopPoint {
@@ -353,9 +353,10 @@ export interface Panel {
   held: boolean;
   limit: string;
   channels: PanelChannel[];
-  digest: string; // of the program as the machine runs it
+  digest: string; // of the program text that the machine runs
 }
-/// One of several; `waits`: its axes have come to a waiting code, who else has (`here`) of those who must (`channels`).
+/// One of several channels; `waits`: its axes have reached a waiting code, which of the required channels (`channels`)
+/// have too (`here`).
 export interface PanelChannel {
   number: number;
   axes: string[];
@@ -369,7 +370,7 @@ export interface PanelChannel {
   waits: { code: number; channels: number[]; here: number[] } | null;
 }
 
-/// Where a program is to go on; `number` of the block in the run, `hole` of a cycle.
+/// Where a program restarts; `number` of the block in the run, `hole` of a canned cycle.
 export interface RestartPlace {
   line?: number;
   pass?: number;
@@ -405,7 +406,7 @@ export interface RestartRow {
   by: "" | "way" | "line" | "memory";
   may_be_left: boolean;
 }
-/// To machine coordinates of the axes that move.
+/// Machine coordinates of the axes that move, at the end of the step.
 export interface WayPoint {
   rapid: boolean;
   to: Axes;
@@ -415,7 +416,7 @@ export interface SearchCode {
   text: string;
   line: number;
 }
-/// `zero`: machine coordinates less work coordinates at the place; `search`: the control's own.
+/// `zero`: machine coordinates minus work coordinates at that position; `search`: the control's own.
 export interface RestartSheet {
   ready: true;
   line: number;
@@ -432,7 +433,7 @@ export interface RestartSheet {
   number: number;
   beside: BesideSheet[];
 }
-/// Of another channel: where it stands then, keys with its number before them; `number` of the sheet is the own
+/// For another channel: its position at the restart, keys prefixed with its number; `number` of the sheet is the own
 /// channel's.
 export interface BesideSheet {
   number: number;
@@ -445,14 +446,14 @@ export interface BesideSheet {
   blocks: string[];
   by_hand: string;
 }
-/// Of one channel; the ways are gone one after the other.
+/// The approach of one channel; the approaches are executed one after the other.
 export interface ChannelWay {
   channel: number;
   way: WayPoint[];
 }
 
-/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set
-/// them (0: none of the program).
+/// Values of the set-up file, edits, and values from the control; variables with the line that set them (0: not set by
+/// the program).
 export interface Tables {
   sections: string[];
   setup: string;
@@ -478,7 +479,7 @@ export interface Stood {
 }
 
 export type MillTask = "pocket" | "face" | "slot";
-/// What `kadr mill` is asked for, by the names of its options; what is left out is as usual there.
+/// The question to `kadr mill`, by the names of its options; omitted options have their usual values.
 export interface MillQuestion {
   drawing: string;
   control: string;
@@ -505,7 +506,7 @@ export interface MillQuestion {
   coolant?: boolean;
   mark?: string;
 }
-/// `picture` SVG, "": too large to be shown; `warning` "": none; `name` of no file that is there.
+/// `picture` SVG, "": too large to be shown; `warning` "": none; `name`: a file name that is not in use.
 export interface Milled {
   text: string;
   picture: string;
@@ -513,13 +514,13 @@ export interface Milled {
   warning: string;
   name: string;
 }
-/// `word` of the question that is wrong, "": it is the drawing.
+/// `word` of the question that is wrong, "": the drawing is.
 export interface NotMilled {
   problem: Problem;
   word: string;
   line_text: string;
 }
-/// `bytes` base64: a byte a row.
+/// `bytes` in base64: one byte per row.
 export interface Punched {
   bytes: string;
   rows: number;
@@ -535,10 +536,10 @@ export interface TapeRead {
   name: string;
 }
 
-/// A program with what goes with it as of `open`; `to` the control that it is to be for.
+/// A program with the contents of `open`; `to` is the control to convert it for.
 export type ConvertQuestion = OpenQuestion & { to: string; flat?: boolean; force?: boolean };
-/// A way of writing it that was not taken. `line` 0: at no place of the program; `file` 0: the program itself;
-/// `written_line` of what was written for the other control, 0: of none.
+/// A rejected way of writing the program. `line` 0: at no line of the program; `file` 0: the program itself;
+/// `written_line`: line of the text written for the other control, 0: none.
 export interface ConversionTry {
   as: string;
   way: string;

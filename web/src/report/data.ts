@@ -1,5 +1,5 @@
-// What a report holds (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns. Here
-// they become the frames that a session would have sent.
+// The contents of a report (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns.
+// They become the frames that a session would have sent.
 import { write_part, write_path, write_rows } from "../protocol/frames";
 import type { CutResult, Done, Finding, Language, Opened, Problem, Sheet } from "../protocol/types";
 
@@ -57,8 +57,7 @@ export function read(bytes: ArrayBuffer): Report {
   return report;
 }
 
-/// Columns of differences: of each the least bytes of all values, then the next ones. The sign stands in the lowest
-/// bit.
+/// Columns of differences: the lowest bytes of all values first, then the next ones. The sign is the lowest bit.
 class Columns {
   private bytes: Uint8Array;
   private view: DataView;
@@ -132,7 +131,7 @@ function part_frame(c: Columns, data: ReportData): ArrayBuffer {
   });
 }
 
-/// The next `columns` become rows: of `each` values in `to` the first ones.
+/// Writes the next `columns` columns into rows of `each` values in `to`, as the first values of each row.
 function put(
   c: Columns,
   to: Float32Array | Uint32Array | Uint16Array | Uint8Array,

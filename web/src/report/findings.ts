@@ -1,4 +1,4 @@
-// The part as the program leaves it: volumes, what each tool takes away, the heaviest lines, what was hit.
+// The part after the program: volumes, what each tool removes, the heaviest lines, collisions.
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
 import type { Problem } from "../protocol/types";

@@ -1,4 +1,4 @@
-// The notices of what a report has inside.
+// The notices of the packages inside a report.
 import { t } from "../texts/texts";
 import { open_dialog } from "../ui/dialog";
 import { h } from "../ui/dom";

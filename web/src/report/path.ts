@@ -1,5 +1,5 @@
-// The path of a report asked as a session would be: where the tool is at an instant, which block that is, when a line
-// was carried out.
+// Answers questions about the path of a report as a session would: the position of the tool at an instant, its block,
+// when a line was executed.
 import { jump, read_frame, type PathFrame } from "../protocol/frames";
 import type { Pass } from "../protocol/types";
 
@@ -17,7 +17,7 @@ export interface PathState {
   speed: number;
   kind: number;
   place: [number, number, number];
-  left: [number, number, number]; // mm; left: to the end of the block's present way
+  left: [number, number, number]; // mm; left: distance to the end of the block's present motion
 }
 
 export class ReportPath {
@@ -39,7 +39,7 @@ export class ReportPath {
     return this.state(p, i, instant);
   }
 
-  /// At the end of a block; of one without motion at the end of the next that has some.
+  /// The state at the end of a block; a block without motion has the state at the end of the next block with one.
   of_block(number: number): PathState | null {
     let found: [Piece, number] | null = null;
     for (const p of this.pieces) {
@@ -58,7 +58,7 @@ export class ReportPath {
     return found && this.state(...found, found[0].start + found[0].times[found[1]]!);
   }
 
-  /// Each time that a line was carried out, up to `most` of them.
+  /// The times at which a line was executed, up to `most` of them.
   passes(line: number, file: number, most: number): { passes: Pass[]; count: number } {
     const passes: Pass[] = [];
     let count = 0,

@@ -1,4 +1,4 @@
-// A session without a server: what the page asks is answered from the report that lies in the page itself.
+// A session without a server: the questions of the page are answered from the report inside the page itself.
 import type { Socket } from "../protocol/client";
 import { read_frame, type PartFrame } from "../protocol/frames";
 import { read_question, write_answer, write_event, type Question } from "../protocol/messages";
@@ -39,7 +39,7 @@ export class ReportSocket implements Socket {
       this.part_is_shown = false;
       setTimeout(() => this.run());
       return this.told.opened;
-    }, // after the answer, when it has been taken
+    }, // after the answer has been processed
     source: (q) => ({
       lines: this.source(Number(q.file ?? 0)).slice(
         Number(q.from) - 1,
@@ -86,7 +86,7 @@ export class ReportSocket implements Socket {
     return answer;
   }
 
-  /// As a session says it after `open`. Frames are copied: whoever gets one may keep it or give it away.
+  /// Sends what a session sends after `open`. Frames are copied: the receiver may keep or transfer them.
   private run(): void {
     const { told } = this;
     for (const frame of this.report.path) this.onmessage?.({ data: frame.slice(0) });
@@ -96,7 +96,7 @@ export class ReportSocket implements Socket {
     if (told.cut) this.say(write_event("cut", told.cut));
   }
 
-  /// What is left at the end, at every instant: sent once.
+  /// Sends the final part once, for every instant.
   private part(): PartAnswer | Refusal {
     const { part, data } = this.report,
       cut = this.told.cut;
@@ -119,7 +119,7 @@ export class ReportSocket implements Socket {
     return lines;
   }
 
-  /// What the path tells: codes in force, variables and calls are known to a session alone.
+  /// Answers from the path: only a session has codes in force, variables and calls.
   private state(q: Question): State | Refusal {
     const { done, opened } = this.told;
     const s = q.number === undefined ? this.path.at(Number(q.at)) : this.path.of_block(Number(q.number));

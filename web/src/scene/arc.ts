@@ -1,5 +1,5 @@
-// The circle that an arc of the path lies on: from three of its vertices, in whatever plane it is; of a helix the
-// circle it is seen as along its axis.
+// The circle of an arc of the path: from three of its vertices, in any plane; for a helix the circle as seen along its
+// axis.
 import { is_arc } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { Point } from "./types";
@@ -19,10 +19,10 @@ export const cross = (a: Point, b: Point): Point => [
 ];
 export const length = (a: Point): number => Math.hypot(...a);
 
-const along_axis = 0.94; // cosine: a helix' three points lie in a plane a little off its circle's
+const along_axis = 0.94; // cosine: the plane of three points of a helix is slightly off its circle's plane
 
-/// The circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null where it is no arc or
-/// hardly bent.
+/// Returns the circle of the arc that ends at or passes vertex `i` of `p`, machine coordinates; null if it is no arc
+/// or nearly straight.
 export function arc_at(p: Piece, i: number): Circle | null {
   const kind = p.kinds[4 * i]!;
   if (!is_arc(kind)) return null;
@@ -38,7 +38,8 @@ export function arc_at(p: Piece, i: number): Circle | null {
   return circle(at(first), at(first + third), at(first + 2 * third));
 }
 
-/// Through three points. Where their plane is nearly square to an axis they are seen along it.
+/// Returns the circle through three points. If their plane is nearly perpendicular to an axis, they are projected
+/// along that axis.
 export function circle(a: Point, b: Point, c: Point): Circle | null {
   const u = minus(b, a);
   let v = minus(c, a),

@@ -1,4 +1,4 @@
-// Boxes in the view: the blank, how far the program goes, the machine's limits and zones (dashed).
+// Boxes in the view: the blank, the extents of the program, the machine's limits and zones (dashed).
 import {
   Box3,
   BufferAttribute,
@@ -54,7 +54,7 @@ export function box_lines(box: SceneBox, theme: Theme): LineSegments {
   return lines;
 }
 
-/// A box of which some sides are unlimited: those are set a little outside of `all`.
+/// Returns a box in which unlimited sides are set slightly outside `all`.
 export function bounded(
   box: readonly [readonly (number | null)[], readonly (number | null)[]],
   all: Box3,
@@ -75,7 +75,7 @@ export function bounded(
   return out;
 }
 
-/// Whether the path goes beyond a box; `slack` is what rounding may add.
+/// True if the path leaves a box; `slack` allows for rounding.
 export function goes_beyond(
   path: Box3,
   box: readonly [readonly (number | null)[], readonly (number | null)[]],
@@ -88,8 +88,8 @@ export function goes_beyond(
   );
 }
 
-/// Of the four edges along each axis the one that is lowest on the screen, for its figure: its middle. `height` of a
-/// point on the screen, downwards.
+/// Returns, for each axis, the middle of the one of its four edges that is lowest on the screen: the position of its
+/// figure. `height` of a point on the screen counts downwards.
 export function figure_places(box: readonly [Point, Point], height: (p: Point) => number): Point[] {
   return [0, 1, 2].map((axis) => {
     const middles = edges.slice(4 * axis, 4 * axis + 4).map(([a, b]) => {

@@ -3,9 +3,9 @@
 import { BufferAttribute, BufferGeometry, LineSegments, type Material } from "three";
 import type { Segments } from "./segments";
 
-export const most_pieces = 32; // of a bundle: above that, joining them anew when one changes costs more than it saves
+export const most_pieces = 32; // of a bundle: with more, joining them again after a change costs more than it saves
 
-/// What a bundle joins of a piece: `segments` from the one numbered `from` on.
+/// What a bundle joins of a piece: the `segments` starting at number `from`.
 export interface Part {
   segments: Segments;
   from: number;
@@ -15,7 +15,7 @@ export interface Part {
 export class Bundle<P extends Part> {
   readonly lines: LineSegments;
   readonly parts: P[] = [];
-  private joined: Segments[] = []; // what the geometry is made of
+  private joined: Segments[] = []; // the source of the geometry
 
   constructor(
     material: Material,
@@ -23,11 +23,11 @@ export class Bundle<P extends Part> {
   ) {
     this.lines = new LineSegments(new BufferGeometry(), material);
     this.lines.matrixAutoUpdate = false;
-    this.lines.frustumCulled = false; // pieces are culled, before anything is built
+    this.lines.frustumCulled = false; // pieces are culled before anything is built
     this.lines.visible = false;
   }
 
-  /// After the parts were changed: the lines show them. What is left out is at the beginning: the parts are in the
+  /// Updates the lines after the parts were changed. The segments left out are at the beginning: the parts are in the
   /// order of time.
   refresh(): void {
     const shown = this.parts.filter((p) => p.visible && p.segments.ends.length > 0);
@@ -43,7 +43,7 @@ export class Bundle<P extends Part> {
     this.lines.geometry.setDrawRange(2 * from, Infinity);
   }
 
-  /// What was joined is no longer kept.
+  /// Releases the joined lines.
   drop(): void {
     this.lines.geometry.dispose();
     this.lines.geometry = new BufferGeometry();

@@ -1,4 +1,4 @@
-// Where the view looks from: a target, two angles, half the height of the picture in mm. Z is up.
+// The viewpoint: a target, two angles, half the height of the picture in mm. Z is up.
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 import type { Point } from "./types";
 
@@ -15,7 +15,7 @@ const directions: Record<string, [number, number]> = {
   iso: [quarter / 2, iso_pitch],
 };
 
-/// Target, angles and box are those of the machine; the camera looks from the part's frame, in which all is drawn.
+/// Target, angles and box are in machine coordinates; the camera is in the part's frame, in which everything is drawn.
 export class Eye {
   readonly target = new Vector3();
   readonly carry = new Matrix4(); // from the part's frame to the machine's (carry.ts)
@@ -58,7 +58,7 @@ export class Eye {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
   }
-  /// A box of the part's frame, as all others that come in here, and one of the machine's.
+  /// A box in the part's frame, like all other boxes passed in, and one in the machine's.
   around(least: Point, greatest: Point, also: Box3): void {
     const b = this.on_machine(least, greatest).union(also);
     this.least.copy(b.min);
@@ -70,17 +70,17 @@ export class Eye {
   look(view: string): void {
     [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch];
   }
-  /// From the side that `towards` points to.
+  /// Looks from the side that `towards` points to.
   look_from([x, y, z]: Point): void {
     if (Math.hypot(x, y) > 1e-9) this.yaw = Math.atan2(x, -y);
     this.pitch = Math.atan2(z, Math.hypot(x, y));
   }
 
-  /// Turns by pixels about `pivot`, which stays where it is on the screen.
+  /// Rotates by pixels about `pivot`, which keeps its position on the screen.
   turn(dx: number, dy: number, pivot: Vector3): void {
     const offset = this.target.clone().sub(pivot);
     const [r, u, t] = [offset.dot(this.right), offset.dot(this.up), offset.dot(this.towards)];
-    this.yaw -= dx * 0.008; // radians a pixel: half a turn over some 400 pixels
+    this.yaw -= dx * 0.008; // radians per pixel: half a revolution over some 400 pixels
     this.pitch = Math.min(quarter, Math.max(-quarter, this.pitch + dy * 0.008));
     this.target.copy(pivot).addScaledVector(this.right, r).addScaledVector(this.up, u).addScaledVector(this.towards, t);
   }
@@ -89,7 +89,7 @@ export class Eye {
     this.target.addScaledVector(this.right, -dx * this.mm_per_pixel).addScaledVector(this.up, dy * this.mm_per_pixel);
   }
 
-  /// By `factor` about the place x, y of the screen: what is there stays there.
+  /// Zooms by `factor` about the position x, y of the screen, which keeps its content.
   zoom(factor: number, x: number, y: number): void {
     const before = this.mm_per_pixel;
     this.half = Math.min(1e6, Math.max(0.005, this.half * factor));
@@ -99,7 +99,7 @@ export class Eye {
       .addScaledVector(this.up, (this.height / 2 - y) * by);
   }
 
-  /// The box fills the picture, with a margin for the tool bars.
+  /// Fits the box into the picture, with a margin for the tool bars.
   fit(least: Point, greatest: Point): void {
     const { min: a, max: b } = this.on_machine(least, greatest),
       size = b.clone().sub(a);
@@ -109,7 +109,7 @@ export class Eye {
     this.half = Math.max(0.5, 1.25 * Math.max(spread(this.up), (spread(this.right) * this.height) / this.width));
   }
 
-  /// The camera as it is now; near and far enclose all that there is.
+  /// Returns the camera for the current view; near and far enclose everything.
   update(): void {
     const centre = this.least.clone().add(this.greatest).multiplyScalar(0.5);
     const reach = 1.2 * this.least.distanceTo(this.greatest) + this.target.distanceTo(centre) + 2 * this.half,
@@ -117,7 +117,7 @@ export class Eye {
     const away = this.flat ? reach : this.half / Math.tan((fov / 2) * (Math.PI / 180));
     c.position.copy(this.target).addScaledVector(this.towards, away);
     c.up.copy(this.up);
-    c.matrixAutoUpdate = true; // lookAt() reckons from where the camera is by its matrix
+    c.matrixAutoUpdate = true; // lookAt() uses the camera's position in its matrix
     c.lookAt(this.target);
     c.near = this.flat ? 0 : Math.max(away / 200, away - reach);
     c.far = away + reach;

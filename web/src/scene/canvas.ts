@@ -1,5 +1,5 @@
-// The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that
-// costs three times the time.
+// The canvas and its drawing. Without a graphics card edges are smoothed only while nothing moves, as smoothing takes
+// three times as long.
 import {
   LinearSRGBColorSpace,
   Mesh,
@@ -24,13 +24,13 @@ import {
 } from "./pace";
 import { NoWebGl } from "./types";
 
-const samples = 4; // of each pixel, where edges are smoothed
+const samples = 4; // per pixel, where edges are smoothed
 
 export class Canvas {
   readonly renderer: WebGLRenderer;
   readonly element: HTMLCanvasElement;
   readonly soft: boolean; // no graphics card
-  took = 0; // ms, by the last picture while something moved
+  took = 0; // ms, for the last picture while something moved
   private moving: Pace;
   private resting: Pace;
   private watch: Stopwatch;
@@ -40,14 +40,14 @@ export class Canvas {
 
   constructor() {
     this.element = document.createElement("canvas");
-    // Edges are smoothed in `smooth`, where there is time.
+    // Edges are smoothed in `smooth`, when there is time.
     const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" });
     if (!context) throw new NoWebGl("this browser gives no WebGL");
     this.soft = draws_softly(renderer_name(context));
     this.renderer = new WebGLRenderer({ canvas: this.element, context });
     this.renderer.localClippingEnabled = true;
-    this.renderer.outputColorSpace = LinearSRGBColorSpace; // colours go to the screen as they stand in the theme
-    this.renderer.debug.checkShaderErrors = false; // asking waits for the compiler
+    this.renderer.outputColorSpace = LinearSRGBColorSpace; // colours appear as they are in the theme
+    this.renderer.debug.checkShaderErrors = false; // a query would wait for the compiler
     this.moving = new Pace(this.soft ? soft_moving : card_moving);
     this.resting = new Pace(this.soft ? soft_resting : card_resting);
     this.watch = new Stopwatch(context, (ms, segments, fine) => {
@@ -67,7 +67,7 @@ export class Canvas {
     this.copy.add(sheet);
   }
 
-  /// How many pixels of a line cost as much as a segment: nothing worth counting where there is a graphics card.
+  /// How many pixels of a line cost as much as a segment: negligible with a graphics card.
   get pixels(): number {
     return this.soft ? soft_pixels : Infinity;
   }
@@ -81,7 +81,7 @@ export class Canvas {
     this.smooth.setSize(this.element.width, this.element.height);
   }
 
-  /// Has the shaders of these objects made while nobody waits for them. Their materials must live on.
+  /// Compiles the shaders of these objects while nobody waits for them. Their materials must stay alive.
   prepare(stage: Stage, camera: Camera, objects: Object3D[]): void {
     stage.add(...objects);
     this.renderer.compile(stage, camera);

@@ -1,11 +1,11 @@
-// The part as it stands on the machine: what the rotary axes have turned. The path lies still in the part's own frame;
-// it is the eye, and what belongs to the machine, that go round it the other way.
+// The part as it is on the machine, rotated by the rotary axes. The path stays fixed in the part's own frame; the eye,
+// and what belongs to the machine, rotate about it in the opposite direction.
 import { Matrix4, Vector3 } from "three";
 import type { Joint } from "../protocol/types";
 import type { Point } from "./types";
 
-/// From a place of the part as it is drawn to where it stands when the joints are at `positions`; both from the
-/// picture's zero.
+/// Returns the transformation from the part as it is drawn to its position when the joints are at `positions`; both
+/// relative to the picture's zero.
 export function carry_of(joints: readonly Joint[], positions: readonly number[], zero: Point): Matrix4 {
   const from = chain(
     joints,

@@ -1,4 +1,5 @@
-// The colour of each motion, as four bytes. Rapids are dim in every colouring: what cuts is what is looked at.
+// The colour of each motion, as four bytes. Rapids are dim in every colouring, because the cutting motions are of
+// interest.
 import { is_rapid } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { ColourBy } from "./types";
@@ -79,7 +80,7 @@ export const no_ranges = (): Ranges => ({
   depth: [Infinity, -Infinity],
 });
 
-/// The least and greatest of each quantity over the whole path, between which the ramp runs.
+/// The least and greatest value of each quantity over the whole path: the ends of the colour ramp.
 export function ranges_of(pieces: readonly Piece[]): Ranges {
   const r = no_ranges();
   for (const p of pieces) widen_ranges(r, p);
@@ -98,7 +99,7 @@ export function widen_ranges(r: Ranges, p: Piece): void {
   if (p.cut) widen(r.depth, [p.cut[0][2], p.cut[1][2]]);
 }
 
-/// The colour of the motion that ends at a vertex of `p`: red in the lowest byte.
+/// Returns the colour of the motion that ends at a vertex of `p`: red in the lowest byte.
 export function painter(p: Piece, by: ColourBy, r: Ranges, theme: Theme): (i: number) => number {
   const dim = packed(theme.rapid),
     cuts = cutting_painter(p, by, r, theme);
@@ -137,12 +138,12 @@ function cutting_painter(p: Piece, by: ColourBy, r: Ranges, theme: Theme): (i: n
   }
 }
 
-/// How much of the feed a limit of the machine has taken, %: corners, acceleration, speeds of axes.
+/// Returns the percentage of the feed that a limit of the machine prevents: corners, acceleration, speeds of axes.
 export const slowed = (feed: number, speed: number): number => (feed > speed ? 100 * (1 - speed / feed) : 0);
 
 export const packed = (c: Rgba): number => (c[0] | (c[1] << 8) | (c[2] << 16) | (c[3] << 24)) >>> 0;
 
-// From low to high: blue, green, amber, red; all dark enough for white ground and light enough for black.
+// From low to high: blue, green, amber, red; all dark enough for a white background and light enough for black.
 const stops = [0x2f6fe0, 0x12a07a, 0xd09a10, 0xd93a2b].map(opaque);
 const steps = 1024; // of the table: finer than a byte of any colour
 let shades: Uint32Array | null = null;

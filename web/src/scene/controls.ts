@@ -1,5 +1,5 @@
-// Pointer and wheel: left turns about what is under it, right or Shift moves, the wheel zooms to the pointer; two
-// fingers move and zoom.
+// Pointer and wheel: the left button rotates about the point under it, right or Shift moves, the wheel zooms to the
+// pointer; two fingers move and zoom.
 import { Vector3 } from "three";
 import type { Eye } from "./camera";
 
@@ -11,7 +11,7 @@ export interface ControlEvents {
   pivot(x: number, y: number): Vector3 | null;
 }
 
-const still = 4; // pixels: what moves less is a click
+const still = 4; // pixels: a shorter movement is a click
 
 export class Controls {
   private down = new Map<number, [number, number]>();

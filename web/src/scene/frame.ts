@@ -1,16 +1,16 @@
-// A piece of path as the scene needs it: the frame's columns, and what is measured of them once.
+// A piece of path as the scene needs it: the frame's columns, and values that are computed from them once.
 import { is_rapid, jump, type PathFrame, type RowsFrame } from "../protocol/frames";
 import type { Point } from "./types";
 
 export interface Piece extends PathFrame {
-  cut: [Point, Point] | null; // of the ways that are no rapids
-  length: number; // of what is drawn of it, mm
+  cut: [Point, Point] | null; // of the motions that are not rapid
+  length: number; // of its drawn part, mm
   line_range: [number, number];
   feed_range: [number, number];
   speed_range: [number, number];
   kinds_seen: Set<number>;
-  leans?: Float32Array; // from the tip into the tool, where it leans
-  positions?: Float32Array; // of the joints that turn the part, vertex by vertex
+  leans?: Float32Array; // from the tip into the tool, where it is tilted
+  positions?: Float32Array; // of the joints that rotate the part, vertex by vertex
 }
 
 export function piece_of(frame: PathFrame): Piece {
@@ -27,7 +27,8 @@ export function piece_of(frame: PathFrame): Piece {
   return piece;
 }
 
-/// Directions of the tool or positions of the joints; false where they are not as many as the vertices of `piece`.
+/// Adds directions of the tool or positions of the joints; returns false if their number differs from the vertices of
+/// `piece`.
 export function add_rows(piece: Piece, rows: RowsFrame): boolean {
   if (rows.count !== piece.count) return false;
   if (rows.kind === "directions") piece.leans = rows.values;

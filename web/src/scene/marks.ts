@@ -1,4 +1,4 @@
-// What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
+// Objects in the view besides the path: the tool, the part, boxes, the highlighted line.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -21,7 +21,7 @@ import type { Drawn } from "./path_view";
 
 const around = 64,
   up = new Vector3(0, 0, 1);
-const most_lit = 50_000; // segments of one line that are lit: more are no longer told apart
+const most_lit = 50_000; // highlighted segments of one line: more cannot be distinguished
 
 export function empty(group: Object3D): void {
   for (const o of [...group.children] as Mesh[]) {
@@ -32,7 +32,7 @@ export function empty(group: Object3D): void {
   }
 }
 
-/// The tool in its true shape, tip in the middle; without a shape a cone of that height.
+/// Returns the tool in its true shape, with the tip at the origin; without a shape a cone of that height.
 export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: Theme): Group {
   const group = new Group();
   const lathe = (outline: readonly [number, number][], colour: number, opacity: number): void => {
@@ -69,7 +69,7 @@ export function put_tool(tool: Group, at: Point, lean: Point | null): void {
   tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
 }
 
-/// Ends of every segment that a line of the program made, at full fineness.
+/// Returns the ends of every segment of a program line, in full detail.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {
   const out: number[] = [];
   for (const { piece: p } of all) {
@@ -82,7 +82,7 @@ export function lit_points(all: readonly Drawn[], line: number, file: number, ze
   return new Float32Array(out);
 }
 
-/// The three axes at the picture's zero: X red, Y green, Z blue, as everywhere.
+/// The three axes at the picture's zero: X red, Y green, Z blue, as usual.
 export function axes(length: number): LineSegments {
   const g = new BufferGeometry(),
     c = [0.85, 0.2, 0.2, 0.85, 0.2, 0.2, 0.15, 0.6, 0.25, 0.15, 0.6, 0.25, 0.2, 0.4, 0.95, 0.2, 0.4, 0.95];

@@ -1,9 +1,9 @@
-// What a click in the view measures from, and the distance between two of them. A corner is a point, an arc its centre,
-// a straight way an edge.
+// The point, centre or edge that a click in the view measures from, and the distance between two of them. A corner is
+// a point, an arc its centre, a straight motion an edge.
 import { cross, dot, length, minus, plus, type Circle } from "./arc";
 import type { Anchor, Distance, Point } from "./types";
 
-/// `part` of the way from `a` to `b` was hit: at its ends it is a point.
+/// `part` of the motion from `a` to `b` was hit: at its ends it is a point.
 export function anchor_of(a: Point, b: Point, part: number, arc: Circle | null, line: number): Anchor {
   const way = minus(b, a),
     long = length(way);
@@ -12,7 +12,7 @@ export function anchor_of(a: Point, b: Point, part: number, arc: Circle | null, 
   return { kind: "edge", place: plus(a, way, part), direction: [way[0] / long, way[1] / long, way[2] / long], line };
 }
 
-const parallel = 1e-6; // sine between two edges
+const parallel = 1e-6; // sine of the angle between two edges
 
 export function distance_between(a: Anchor, b: Anchor): Distance {
   if (a.direction && b.direction) return between_edges(a.place, a.direction, b.place, b.direction);
@@ -29,7 +29,7 @@ function between_edges(p: Point, u: Point, q: Point, v: Point): Distance {
     uv = dot(u, v),
     uw = dot(u, w),
     vw = dot(v, w),
-    nn = sine * sine; // the shortest way between two lines
+    nn = sine * sine; // the shortest distance between two lines
   const s = (uv * vw - uw) / nn,
     t = (vw - uv * uw) / nn;
   return told(plus(p, u, s), plus(q, v, t), Math.atan2(sine, Math.abs(uv)) * (180 / Math.PI));

@@ -1,4 +1,4 @@
-// How many segments this browser draws in a picture without a stall: measured by the graphics card's own fences. Fewer
+// How many segments this browser draws in a picture without a delay: measured by the graphics card's own fences. Fewer
 // while something moves, more at rest.
 export interface Bounds {
   least: number;
@@ -7,10 +7,10 @@ export interface Bounds {
   wanted: number;
 } // segments; ms a picture may take
 
-// Without a graphics card a segment costs some thousand times what it costs with one.
+// Without a graphics card a segment costs some thousand times as much.
 export const soft_moving: Bounds = { least: 20_000, first: 40_000, most: 200_000, wanted: 35 };
 export const soft_resting: Bounds = { least: 30_000, first: 120_000, most: 300_000, wanted: 90 };
-export const soft_pixels = 50; // of a line that take as long as a segment: SwiftShader on two cores, 0.9 µs and 17 ns
+export const soft_pixels = 50; // of a line, which take as long as a segment: SwiftShader on two cores, 0.9 µs and 17 ns
 export const card_moving: Bounds = { least: 50_000, first: 500_000, most: 2_000_000, wanted: 14 };
 export const card_resting: Bounds = { least: 200_000, first: 1_500_000, most: 3_000_000, wanted: 50 };
 
@@ -20,8 +20,8 @@ export class Pace {
     this.budget = b.first;
   }
 
-  /// A picture of `segments` took `ms`. The budget follows: down at once, up by little, and only where it was what held
-  /// the picture back.
+  /// A picture of `segments` took `ms`. The budget decreases at once and increases slowly, and only if it limited the
+  /// picture.
   took(ms: number, segments: number): void {
     const { least, most, wanted } = this.b;
     if (ms > 1.4 * wanted && segments > least)
@@ -33,7 +33,7 @@ export class Pace {
 /// Names of renderers that draw by the processor alone.
 export const draws_softly = (renderer: string): boolean => /swiftshader|llvmpipe|software|basic render/i.test(renderer);
 
-/// Tells after each picture how long the card took for it: at most one is watched at a time.
+/// Reports after each picture how long the card took for it: at most one is measured at a time.
 export class Stopwatch {
   private fence: WebGLSync | null = null;
   constructor(

@@ -1,11 +1,11 @@
-// The part as it is cut: what each tool made in the colour of that tool, the blank's own surface grey.
+// The part as it is cut: each surface has the colour of the tool that made it, the blank's own surface is grey.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from "three";
 import type { PartFrame } from "../protocol/frames";
 import { by_tool, type Theme } from "./colours";
 import type { Point } from "./types";
 
-const blank = 65535; // "made by" of what no tool has touched
-const pale = 0.55; // how far a tool's colour goes towards that of the blank: the path, in full colour, stays to be seen on it
+const blank = 65535; // "made by" of a surface that no tool has touched
+const pale = 0.55; // how far a tool's colour is mixed with that of the blank, so that the path in full colour remains visible on it
 
 /// Both sides are drawn, so that a section is not open.
 export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Plane[]): Mesh {
@@ -41,7 +41,7 @@ export const part_material = (planes: Plane[]): MeshLambertMaterial =>
     polygonOffsetUnits: 1,
   });
 
-/// Linear, as colours of vertices are taken.
+/// Linear, as vertex colours must be.
 export function part_colour(tool: number, theme: Theme): [number, number, number] {
   const colour = new Color(theme.part);
   if (tool !== blank) {

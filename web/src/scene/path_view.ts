@@ -1,5 +1,5 @@
-// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a
-// few milliseconds' worth in a picture.
+// The pieces of the path as lines on the screen: decides which are in view and in which detail, and rebuilds only what
+// changed, a few milliseconds' worth per picture.
 import {
   Box3,
   BufferAttribute,
@@ -23,7 +23,7 @@ import { first_from, place_at, type Place } from "./place";
 import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
 import type { ColourBy, Point, SceneFilter } from "./types";
 
-/// `built` tells of which look and level the lines are.
+/// `built`: the look and level that the lines were built for.
 interface Made {
   built: string;
   segments: Segments;
@@ -54,12 +54,12 @@ export class PathView {
   zero: Point = [0, 0, 0];
   instant = 0;
   ranges: Ranges = no_ranges();
-  kinds = new Set<number>(); // that the program's own path has
+  kinds = new Set<number>(); // kinds of motion in the program's own path
   private main: Piece[] = []; // the program itself, channel 0, in order of time
   private last = new Map<string, Piece>(); // of each path and channel
   private bundles: Bundle<Drawn>[] = [];
-  private open = new Map<string, Bundle<Drawn>>(); // of each path and channel the one that takes more pieces
-  private stamp = 0; // counts what changes the lines of every piece
+  private open = new Map<string, Bundle<Drawn>>(); // the bundle of each path and channel that accepts more pieces
+  private stamp = 0; // counts changes that affect the lines of every piece
   private held = 0;
   private whole = new Box3(); // of what the filter shows; machine coordinates
   private cutting = new Box3();
@@ -89,15 +89,15 @@ export class PathView {
     this.group.matrixAutoUpdate = false;
   }
 
-  /// Lines of its materials, for whoever makes shaders ready.
+  /// Lines of its materials, to compile their shaders.
   samples(): LineSegments[] {
     // Colours with an alpha have a shader of their own.
     const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true));
     return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
   }
 
-  /// Directions of the tool and positions of what turns the part are of the piece that came before; false where there
-  /// is none that they fit.
+  /// Adds directions of the tool or positions of what rotates the part to the preceding piece; returns false if they
+  /// fit none.
   add(frame: OfPathFrame): boolean {
     const whose = `${frame.which} ${frame.channel}`;
     if (frame.kind !== "path") {
@@ -139,7 +139,7 @@ export class PathView {
     return bundle;
   }
 
-  /// Without `which` all goes; 1: the path that the program was compared with.
+  /// Without `which` everything is removed; 1: the path that the program was compared with.
   clear(which?: number): void {
     const goes = (d: Drawn): boolean => which === undefined || (d.piece.which & 1) === which;
     const of_those = (b: Bundle<Drawn>): boolean => goes(b.parts[0]!);
@@ -188,14 +188,14 @@ export class PathView {
     return this.filter.turned;
   }
 
-  /// What cuts, or where nothing cuts all of the path; from the picture's zero.
+  /// Box of the cutting motions, or of all of the path if nothing cuts; relative to the picture's zero.
   extent(cut: boolean): Box3 {
     const box = cut && !this.cutting.isEmpty() ? this.cutting : this.whole;
     return box.isEmpty() ? new Box3() : box.clone().translate(new Vector3(...this.zero).negate());
   }
 
-  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how
-  /// many there are. `pixels`: of a line that cost as much as a segment.
+  /// Builds what is missing at the level of this view, until `deadline`. Returns how many segments are drawn, and how
+  /// many there are. `pixels`: of a line, which cost as much as a segment.
   refresh(eye: Eye, budget: number, pixels: number, deadline = Infinity): Refreshed {
     const seen = this.seen(eye),
       pieces = seen.map((d) => d.piece);
@@ -231,7 +231,7 @@ export class PathView {
     };
   }
 
-  /// How much of a box is on the screen; after seen().
+  /// Returns how much of a box is on the screen; call it after seen().
   private part_seen(box: Box3): number {
     screen.makeEmpty();
     for (let i = 0; i < 8; i++)
@@ -255,7 +255,7 @@ export class PathView {
     });
   }
 
-  /// Moving and resting take turns: what was built for the other one is still there.
+  /// Moving and resting alternate: the lines built for the other state are kept and used again.
   private take_spare(d: Drawn, wanted: string): boolean {
     if (d.spare?.built !== wanted) return false;
     [d.now, d.spare] = [d.spare, d.now];
@@ -306,12 +306,12 @@ export class PathView {
         : 0;
   }
 
-  /// Dashes keep their length on the screen, in steps, so that they do not swim while somebody zooms.
+  /// Dashes keep their length on the screen, in steps, so that they do not drift during zooming.
   private dash(eye: Eye): void {
     this.dashes.scale = 1 / (6 * 2 ** Math.round(Math.log2(eye.mm_per_pixel)));
   }
 
-  /// After the last piece: the ramps of colour run over all of the path.
+  /// After the last piece: the ramps of colour cover all of the path.
   change(): void {
     if (is_ramp(this.by)) this.stamp++;
   }

@@ -1,5 +1,5 @@
 // The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn
-// line stands for. Of two as near, the one in front.
+// line represents. Of two at the same distance, the one in front.
 import { Box3, Matrix4, Vector3 } from "three";
 import { is_arc, jump, spline } from "../protocol/frames";
 import { arc_at, minus } from "./arc";
@@ -13,10 +13,10 @@ export interface Hit {
   vertex: SceneVertex;
   place: Point;
   anchor: Anchor;
-} // place: on the segment, at its end where the pointer is near that; from the picture's zero
+} // place: on the segment, or its end if the pointer is near that; relative to the picture's zero
 
 const reach = 8,
-  snap = 9; // pixels: how far the pointer may be off a line, and off a corner to snap to it
+  snap = 9; // pixels: greatest distance of the pointer from a line, and from a corner to snap to it
 
 interface Best {
   off: number;
@@ -43,7 +43,7 @@ class Screen {
       .multiply(new Matrix4().makeTranslation(-zero[0], -zero[1], -zero[2])).elements;
   }
 
-  /// Looks at the way between two points, three numbers each of `points`.
+  /// Tests the motion between two points, three numbers each of `points`.
   near(points: Float32Array, from: number, to: number, best: Best, d: Drawn, segment: number): void {
     const { m, width, height, x, y } = this;
     const a = points[from]!,
@@ -76,14 +76,14 @@ class Screen {
     best.length = Math.sqrt(square);
   }
 
-  /// Whether something in the box may be within reach of the pointer.
+  /// True if something in the box may be within reach of the pointer.
   may_hit(box: Box3): boolean {
     let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
     for (let i = 0; i < 8; i++) {
       corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z);
       const { m } = this,
         w = m[3]! * corner.x + m[7]! * corner.y + m[11]! * corner.z + m[15]!;
-      if (!(w > 0)) return true; // beside or behind the eye: nothing is known
+      if (!(w > 0)) return true; // next to or behind the eye: it cannot be excluded
       const px = ((m[0]! * corner.x + m[4]! * corner.y + m[8]! * corner.z + m[12]!) / w + 1) * 0.5 * this.width;
       const py = (1 - (m[1]! * corner.x + m[5]! * corner.y + m[9]! * corner.z + m[13]!) / w) * 0.5 * this.height;
       left = Math.min(left, px);
@@ -115,7 +115,7 @@ export function pick(
   return best.d && finely(screen, best.d, best.segment, zero);
 }
 
-/// A line drawn coarsely stands for several motions: which of them it is. They lie within half a pixel of the line.
+/// A coarsely drawn line represents several motions: finds the right one. They are within half a pixel of the line.
 function finely(screen: Screen, d: Drawn, segment: number, zero: Point): Hit {
   const { starts, ends } = d.segments,
     { piece: p } = d,
@@ -154,7 +154,7 @@ export function vertex_of(p: Piece, i: number, zero: Point): SceneVertex {
   };
 }
 
-/// Vertices within an arc are no corners: only its own ends are points to measure from.
+/// Vertices within an arc are not corners: only its own ends are points to measure from.
 function end_of_arc(p: Piece, i: number, part: number): number {
   const kind = p.kinds[4 * i]!,
     joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
@@ -162,7 +162,7 @@ function end_of_arc(p: Piece, i: number, part: number): number {
   return inside ? 0.5 : part;
 }
 
-/// Of the whole motion that a vertex belongs to, as far as this piece has it.
+/// Length of the whole motion that a vertex belongs to, as far as this piece contains it.
 function length_of(p: Piece, i: number): number {
   const kind = p.kinds[4 * i]!,
     bent = is_arc(kind) || kind === spline;

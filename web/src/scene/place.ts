@@ -1,4 +1,5 @@
-// Where the tool is at an instant: the piece by its start, the motion by its time, the place in between.
+// The position of the tool at an instant: the piece by its start, the motion by its time, the position by
+// interpolation.
 import { jump } from "../protocol/frames";
 import type { Piece } from "./frame";
 import type { Point } from "./types";
@@ -8,9 +9,9 @@ export interface Place {
   tool: number;
   lean: Point | null;
   positions: number[] | null;
-} // positions: of the joints that turn the part
+} // positions: of the joints that rotate the part
 
-/// The first of `count` ordered values that is not below `wanted`; `count` where there is none.
+/// Returns the index of the first of `count` ordered values that is not below `wanted`; `count` if there is none.
 export function first_from(count: number, value: (i: number) => number, wanted: number): number {
   let low = 0,
     high = count;
@@ -22,8 +23,8 @@ export function first_from(count: number, value: (i: number) => number, wanted: 
   return low;
 }
 
-/// Machine coordinates at `time`; before the first vertex and after the last one the tool stands there. `pieces` are in
-/// order of time.
+/// Returns machine coordinates at `time`; before the first vertex and after the last one the tool is at that vertex.
+/// `pieces` are in order of time.
 export function place_at(pieces: readonly Piece[], time: number): Place | null {
   if (!pieces.length) return null;
   const p = pieces[Math.max(0, first_from(pieces.length, (i) => pieces[i]!.start, time) - 1)]!;
@@ -35,7 +36,7 @@ export function place_at(pieces: readonly Piece[], time: number): Place | null {
   const before = Math.max(0, i - 1),
     span = p.times[i]! - p.times[before]!;
   let part = span > 0 ? Math.min(1, Math.max(0, (t - p.times[before]!) / span)) : 1;
-  if (p.kinds[4 * i] === jump && part < 1) part = 0; // nothing is known of the way of a jump
+  if (p.kinds[4 * i] === jump && part < 1) part = 0; // the path of a jump is unknown
   const of = (values: Float32Array): number[] => between(values, values.length / p.count, before, i, part);
   return {
     at: of(p.at) as Point,
@@ -45,7 +46,7 @@ export function place_at(pieces: readonly Piece[], time: number): Place | null {
   };
 }
 
-/// Of `each` values a vertex.
+/// Interpolates `each` values per vertex.
 function between(values: Float32Array, each: number, a: number, b: number, part: number): number[] {
   return Array.from(
     { length: each },

@@ -51,12 +51,12 @@ import {
 
 export * from "./types";
 
-ColorManagement.enabled = false; // before the first colour is made
+ColorManagement.enabled = false; // before the first colour is created
 
 const most_thick = 4000; // segments: a thick line costs some ten times as much as a thin one
 const still = 180; // ms without a change, after which the picture is drawn finely
 const slice = 10; // ms of a picture in which lines are built; the rest is built in the next ones
-const refit_every = 200; // ms between looks at how far a path reaches that is still coming
+const refit_every = 200; // ms between updates of the extents while a path is arriving
 
 export class Scene {
   private canvas: Canvas;
@@ -68,7 +68,7 @@ export class Scene {
   private tool = new Group();
   private part = new Group();
   private origin = new Group();
-  private way = new Group(); // that a machine is to be led along
+  private way = new Group(); // that the machine will follow
   private ruler = new Group();
   private lamp = new DirectionalLight(0xffffff, 1.6);
   private lit = new LineSegments2(
@@ -96,11 +96,11 @@ export class Scene {
   private samples = new Mesh(new BufferGeometry(), part_material([])); // keeps the shader of a part
   private width = 1;
   private height = 1;
-  private old = false; // the path is one that is being run anew
+  private old = false; // the path is of a program that is running again
   private fine = false; // nothing has changed for a while
   private fitted_at = 0;
-  private own_view = false; // the user has turned, moved or zoomed since the last fit
-  private joints: Joint[] = []; // that turn the part
+  private own_view = false; // the user has rotated, moved or zoomed since the last fit
+  private joints: Joint[] = []; // that rotate the part
   private machine_at: { at: Point; tool: number } | null = null; // of a machine that is on
 
   constructor(
@@ -161,7 +161,7 @@ export class Scene {
     this.resize();
   }
 
-  /// A path that is run anew takes the place of the old one with its first piece, so that the view does not go blank.
+  /// The first piece of a new run's path replaces the old path, so that the view does not go blank.
   addPath(frame: OfPathFrame): void {
     if (this.old) this.clearPath();
     if (!this.path.add(frame)) return;
@@ -181,7 +181,7 @@ export class Scene {
   replacePath(): void {
     this.old = true;
   }
-  /// After the last piece.
+  /// Call after the last piece.
   endPath(): void {
     if (this.old) this.clearPath();
     this.path.change();
@@ -233,7 +233,7 @@ export class Scene {
     this.setInstant(this.path.instant);
   }
 
-  /// What turns the part; the path is drawn in the part's frame all the same.
+  /// The joints that rotate the part; the path is still drawn in the part's frame.
   setJoints(joints: Joint[]): void {
     this.joints = joints;
     this.setInstant(this.path.instant);
@@ -253,11 +253,11 @@ export class Scene {
     this.touch();
   }
 
-  /// The tool where a machine is, machine coordinates of the tip; null: where the slider is.
+  /// Shows the tool at a machine's position, machine coordinates of the tip; null: at the slider's instant.
   showMachine(machine: { at: Point; tool: number } | null): void {
     if (!machine && !this.machine_at) return;
     this.machine_at = machine;
-    const left = this.drawn_at + 2 * this.canvas.took - performance.now(); // half of the time is the page's, however slow pictures are
+    const left = this.drawn_at + 2 * this.canvas.took - performance.now(); // half of the time is left to the page, however slow pictures are
     if (left <= 0) this.setInstant(this.path.instant);
     else
       this.follows ??= setTimeout(() => {
@@ -266,12 +266,12 @@ export class Scene {
       }, left);
   }
 
-  /// No picture is begun for so long: what a key does is shown first.
+  /// No picture is started for that long: the effect of a key is shown first.
   hush(ms: number): void {
     this.hushed_until = performance.now() + ms;
   }
 
-  /// A way that is to be gone, machine coordinates of the tip; its end is marked.
+  /// Shows a path that will be executed, machine coordinates of the tip; its end is marked.
   showWay(tips: Point[]): void {
     empty(this.way);
     const at = tips.map((p) => this.from_zero(p));
@@ -280,7 +280,7 @@ export class Scene {
     this.touch();
   }
 
-  /// Where the tool's tip is at an instant, from the picture's zero; null where there is no path.
+  /// Position of the tool's tip at an instant, from the picture's zero; null if there is no path.
   positionAt(at: number): Point | null {
     const place = this.path.place(at);
     return place && this.from_zero(place.at);
@@ -319,7 +319,7 @@ export class Scene {
         });
       for (const zone of zones) draw({ name: String(zone.number), kind: "zone", box: bounded(zone.box, all) });
     }
-    this.machine.matrixAutoUpdate = false; // it stands where it is, while the part turns
+    this.machine.matrixAutoUpdate = false; // it stays where it is while the part rotates
     this.touch();
   }
 
@@ -337,10 +337,10 @@ export class Scene {
     this.touch();
   }
 
-  /// Cuts the part at `at` of an axis; `flip` takes away the other side. The path stays whole.
+  /// Cuts the part at `at` of an axis; `flip` removes the other side. The path stays whole.
   setSection(axis: 0 | 1 | 2 | null, at: number, flip: boolean): void {
     const sign = flip ? 1 : -1;
-    this.planes.length = 0; // the part's material holds this very list
+    this.planes.length = 0; // the part's material holds this same list
     if (axis !== null) this.planes.push(new Plane(new Vector3().setComponent(axis, sign), -sign * at));
     this.touch();
   }
@@ -351,13 +351,13 @@ export class Scene {
     this.refit();
   }
 
-  /// From that side, all of it.
+  /// Shows everything from that side.
   look_from(towards: Point): void {
     this.eye.look_from(towards);
     this.view("fit");
   }
 
-  /// Between what the ramps of colour run; depth from the picture's zero.
+  /// The ranges of the colour ramps; depth from the picture's zero.
   ranges(): Ranges {
     const { ranges: r, zero } = this.path;
     return { ...r, depth: [r.depth[0] - zero[2], r.depth[1] - zero[2]] };
@@ -386,7 +386,7 @@ export class Scene {
     return [p[0] - z[0], p[1] - z[1], p[2] - z[2]];
   }
 
-  /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
+  /// The blank often arrives after the path: the view is fitted to it too, unless the user has chosen another view.
   private refit(): void {
     this.fitted_at = performance.now();
     const box = this.extent(true);
@@ -435,7 +435,7 @@ export class Scene {
     return pick(this.path.drawn, this.eye, x, y, this.width, this.height, this.path.zero);
   }
 
-  /// Of the part, as it is seen there.
+  /// The point of the part's visible surface at this position.
   private surface(x: number, y: number): { place: Point; normal: Point } | null {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.eye.camera);
@@ -489,7 +489,7 @@ export class Scene {
         this.ask();
       },
       still + 5 * this.canvas.took,
-    ); // a key may be pressed as soon as it stands
+    ); // a key may be pressed as soon as the picture is complete
     this.fine = false;
   }
   private drawn_at = 0;
@@ -517,11 +517,11 @@ export class Scene {
     this.events.hover(v, x, y);
   }
 
-  /// `until`: lines are made no longer than that, in ms of performance.now(): the rest in the next pictures.
+  /// `until`: lines are built until this time in ms of performance.now(), the rest in the next pictures.
   private render(fine: boolean, until = performance.now() + slice): void {
     this.dirty = false;
     const all = this.extent(false);
-    if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
+    if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // room for the holder above the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point, this.reach);
     this.eye.update();
     this.lamp.position
@@ -541,7 +541,7 @@ export class Scene {
       this.dirty = true;
       this.ask();
       if (fine) return;
-    } // what stands is shown until all of the finer lines are there
+    } // the old lines are shown until all of the finer lines exist
     this.drawn_at = performance.now();
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, cost);
     this.events.turned(this.seen());

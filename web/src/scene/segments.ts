@@ -1,4 +1,4 @@
-// What of one piece is drawn at a level: each segment with both its ends and one colour, in machine coordinates. Only
+// The segments of one piece that are drawn at a level: both ends and one colour each, in machine coordinates. Only
 // what is drawn is copied, so the graphics card holds no more than the budget.
 import { is_rapid, jump, most_vertices } from "../protocol/frames";
 import { painter, type Ranges, type Theme } from "./colours";
@@ -14,7 +14,7 @@ export interface Look {
   zero_z: number;
   every?: number;
   runs_before?: number;
-} // `every`: of the runs only each so manieth; how many runs are before the piece
+} // `every`: only every n-th run; the number of runs before the piece
 export interface Segments {
   points: Float32Array;
   colours: Uint32Array;
@@ -30,7 +30,7 @@ export const no_segments: Segments = {
 
 export const run = 256,
   runs = Math.ceil(most_vertices / run); // vertices that are drawn together, or not
-const from_to = new Uint32Array(2 * most_vertices); // of the piece at work: pairs of vertices
+const from_to = new Uint32Array(2 * most_vertices); // of the current piece: pairs of vertices
 
 export function segments_of(p: Piece, look: Look): Segments {
   const { kinds, count } = p,

@@ -1,4 +1,4 @@
-// What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
+// The interface of the 3D view. Lengths in mm, times in s, relative to the picture's zero.
 import type { Bounds, Box } from "../protocol/types";
 
 export type Point = [number, number, number];
@@ -29,7 +29,7 @@ export interface SceneFilter {
   programmed: boolean;
   other: boolean;
   bounds: boolean;
-  turned: boolean; // turned: the part as it stands on the machine
+  turned: boolean; // turned: the part as it is on the machine
 }
 export interface SceneBox {
   name: string;
@@ -45,7 +45,7 @@ export interface ToolShape {
   shank: [number, number][];
   holder: [number, number][];
 }
-/// What a click in the view measures from. `direction`: of an edge, length 1.
+/// The point or edge that a click in the view measures from. `direction`: of an edge, length 1.
 export interface Anchor {
   kind: "point" | "edge" | "centre";
   place: Point;
@@ -65,7 +65,8 @@ export interface Measured {
   ends: Anchor[];
   distance: Distance | null;
 }
-/// How the eye stands: axes of the screen, and where a point from the picture's zero is on it (null behind the eye).
+/// The orientation of the eye: axes of the screen, and the screen position of a point from the picture's zero (null
+/// behind the eye).
 export interface View {
   right: Point;
   up: Point;
@@ -76,10 +77,10 @@ export interface SceneEvents {
   pick(v: SceneVertex | null): void;
   hover(v: SceneVertex | null, x: number, y: number): void;
   measured(m: Measured): void;
-  touched(place: Point, normal: Point): void; // the part's surface, where the mode asks for it
+  touched(place: Point, normal: Point): void; // the part's surface, where the mode requests it
   thinned(drawn: number, all: number): void;
   turned(view: View): void; // after each picture
 }
 
-/// Thrown where the browser gives no WebGL: the page goes on without this view.
+/// Thrown if the browser has no WebGL: the page continues without this view.
 export class NoWebGl extends Error {}

@@ -1,4 +1,4 @@
-// The editor of a program that is held here: undo, search, problems, the line that runs.
+// The editor of a program that is held in the page: undo, search, problems, the running line.
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
@@ -39,7 +39,7 @@ const running_gutter = new (class extends GutterMarker {
   override elementClass = "cm-running-number";
 })();
 
-/// Values of the variables that the running line uses, behind its end.
+/// Values of the variables that the running line uses, after its end.
 class Beside extends WidgetType {
   constructor(private text: string) {
     super();
@@ -149,7 +149,7 @@ export function editor_view(
   };
 }
 
-/// The line is seen, so that the text does not jump while the slider moves.
+/// True if the line is visible, so that the text does not jump while the slider moves.
 function seen(view: EditorView, at: number): boolean {
   const block = view.lineBlockAt(at),
     box = view.scrollDOM;

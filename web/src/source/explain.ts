@@ -1,4 +1,4 @@
-// What the words of a line mean on this control, where the mouse rests.
+// Explains the words of a line on this control, where the mouse rests.
 import { hoverTooltip } from "@codemirror/view";
 import type { App } from "../model/app";
 import type { Word } from "../protocol/types";

@@ -1,5 +1,5 @@
-// Colours of the words that are seen in the editor. No word of G-code goes over a line's end, so a line needs nothing
-// of those before it.
+// Colours the visible words in the editor. No word of G-code continues over a line's end, so a line needs nothing of
+// the lines before it.
 import { RangeSetBuilder } from "@codemirror/state";
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
 import { token_at } from "./tokens";

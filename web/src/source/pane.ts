@@ -1,5 +1,5 @@
-// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead
-// each other.
+// The source pane: the editor, or the virtual view of a long file or of a called file; line and slider follow each
+// other.
 import type { App } from "../model/app";
 import { t, on_language } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";
@@ -9,10 +9,10 @@ import { virtual_view } from "./virtual";
 import type { apply_fix } from "./problems";
 import type { Fix, State } from "../protocol/types";
 
-const of_machine = -1; // in the place of a file's number: the program as a machine runs it
-const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
+const of_machine = -1; // instead of a file's number: the program as a machine runs it
+const called_lines = 10_000_000; // the length of a called file is unknown; after its end `source` returns nothing
 
-/// What a text that may be edited is shown with; a report has none.
+/// The functions that an editable text needs; a report has none.
 export interface Editing {
   view: typeof editor_view;
   fix: typeof apply_fix;
@@ -26,7 +26,7 @@ export class SourcePane {
   private view: SourceView | null = null;
   private shown_file = 0;
   private name = "";
-  private other: (() => void) | null = null; // the machine runs another text: shows it
+  private other: (() => void) | null = null; // the machine runs another text: shows that text
 
   constructor(
     private app: App,
@@ -50,7 +50,7 @@ export class SourcePane {
     if (this.shown_file !== 0) this.show_file(0, "");
     this.view?.show_line(line);
   }
-  /// The program as a machine runs it, which is not what stands in the editor; null: that goes.
+  /// Shows the program as a machine runs it, if it differs from the editor's text; null: removes it.
   show_machine(text: string | null): void {
     if (text === null) {
       if (this.shown_file === of_machine) this.show_file(0, "");
@@ -72,11 +72,11 @@ export class SourcePane {
   get shows_machine(): boolean {
     return this.shown_file === of_machine;
   }
-  /// The line that it is on; 0: none is marked.
+  /// Marks the line that the machine executes; 0: none.
   mark_machine(line: number): void {
     if (this.shown_file === 0 || this.shows_machine) this.view?.show_line(line);
   }
-  /// Says that the machine runs another text than the one that is shown; `show`: that one is wanted.
+  /// Reports that the machine runs another text than the shown one; `show` displays that text.
   tell_machine(show: (() => void) | null): void {
     if (Boolean(show) === Boolean(this.other)) return;
     this.other = show;
@@ -91,7 +91,7 @@ export class SourcePane {
 
   private show_program(): void {
     const { app } = this;
-    // The editor keeps its undo and its cursor while the same text is run again.
+    // The editor keeps its undo and its cursor while the same text runs again.
     if (
       this.view?.editor &&
       this.shown_file === 0 &&

@@ -1,4 +1,4 @@
-// CodeMirror's own words in Russian: its panels of search, its folded stretches, its names for screen readers.
+// CodeMirror's own texts in Russian: its search panels, its folded ranges, its names for screen readers.
 import { Compartment, EditorState, type Extension } from "@codemirror/state";
 import { language } from "../texts/texts";
 

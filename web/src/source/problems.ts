@@ -1,5 +1,5 @@
-// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while
-// somebody types.
+// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; updated during
+// typing.
 import { linter, lintGutter, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import type { EditorState, Text } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";
@@ -31,7 +31,7 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
     const mine = ++asked;
     try {
       const { problems } = await app.client.ask("check", { text: view.state.doc.toString() });
-      if (mine !== asked) return; // a newer text is under way, this answer speaks of an old one
+      if (mine !== asked) return; // a newer text is being checked, this answer belongs to an old one
       app.checked = problems;
       app.on_problems.emit();
     } catch (e) {

@@ -1,7 +1,8 @@
-// Whose problem it is.
+// Decides which file a problem belongs to.
 import type { Problem } from "../protocol/types";
 
-/// Problems of called files have their own text, which the editor does not show. `opened` is the program's own name.
+/// Problems of called files belong to another text, which the editor does not show. `opened` is the program's own
+/// name.
 export function of_program(p: Problem, opened: string): boolean {
   if (typeof p.file !== "string") return !p.file;
   const name = (path: string): string => path.slice(path.lastIndexOf("/") + 1);

@@ -1,5 +1,5 @@
-// The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. What a word means the
-// control knows, not this table.
+// The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. The meaning of a
+// word comes from the control, not from this table.
 export type TokenKind =
   "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
 
@@ -20,7 +20,8 @@ const rules: [TokenKind, RegExp][] = [
   ["number", /^[-+]?(?:\d+\.?\d*|\.\d+)/],
 ];
 
-/// The token that begins at `from`; white space and all else is a token of one character without a kind.
+/// Returns the token that starts at `from`; white space and everything else is a token of one character without a
+/// kind.
 export function token_at(line: string, from: number): { kind: TokenKind; length: number } {
   const rest = line.slice(from, from + 400);
   for (const [kind, rule] of rules) {
@@ -31,7 +32,7 @@ export function token_at(line: string, from: number): { kind: TokenKind; length:
   return { kind: "", length: 1 };
 }
 
-/// A comment may be longer than the window that the rules look at.
+/// A comment may be longer than the window that the rules see.
 function comment_length(line: string, from: number, found: number): number {
   if (found < 400) return found;
   const end = line[from] === "(" ? line.indexOf(")", from) : -1;

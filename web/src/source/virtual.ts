@@ -1,5 +1,5 @@
-// A program too long to be held here: only the lines that are seen are asked for and drawn. The number of elements
-// stays the same for any length.
+// A program too long to be held in the page: only the visible lines are requested and drawn. The number of elements is
+// the same for any length.
 import { debounce } from "../model/latest";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";
@@ -71,7 +71,7 @@ export function virtual_view(
     row.children[0]!.textContent = String(line);
     row.children[1]!.replaceChildren(...coloured(text ?? "…"));
   };
-  // Scrolled past at speed, windows are not asked for: only where it rests.
+  // During fast scrolling no lines are requested: only where it stops.
   const want = debounce(40, (first: number, count: number) => {
     for (let w = Math.floor((first - 1) / window_lines); w <= Math.floor((first + count - 2) / window_lines); w++)
       void get(w);
@@ -84,7 +84,7 @@ export function virtual_view(
       if (kept.size > windows_kept) kept.delete(kept.keys().next().value!);
       draw();
     } catch {
-      /* lost: asked again when it is drawn next */
+      /* lost: requested again when it is drawn next */
     }
     asked.delete(w);
   };

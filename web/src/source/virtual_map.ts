@@ -1,4 +1,4 @@
-// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element
+// Maps a scroll position to lines and back, where all lines together are higher than a browser allows an element to
 // be.
 export const greatest_height = 8_000_000; // px: Firefox stops at some 17.9 million, Chromium at 33.5; both halved by zooming in
 
@@ -9,11 +9,11 @@ export class ScrollMap {
     readonly view: number,
   ) {}
 
-  /// px of all lines, as if there were no bound.
+  /// px of all lines, without the limit.
   get whole(): number {
     return this.lines * this.row;
   }
-  /// px that the scrolled element is given.
+  /// px height of the scrolled element.
   get height(): number {
     return Math.min(Math.max(this.whole, this.view), greatest_height);
   }
@@ -21,7 +21,7 @@ export class ScrollMap {
     return this.whole > greatest_height;
   }
 
-  /// The px of the whole that are at the upper edge, for a place of the scroll bar; and the other way round.
+  /// Returns the px of the whole at the upper edge, for a scroll position; and the reverse.
   top_of(scroll: number): number {
     return this.scaled ? scroll * this.ratio : scroll;
   }
@@ -32,14 +32,15 @@ export class ScrollMap {
     return Math.min(Math.max(top, 0), Math.max(0, this.whole - this.view));
   }
 
-  /// First line (from 1) and number of lines that are seen, even in part.
+  /// First line (from 1) and number of lines that are visible, even in part.
   seen(top: number): { first: number; count: number } {
     const first = Math.floor(top / this.row) + 1;
     const last = Math.min(this.lines, Math.ceil((top + this.view) / this.row));
     return { first, count: Math.max(0, last - first + 1) };
   }
 
-  /// Where `top` must be so that a line is seen: unchanged where it is seen already, else in the middle.
+  /// Returns the `top` at which a line is visible: unchanged if it is visible already, else with the line in the
+  /// middle.
   top_showing(line: number, top: number): number {
     const y = (line - 1) * this.row;
     if (y >= top && y + this.row <= top + this.view) return top;

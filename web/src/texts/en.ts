@@ -1,6 +1,6 @@
 // Every text of the page in English: the keys that all other tables must have.
 export const en = {
-  // The bar above
+  // The top bar
   files: "Files",
   no_program: "no program open",
   run: "Run",
@@ -25,7 +25,7 @@ export const en = {
   shop: "Shop",
   shop_long: "Large type and large buttons, for a screen at the machine",
   language: "Language",
-  // The line to the session
+  // The connection to the session
   lost: "Connection lost. What you see is as it was; trying again…",
   no_server: "No answer from kadr serve; trying again…",
   refused: "kadr serve refuses this page: open the address that it printed, with its token.",

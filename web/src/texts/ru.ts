@@ -1,8 +1,8 @@
-// Тексты страницы по-русски, в словах цеха. Недостающий ключ не собирается.
+// Тексты страницы по-русски, словами цеха. Если ключа нет, сборка останавливается.
 import type { TextKey } from "./en";
 
 export const ru: Record<TextKey, string> = {
-  // The bar above
+  // Верхняя панель
   files: "Файлы",
   no_program: "УП не открыта",
   run: "Выполнить",
@@ -27,11 +27,11 @@ export const ru: Record<TextKey, string> = {
   shop: "Цех",
   shop_long: "Крупный шрифт и крупные кнопки для экрана у станка",
   language: "Язык",
-  // The line to the session
+  // Связь с сеансом
   lost: "Связь потеряна. Показано последнее состояние, связь восстанавливается…",
   no_server: "kadr serve не отвечает, связь устанавливается…",
   refused: "kadr serve отказал: откройте адрес, который он напечатал, вместе с ключом.",
-  // Files and source
+  // Файлы и программа
   source: "Программа",
   more_files: "Показаны не все файлы",
   empty_folder: "Здесь пусто",
@@ -61,7 +61,7 @@ export const ru: Record<TextKey, string> = {
   conflict_long: "Файл {file} изменён на диске после открытия. Ваш текст не потерян.",
   conflict_theirs: "Взять с диска",
   conflict_copy: "Сохранить мой копией",
-  // The view
+  // Вид
   view_3d: "Траектория и деталь",
   view_top: "Сверху",
   view_front: "Спереди",
@@ -129,7 +129,7 @@ export const ru: Record<TextKey, string> = {
   motion_6: "выход в ноль станка",
   motion_7: "резьба",
   motion_8: "сплайн",
-  // Time
+  // Время
   time: "Время",
   time_of: "{at} из {all}",
   pace: "Скорость показа",
@@ -153,7 +153,7 @@ export const ru: Record<TextKey, string> = {
   mark_zero: "смена нуля",
   mark_dwell: "выдержка",
   mark_end: "конец",
-  // State
+  // Состояние
   state: "Состояние",
   line_n: "строка {line}",
   left_time: "осталось {time}",
@@ -176,7 +176,7 @@ export const ru: Record<TextKey, string> = {
   zeros: "Нули",
   calls: "Вызвано из",
   variables: "Переменные",
-  // Problems and summary
+  // Ошибки и итоги
   problems: "Ошибки",
   alarm: "Ошибка",
   warning: "Предупреждение",
@@ -214,7 +214,7 @@ export const ru: Record<TextKey, string> = {
   in_mm: "мм, мм/мин",
   second: "с",
   units_long: "Числа в миллиметрах или дюймах: УП в дюймах показана в дюймах. Формы и наладки — в мм",
-  // Cut
+  // Обработка
   cut_tab: "Обработка",
   // Пульт
   panel: "Пульт",
@@ -424,7 +424,7 @@ export const ru: Record<TextKey, string> = {
   cell: "Ячейка",
   nothing_hit: "Столкновений нет.",
   part_told: "Сейчас: осталось {left}; показано с шагом {cell}, треугольников {triangles}",
-  // Sheet and versions
+  // Карта наладки и версии
   print: "Печать",
   date: "Дата",
   corrector: "Корректор",
@@ -440,7 +440,7 @@ export const ru: Record<TextKey, string> = {
   compare_again: "Текст с тех пор изменён: сравните ещё раз.",
   no_text_here: "УП слишком длинная, сравниваются только траектории.",
   resize: "Размер: мышью или стрелками",
-  // Making
+  // Новые программы
   new_from_drawing: "Новая по чертежу…",
   to_tape: "На ленту…",
   from_tape: "С ленты…",
@@ -562,7 +562,7 @@ export const ru: Record<TextKey, string> = {
   slowest_v: "наим. V",
   part: "Деталь",
   greatest_rate: "наиб.",
-  // Keys
+  // Клавиши
   key_block: "на кадр назад или вперёд",
   key_ten: "на десять кадров",
   key_hundred: "на сто кадров",

@@ -1,4 +1,4 @@
-// Texts in the language of the page: `t(key)` now, `on_language` to be told when it changes.
+// Texts in the language of the page: `t(key)` returns one now, `on_language` reports a change of language.
 import { Signal } from "../model/signal";
 import { remember, remembered } from "../model/memory";
 import type { Language } from "../protocol/types";
@@ -21,11 +21,11 @@ export function set_language(lang: Language): void {
 }
 export const on_language = (f: () => void): (() => void) => changed.on(f);
 
-/// Everything that is written is written anew: its figures are in another unit.
+/// Writes all texts again: the unit of the figures has changed.
 export const write_anew = (): void => changed.emit(current);
 
-/// The text of a key, `{name}` in it replaced. A key made of what the session says may be one that a newer session
-/// knows: it stands for itself.
+/// Returns the text of a key, with `{name}` replaced. A key built from a session's message may come from a newer
+/// session and be unknown: then the key itself is returned.
 export function t(key: TextKey, with_?: Record<string, string | number>): string {
   return (tables[current][key] ?? key).replace(/\{(\w+)\}/g, (all, name: string) => String(with_?.[name] ?? all));
 }

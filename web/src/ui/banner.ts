@@ -1,4 +1,4 @@
-// Says that the line to the session is lost, and that it is being sought.
+// Shows that the connection to the session is lost, and that the page tries to reconnect.
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
 import { h } from "./dom";
@@ -13,7 +13,7 @@ export function banner(app: App): HTMLElement {
   };
   app.on_line.on((l) => {
     if (l === "open") ever = true;
-    if (l !== "connecting" || line === "open") line = l; // a try in between is no news
+    if (l !== "connecting" || line === "open") line = l; // a try in between is not reported
     draw();
   });
   on_language(draw);

@@ -1,4 +1,4 @@
-// Two versions of a program: their texts side by side, their paths one over the other in the view.
+// Two versions of a program: their texts side by side, their paths overlaid in the view.
 import { MergeView } from "@codemirror/merge";
 import { EditorState } from "@codemirror/state";
 import { EditorView, lineNumbers } from "@codemirror/view";
@@ -15,7 +15,7 @@ export interface CompareVerbs {
   line(line: number): void;
 }
 
-/// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
+/// `begin`: removes the other path from the view; `line`: a line of this program was clicked.
 export function show_compare(app: App, verbs: CompareVerbs): void {
   if (document.querySelector("dialog.docked .compare")) return;
   const file = h("select", { "aria-label": t("other_version") }),
@@ -134,7 +134,7 @@ async function fill_files(app: App, folder: string, here: string, select: HTMLSe
   }
 }
 
-/// Null: it cannot be shown here.
+/// Returns null if it cannot be shown here.
 async function text_of(app: App, file: string): Promise<string | null> {
   try {
     return (await app.client.ask("read", { file })).text;
@@ -144,7 +144,7 @@ async function text_of(app: App, file: string): Promise<string | null> {
   }
 }
 
-/// "12 – 15 | 12 – 14: feed: F100 mm/min — F200 mm/min"; the first lines are those of the program that is open.
+/// "12 – 15 | 12 – 14: feed: F100 mm/min — F200 mm/min"; the first lines are those of the open program.
 export function difference_text(d: Difference): string {
   const lines = (s: { line: number; to_line: number }): string =>
     s.to_line > s.line ? `${s.line} – ${s.to_line}` : `${s.line}`;

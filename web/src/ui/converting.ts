@@ -1,5 +1,5 @@
-// The open program for another control: asked for, then proven and kept, or refused with the places; beside it the
-// source is still to be seen.
+// The open program for another control: requested, then proven and saved, or refused with the locations; the source
+// stays visible next to it.
 import type { App } from "../model/app";
 import {
   beginning_of,
@@ -31,7 +31,7 @@ export class ConvertDialog {
     ...remembered("convert", {} as Partial<ConvertForm>),
     force: false,
   };
-  private asked: ConvertQuestion | null = null; // of what is being converted, or was
+  private asked: ConvertQuestion | null = null; // of the present or last conversion
   private asking: LongQuestion<"convert">;
   private dialog: HTMLDialogElement;
   private go = h("div", { class: "row" });
@@ -47,11 +47,11 @@ export class ConvertDialog {
     },
   });
   private setup_typed = false;
-  private kept: { file: string; text: string }[] = []; // saved from here already
+  private kept: { file: string; text: string }[] = []; // already saved from here
   private since = 0;
   private clock: ReturnType<typeof setInterval> | undefined;
 
-  /// `line`: of the program that is open, or of a file that it calls, is to be shown.
+  /// `line`: shows a line of the open program, or of a file that it calls.
   constructor(
     private app: App,
     make: () => Socket,
@@ -131,7 +131,7 @@ export class ConvertDialog {
     this.form[field] = value;
     remember("convert", { to: this.form.to, flat: this.form.flat });
     if (this.asked)
-      this.asking.want((this.asked = null)); // what is shown is of another wish
+      this.asking.want((this.asked = null)); // the shown answer belongs to another request
     else this.draw();
   }
 
@@ -199,7 +199,7 @@ export class ConvertDialog {
     ];
   }
 
-  /// Ways that were not taken: the reason, and the lines that it is about.
+  /// Rejected ways of writing: the reason, and its lines.
   private tries(a: Converted): HTMLElement | null {
     if (!a.tries.length) return null;
     const list = h(
@@ -304,8 +304,8 @@ export class ConvertDialog {
     if (!this.setup_typed) this.setup.value = setup_name_of(this.name.value.trim());
   }
 
-  /// Both, or told why not. What has been saved from here as it is, is not saved once more.
-  ///   returns  their names, of the set-up undefined where none is needed; null: they are not saved
+  /// Saves both, or reports why not. A file that was saved from here unchanged is not saved again.
+  ///   returns  their names, the set-up undefined if none is needed; null if they are not saved
   private async keep(w: Written): Promise<{ file: string; setup?: string } | null> {
     const file = this.name.value.trim(),
       setup = says_something(w.setup) ? this.setup.value.trim() : undefined;

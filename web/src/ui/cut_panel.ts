@@ -1,4 +1,5 @@
-// Cutting: blank and tools as proposed, to be changed; then the progress, what was hit, and what is left.
+// Cutting: blank and tools as proposed, which can be changed; then the progress, the collisions, and the remaining
+// stock.
 import type { App } from "../model/app";
 import { box_of, proper, stock_of } from "../model/stock";
 import { shape_of } from "../model/tool_shape";
@@ -32,12 +33,12 @@ export class CutPanel {
   readonly element = h("div", { class: "cut" });
   private stock = "";
   private tools: Tool[] = [];
-  private files: string[] = []; // tools files beside the program
+  private files: string[] = []; // tools files next to the program
   private fixtures: string[] = [];
   private resolution = "";
   private known = false;
-  private of: string | null = null; // the program that blank and tools are of
-  private touched = false; // by a person
+  private of: string | null = null; // the program that blank and tools belong to
+  private touched = false; // by the user
   private start = h("div", { class: "row cut-start" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
@@ -82,7 +83,7 @@ export class CutPanel {
       const p = await this.app.client.ask("proposals", {});
       const opened = this.app.opened?.file ?? null;
       if (opened === null || opened !== this.of || !this.touched) {
-        // what a person has changed stays while the program is edited
+        // changes by the user stay while the program is edited
         this.touched = false;
         this.stock = p.stock ?? "";
         this.tools = p.tools ?? [];
@@ -93,12 +94,12 @@ export class CutPanel {
       this.files = p.files ?? [];
       this.known = true;
     } catch {
-      this.known = true; /* a program that goes nowhere has no blank: the form stays empty */
+      this.known = true; /* a program without motion has no blank: the form stays empty */
     }
     this.draw();
   }
 
-  /// Tools as a file beside the program has them.
+  /// Reads the tools from a file next to the program.
   private async take_file(file: string): Promise<void> {
     try {
       this.tools = (await this.app.client.ask("proposals", { tools: file })).tools;

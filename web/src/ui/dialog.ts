@@ -1,9 +1,10 @@
-// Dialogues on the browser's own <dialog>: it keeps the focus inside, closes by Escape, and is known to screen readers.
+// Dialogues based on the browser's own <dialog>: it keeps the focus inside, closes by Escape, and works with screen
+// readers.
 import { t } from "../texts/texts";
 import { button, h } from "./dom";
 import { icon } from "./icons";
 
-/// `docked`: beside it the page is still to be used: on the left the view is seen, on the right the source.
+/// `docked`: the page remains usable next to it: on the left the view stays visible, on the right the source.
 export function open_dialog(
   title: string,
   content: Node,
@@ -35,12 +36,12 @@ export function open_dialog(
     dialog.addEventListener("keydown", (e) => {
       if (e.key === "Escape") close();
     });
-    dialog.show(); // beside it the view is still to be used
+    dialog.show(); // the view remains usable next to it
   } else dialog.showModal();
   return dialog;
 }
 
-/// Asks; the answer is the name of the button, or "cancel".
+/// Asks the user; returns the name of the button, or "cancel".
 export function ask(title: string, text: string, choices: [string, string][]): Promise<string> {
   return new Promise((yes) => {
     let answer = "cancel";

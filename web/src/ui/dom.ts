@@ -1,9 +1,9 @@
-// Building elements. Text goes in as text nodes only: what a program says can never become markup.
+// Creates elements. Text is added as text nodes only: the text of a program can never become markup.
 type Child = Node | string | number | null | undefined | false;
 type Attributes = Record<string, unknown>;
 
-/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the
-/// attribute out.
+/// `class`, `aria-…`, any attribute; a function under `onclick` … becomes a listener; `false` and null omit the
+/// attribute.
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes?: Attributes | null,
@@ -33,7 +33,7 @@ export function fill(e: Element, ...children: Child[]): void {
 
 function set_attributes(e: Element, attributes?: Attributes | null): void {
   for (const [name, value] of Object.entries(attributes ?? {})) {
-    if (value === null || value === undefined || (value === false && !name.startsWith("aria-"))) continue; // aria-pressed="false" says something
+    if (value === null || value === undefined || (value === false && !name.startsWith("aria-"))) continue; // aria-pressed="false" is kept
     if (typeof value === "function") e.addEventListener(name.slice(2), value as EventListener);
     else e.setAttribute(name, value === true && !name.startsWith("aria-") ? "" : String(value));
   }
@@ -54,7 +54,7 @@ export function option(value: string, text: string, chosen: boolean): HTMLOption
   return o;
 }
 
-/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by
+/// Draws again; text that is being typed in fields of `root` stays, and so does the cursor. Fields are identified by
 /// their names.
 export function redraw(root: HTMLElement, draw: () => void): void {
   const name = (i: Element): string => i.getAttribute("aria-label") ?? "",
@@ -77,8 +77,8 @@ export function redraw(root: HTMLElement, draw: () => void): void {
       ?.focus();
 }
 
-/// The browser tells no change of what was typed before the field was drawn anew: it is told here, when the field is
-/// left or Enter is pressed.
+/// The browser reports no change for text that was typed before the field was drawn again: this reports it, when the
+/// field loses the focus or Enter is pressed.
 function keep_change(input: HTMLInputElement): void {
   let told = false;
   const tell = (): void => {

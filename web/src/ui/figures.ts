@@ -1,4 +1,4 @@
-// How figures are written: the same everywhere on the page.
+// Formats of figures: the same everywhere on the page.
 import { in_unit, length_unit, places, turns, unit, volume, volume_unit } from "../model/units";
 
 export function coordinate(v: number | undefined | null): string {
@@ -7,26 +7,26 @@ export function coordinate(v: number | undefined | null): string {
   return s === "-0.000" ? "0.000" : s;
 }
 
-/// Of mm: in the unit that is shown, without its name.
+/// Formats mm in the shown unit, without its name.
 export function length(mm: number | undefined | null): string {
   if (mm === undefined || mm === null || !Number.isFinite(mm)) return "–";
   const s = in_unit(mm).toFixed(places());
   return Number(s) === 0 ? s.replace("-", "") : s;
 }
-/// … with its name.
+/// The same with its name.
 export const length_told = (mm: number | undefined | null): string => `${length(mm)} ${length_unit()}`;
 
-/// Of a position: degrees of a rotary axis stay what they are.
+/// Formats a position: degrees of a rotary axis stay as they are.
 export const axis_value = (axis: string, v: number | undefined | null): string =>
   turns(axis) ? coordinate(v) : length(v);
 
-/// Of mm/min, without its name.
+/// Formats mm/min, without the unit's name.
 export function feed(mm_min: number | undefined | null, digits = 0): string {
   if (mm_min === undefined || mm_min === null) return "–";
   return short(in_unit(mm_min), digits + (unit() === "inch" ? 1 : 0));
 }
 
-/// Of mm³.
+/// Formats mm³.
 export const volume_figure = (mm3: number | undefined | null): string =>
   mm3 === undefined || mm3 === null ? "–" : short(volume(mm3), unit() === "inch" ? 4 : 1);
 export const volume_told = (mm3: number | undefined | null): string => `${volume_figure(mm3)} ${volume_unit()}`;
@@ -36,7 +36,7 @@ export function short(v: number | undefined | null, digits = 0): string {
   return grouped(Number(v.toFixed(digits)));
 }
 
-/// 12345.5 as 12 345.5 with narrow spaces, as both languages read it.
+/// Writes 12345.5 as 12 345.5 with narrow spaces, as both languages do.
 export function grouped(v: number): string {
   const [whole, rest] = String(v).split(".");
   const w = whole!.replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");

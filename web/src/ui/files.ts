@@ -1,5 +1,5 @@
-// The drawer of files: folders beneath the served one, programs to open, set-ups to run with, drawings to make programs
-// from; tape, other controls.
+// The drawer of files: folders below the served one, programs to open, set-ups to run with, drawings to create
+// programs from; tape, other controls.
 import type { App } from "../model/app";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -11,7 +11,7 @@ import { may_leave } from "./save";
 const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastIndexOf("/")));
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
 
-/// `folder`: the one that is shown.
+/// `folder`: the shown one.
 export interface FilesVerbs {
   from_drawing(folder: string, drawing?: string): void;
   to_tape(): void;
@@ -40,8 +40,8 @@ export class FilesDrawer {
     app.on_opened.on((o) => {
       const folder = folder_of(o.file);
       if (this.fresh && folder !== this.folder)
-        void this.go(folder); // what was open before a reload is shown where it lies
-      else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has been saved just now
+        void this.go(folder); // the program that was open before a reload is shown in its folder
+      else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has just been saved
       this.fresh = false;
       this.mark();
     });

@@ -1,4 +1,4 @@
-// What of the path is shown: a small panel that opens from the tool bar of the view.
+// Which parts of the path are shown: a small panel that opens from the tool bar of the view.
 import type { App } from "../model/app";
 import type { SceneFilter } from "../scene/scene";
 import { t } from "../texts/texts";

@@ -1,5 +1,5 @@
-// What is marked in the view over the picture: start, end, alarms, stops, dwells, where they happen; figures of the
-// extents, names of zones.
+// Marks in the view over the picture: start, end, alarms, stops, dwells, where they happen; figures of the extents,
+// names of zones.
 import type { Mark } from "../protocol/types";
 import type { Point, View } from "../scene/types";
 import { t, type TextKey } from "../texts/texts";
@@ -15,7 +15,7 @@ export interface Flag {
 }
 
 const most_flags = 150;
-// What is shown first, where there are too many.
+// Kinds in order of priority, if there are too many.
 const grave: FlagKind[] = ["alarm", "start", "end", "stop", "warning", "optional_stop", "tool", "dwell"];
 const signs: Partial<Record<FlagKind, string>> = {
   start: "M3 2 11 7 3 12Z",
@@ -28,8 +28,8 @@ const signs: Partial<Record<FlagKind, string>> = {
   dwell: "M3 1h8L7.8 7 11 13H3l3.2-6Z",
 };
 
-/// The flags of a program, of which the gravest are kept where there are too many. `place` gives where the tool is at
-/// an instant.
+/// Returns the flags of a program; if there are too many, the most severe are kept. `place` returns the position of
+/// the tool at an instant.
 export function flags_of(marks: readonly Mark[], seconds: number, place: (at: number) => Point | null): Flag[] {
   const all: Flag[] = [];
   const add = (kind: FlagKind, time: number, text: string): void => {
@@ -52,7 +52,7 @@ export function flags_of(marks: readonly Mark[], seconds: number, place: (at: nu
   return all;
 }
 
-/// An element a flag; where they stand follows the view.
+/// One element per flag; their positions follow the view.
 export class Flags {
   readonly element = h("div", { class: "flags" });
   private groups = new Map<string, { flag: Flag; element: HTMLElement }[]>();

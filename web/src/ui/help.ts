@@ -1,4 +1,4 @@
-// The keys, in a dialogue.
+// The list of keys, in a dialogue.
 import { t, type TextKey } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { h } from "./dom";

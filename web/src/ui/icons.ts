@@ -1,4 +1,4 @@
-// Signs drawn as outlines on a square of 16: fonts of a workshop's screen may lack the characters.
+// Icons drawn as outlines on a square of 16: fonts of a workshop's screen may lack the characters.
 import { svg } from "./dom";
 
 const paths = {

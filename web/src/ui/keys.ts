@@ -1,4 +1,4 @@
-// Keys of the whole page. They are silent where text is typed and while a dialogue is open.
+// Keys of the whole page. They have no effect while text is typed and while a dialogue is open.
 import type { App } from "../model/app";
 import { next_mark, slider_of, times_of } from "../model/time";
 import type { Player } from "./player";
@@ -55,7 +55,7 @@ export function listen_keys(app: App, player: Player, verbs: KeyVerbs): void {
     }
   }
 
-  // By the key's place, not by its letter: A is A on a Russian keyboard too.
+  // By the key's position, not by its letter: A is A on a Russian keyboard too.
   function other(e: KeyboardEvent): (() => void) | null {
     if (e.ctrlKey) return null;
     if (e.key === "?" || (e.shiftKey && (e.code === "Slash" || e.code === "Digit7"))) return verbs.help;

@@ -1,4 +1,5 @@
-// Where the panes stand, and the bars between them that are dragged or moved by the arrow keys; sizes are remembered.
+// The layout of the panes, and the bars between them that are dragged or moved by the arrow keys; sizes are
+// remembered.
 import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, h } from "./dom";
@@ -8,7 +9,7 @@ const sizes: Record<string, [number, number, number]> = {
   right: [340, 260, 800],
   bottom: [150, 110, 400],
   lower: [260, 80, 900],
-}; // px: at first, least, most
+}; // px: initial, least, greatest
 
 export interface Panes {
   top: HTMLElement;
@@ -75,9 +76,9 @@ export interface Tab {
   element: HTMLElement;
   badge?: () => string;
   whole?: () => boolean;
-} // whole: it takes the place of the pane above
+} // whole: it replaces the pane above
 
-/// Tabs as ARIA knows them: one is in the tab order, arrows go between them.
+/// Tabs as ARIA defines them: one is in the tab order, arrows move between them.
 export class Tabs {
   readonly element = h("section", { class: "pane tabs" });
   private list = h("div", { class: "tab-list", role: "tablist" });
@@ -133,7 +134,7 @@ export class Tabs {
   }
 }
 
-/// The focus goes to the next pane, or to the one before.
+/// Moves the focus to the next pane, or to the previous one.
 export function next_pane(way: 1 | -1): void {
   const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter(
     (e) => !e.hidden,

@@ -1,4 +1,4 @@
-// What the colours of the path mean: a ramp with its figures, or one line a kind of motion or a tool.
+// The meaning of the path's colours: a ramp with its figures, or one line per kind of motion or tool.
 import { is_rapid, spline } from "../protocol/frames";
 import { colour_of_tool, is_ramp, ramp, type Range, type Rgba, type Theme } from "../scene/colours";
 import type { ColourBy } from "../scene/types";

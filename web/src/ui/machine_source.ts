@@ -1,11 +1,11 @@
-// The line that a machine is on, in the text that it runs: in the editor where that is the same text, else in its own,
-// which is shown when it starts. An edit or a save while it is on never moves the mark to another block.
+// Marks the line that a machine executes, in the text that it runs: in the editor if that is the same text, else in
+// its own text, which is shown when it starts. An edit or a save while it is on never moves the mark to another block.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import type { SourcePane } from "../source/pane";
 
 export class MachineSource {
-  private line = 0; // that is marked
+  private line = 0; // the marked line
   private held: { digest: string; text: string } | null = null;
   private was_running = false;
   private was_same = true;
@@ -19,11 +19,11 @@ export class MachineSource {
     operator.on_panel.on(() => this.look());
   }
 
-  /// The machine is that of the program on the screen.
+  /// True if the machine belongs to the program on the screen.
   get here(): boolean {
     return Boolean(this.operator.panel) && this.app.opened?.file === this.operator.name;
   }
-  /// … and runs the text that is shown.
+  /// True if it also runs the shown text.
   get same(): boolean {
     return this.here && !this.app.dirty && this.operator.panel!.digest === this.app.digest;
   }
@@ -63,7 +63,7 @@ export class MachineSource {
     const { operator } = this,
       digest = operator.panel?.digest;
     if (this.held?.digest !== digest) this.held = await operator.ask("machine_source", {}, false);
-    if (!this.held || !this.here || this.same) return; // told, or over meanwhile
+    if (!this.held || !this.here || this.same) return; // reported already, or ended meanwhile
     this.source.show_machine(this.held.text);
     this.line = 0;
     this.look();

@@ -1,4 +1,4 @@
-// A new program from a drawing: a form on the left, what comes of it on the right, made anew with each change.
+// A new program from a drawing: a form on the left, the result on the right, computed again after each change.
 import type { App } from "../model/app";
 import { debounce } from "../model/latest";
 import { Making } from "../model/making";
@@ -27,7 +27,7 @@ import { may_leave, may_replace } from "./save";
 import { toast } from "./toast";
 
 const is_drawing = (name: string): boolean => /\.(dxf|svg|txt)$/i.test(name);
-const pause = 350; // ms after the last key before it is made anew
+const pause = 350; // ms after the last key before it is computed again
 const usual: Partial<Record<Field, TextKey>> = {
   pass: "mill_all_at_once",
   width: "mill_as_tool",
@@ -78,7 +78,7 @@ export class MakingDialog {
     if (this.dialog.open) this.ask_for_it();
   });
 
-  /// `drawing`: the one that is chosen at first; `folder`: whose drawings stand first.
+  /// `drawing`: the initial choice; `folder`: its drawings are listed first.
   constructor(
     private app: App,
     make: () => Socket,
@@ -290,7 +290,7 @@ export class MakingDialog {
     return this.typed(field, key ? t(key) : (defaults[field] ?? ""), "", unit);
   }
 
-  /// Fields that are wrong; all others are right.
+  /// Marks the wrong fields; all others are correct.
   private mark(wrong: readonly string[]): void {
     for (const row of this.fields.querySelectorAll<HTMLElement>("[data-field]")) {
       const input = row.querySelector("input, select")!;
@@ -360,7 +360,7 @@ export class MakingDialog {
     fill(this.summary, ...(a?.summary ?? []).flatMap((line) => [h("dt", null, line.name), h("dd", null, line.value)]));
   }
 
-  /// As a picture, never as a part of the page: what a drawing holds cannot act here.
+  /// Shown as a picture, never as a part of the page: nothing in a drawing can act here.
   private show_picture(svg: string): void {
     if (this.picture.src) URL.revokeObjectURL(this.picture.src);
     this.picture.hidden = svg === "";

@@ -24,7 +24,7 @@ export class OperatorPanel {
   private hands = h("div");
   readonly restart: RestartPanel;
   readonly tables: TablesPanel;
-  private drawn = ""; // what keys and hands were drawn for
+  private drawn = ""; // the state for which keys and hand controls were drawn
   private step = 1;
   private codes = { number: -1, now: new Set<string>(), before: new Set<string>() }; // in force at the block, and at the one before
   private history = remembered<string[]>("mdi", []);
@@ -149,7 +149,7 @@ export class OperatorPanel {
     );
   }
 
-  /// After the server was ended in mid program.
+  /// Shown after the server ended in the middle of a program.
   private stood(p: Panel): HTMLElement | null {
     const s = this.operator.stood;
     if (!s || p.mode !== "standing") return null;
@@ -316,7 +316,7 @@ export class OperatorPanel {
     );
   }
 
-  /// Side by side, with who waits for whom.
+  /// Side by side, with which channel waits for which.
   private channels(all: PanelChannel[]): HTMLElement {
     const does = (c: PanelChannel): string =>
       c.waits

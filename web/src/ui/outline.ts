@@ -1,4 +1,4 @@
-// A tool's picture: its outlines mirrored about the axis, as SVG built element by element.
+// Draws a tool: its outlines mirrored about the axis, as SVG built element by element.
 import type { Outline, Shape } from "../model/tool_shape";
 import { svg } from "./dom";
 

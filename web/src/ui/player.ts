@@ -1,4 +1,4 @@
-// Playing the program at 0.1 to 1000 times the machine's pace, over a selection in a loop if there is one.
+// Plays the program at 0.1 to 1000 times the machine's speed, over a selection in a loop if there is one.
 import type { App } from "../model/app";
 import { played } from "../model/time";
 import { Signal } from "../model/signal";

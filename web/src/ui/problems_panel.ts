@@ -1,4 +1,4 @@
-// Problems, grouped by what is wrong: a group of 400 equal warnings is one row with a count.
+// Problems, grouped by type: a group of 400 equal warnings is one row with a count.
 import type { App } from "../model/app";
 import { is_of_cut, listed, listed_of_cut } from "../model/listed";
 import type { Fix, Problem } from "../protocol/types";
@@ -40,7 +40,7 @@ export class ProblemRows {
     private fix: (f: Fix) => void,
   ) {}
 
-  /// `told_whence`: rows that the cut has found say so.
+  /// `told_whence`: marks the rows that come from the cut.
   rows(problems: Problem[], told_whence: boolean): HTMLElement[] {
     return grouped_problems(problems).map((g) => this.group(g, told_whence));
   }
@@ -96,7 +96,7 @@ export class ProblemRows {
   }
 }
 
-/// All of the list.
+/// The whole list.
 export class ProblemsPanel {
   readonly element = h("div", { class: "problems" });
   private list: ProblemRows;
@@ -129,7 +129,7 @@ export class ProblemsPanel {
   }
 }
 
-/// What the cut has found, as a part of the list.
+/// The findings of the cut, as a part of the list.
 export class CutProblems {
   private list: ProblemRows;
 

@@ -1,4 +1,4 @@
-// The sheet before a program goes on in the middle: where, what will be in force, the way there.
+// The sheet before a restart in the middle of a program: the position, what will be in force, the approach.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import { Restart } from "../model/restart";
@@ -39,7 +39,7 @@ export class RestartPanel {
     this.draw();
   }
 
-  /// A place that is known from elsewhere.
+  /// Starts from a position that is already known.
   async find(place: RestartPlace): Promise<void> {
     this.restart.leave.clear();
     await this.restart.find(place);
@@ -116,7 +116,7 @@ export class RestartPanel {
     );
   }
 
-  /// Over all that the program goes through.
+  /// Above everything on the program's path.
   private propose_clearance(): void {
     const { sheet: s, rules } = this.restart,
       all = this.app.done?.extents.all,
@@ -195,7 +195,7 @@ export class RestartPanel {
     ];
   }
 
-  /// Its heading, where there are several: in which order their ways are gone.
+  /// The heading of a channel, if there are several: the order of their approaches.
   private channel(s: RestartSheet | BesideSheet, may: boolean): HTMLElement {
     const at = this.restart.ways.findIndex((w) => w.channel === s.number);
     return h(
@@ -210,7 +210,7 @@ export class RestartPanel {
     );
   }
 
-  /// Another channel: where it stands when the program goes on, and what leads it there.
+  /// Another channel: its position at the restart, and its approach.
   private beside(b: BesideSheet, may: boolean): HTMLElement {
     return h(
       "section",
@@ -320,7 +320,7 @@ export class RestartPanel {
     );
   }
 
-  /// What the control's own block search would bring, and forget.
+  /// What the control's own block search would restore, and what it would miss.
   private own_search(): HTMLElement | false {
     const s = this.restart.sheet!,
       found = s.search;

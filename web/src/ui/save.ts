@@ -1,4 +1,4 @@
-// Saving: refused by the session when the file was changed by somebody else; then the user decides.
+// Saving: the session refuses it if another client has changed the file; then the user decides.
 import { Refused } from "../protocol/client";
 import type { App } from "../model/app";
 import { t } from "../texts/texts";
@@ -35,14 +35,14 @@ async function conflict(app: App, file: string, text: string): Promise<void> {
   const name = file.replace(/(\.[^./]*)?$/, (end) => `_2${end}`);
   try {
     await app.client.ask("save", { file: name, text, digest: null });
-    app.unsaved.keep(file, null, null); // it stands in the copy
+    app.unsaved.keep(file, null, null); // it is in the copy
     await app.open({ file: name, ...app.choice }, app.instant);
   } catch (e) {
     app.tell(e);
   }
 }
 
-/// What is not saved here is asked about before another program is opened.
+/// Asks about unsaved text before another program is opened.
 export async function may_leave(app: App): Promise<boolean> {
   if (!app.dirty) return true;
   const file = app.opened?.file ?? "";

@@ -1,5 +1,4 @@
-// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its
-// corners.
+// The 3D view with its tools: views, colours, filters, section, measuring, picture; its messages are in the corners.
 import { spline } from "../protocol/frames";
 import { figure_places } from "../scene/boxes";
 import { dark, is_ramp, light } from "../scene/colours";
@@ -26,7 +25,7 @@ import { toast } from "./toast";
 import { ViewCube } from "./view_cube";
 
 const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "slowed", "time", "depth"];
-const worth_telling = 5000; // segments: of a short path nothing that is seen is left out
+const worth_telling = 5000; // segments: in a shorter path nothing visible is left out
 const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
 
 export class ScenePane {
@@ -42,13 +41,13 @@ export class ScenePane {
     (v) => this.scene?.view(v),
     (towards) => this.scene?.look_from(towards),
   );
-  private box: [Point, Point] | null = null; // extents, whose figures stand at its edges
+  private box: [Point, Point] | null = null; // extents, whose figures are at its edges
   private tip = h("div", { class: "scene-tip", hidden: true });
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
   private touched: ((place: Point, normal: Point) => void) | null = null;
-  private counted: [number, number] = [0, 0]; // segments that are drawn, and all
+  private counted: [number, number] = [0, 0]; // drawn segments, and all
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
   filter: SceneFilter = {
     rapids: true,
@@ -83,7 +82,7 @@ export class ScenePane {
       this.draw();
       this.mark();
     });
-    app.on_done.on((done) => this.scene?.setZero(done.zero)); // before anything is placed by it
+    app.on_done.on((done) => this.scene?.setZero(done.zero)); // before anything is positioned by it
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
     app.on_opening.on(() => this.scene?.setJoints([]));
@@ -95,7 +94,7 @@ export class ScenePane {
     this.draw();
   }
 
-  /// A click on the part is for whoever asks; null: no longer.
+  /// Sends a click on the part to `touched`; null: no longer.
   ask_touch(touched: ((place: Point, normal: Point) => void) | null): void {
     if (this.measuring) this.toggle_measure();
     this.touched = touched;
@@ -167,7 +166,7 @@ export class ScenePane {
     this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
   }
 
-  /// What stands in the view of the program that has been run.
+  /// Places the marks of the program that has been run.
   private mark(): void {
     const { app, scene } = this,
       box = app.done?.extents.cutting;
@@ -325,7 +324,7 @@ export class ScenePane {
     if (axis === null || !box) return this.scene?.setSection(null, 0, false);
     const margin = 5,
       low = box[0][axis]! - margin,
-      high = box[1][axis]! + margin; // mm: the blank is a little larger than the path
+      high = box[1][axis]! + margin; // mm: the blank is slightly larger than the path
     const at = low + part * (high - low);
     this.scene?.setSection(axis, at, flip);
     const told = this.below.querySelector(".section-told");

@@ -1,5 +1,5 @@
-// The set-up sheet: tools with their shapes, zeros, extents, stops and the programmer's notes, with the picture;
-// printed by the browser.
+// The set-up sheet: tools with their shapes, work offsets, extents, stops and the programmer's notes, with the
+// picture; printed by the browser.
 import type { App } from "../model/app";
 import type { Sheet, SheetTool } from "../protocol/types";
 import type { Shape } from "../model/tool_shape";
@@ -22,7 +22,7 @@ export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes:
   const image = await picture().then(
     (b) => URL.createObjectURL(b),
     () => "",
-  ); // without a picture the sheet is still a sheet
+  ); // the sheet is useful without a picture too
   open_dialog(t("sheet"), sheet_element(sheet, image, shapes), {
     wide: true,
     tools: button(t("print"), () => window.print(), { class: "main" }),

@@ -1,4 +1,4 @@
-// The log of the shift: what ran, when, stops, alarms, overrides. It can be taken away as CSV.
+// The log of the shift: what ran, when, stops, alarms, overrides. It can be saved as CSV.
 import type { Operator } from "../model/operator";
 import type { LogEntry } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";

@@ -1,5 +1,5 @@
-// The time slider: a bar over the whole time of the machine with its marks. The bar is an ARIA slider; marks are
-// painted above it and can be clicked.
+// The time slider: a bar over the whole machine time with its marks. The bar is an ARIA slider; marks are painted
+// above it and can be clicked.
 import type { App } from "../model/app";
 import { clusters, instant_at, place_of } from "../model/time";
 import type { Mark } from "../protocol/types";

@@ -108,7 +108,7 @@ export class StatePane {
   private positions(s: State): HTMLElement {
     const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
     const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, axis_value(name, axes?.[name]));
-    const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report knows the path alone
+    const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report has only the path
     return h(
       "table",
       { class: "positions" },
@@ -246,7 +246,7 @@ export class StatePane {
   }
 }
 
-/// Of the axes those that have a length; along Z alone, as on a mill, without its letter.
+/// The axes that have a length; a length along Z only, as on a mill, is written without its letter.
 export function lengths_told(lengths: Axes | undefined): string {
   const all = Object.entries(lengths ?? {}),
     some = all.filter(([, v]) => Math.abs(v) >= 0.0005);

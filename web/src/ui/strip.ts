@@ -1,4 +1,4 @@
-// The speed strip below the slider: how fast the machine really goes, and the feed that was programmed.
+// The speed strip below the slider: the actual speed of the machine, and the programmed feed.
 import uPlot from "uplot";
 import type { App } from "../model/app";
 import { debounce } from "../model/latest";
@@ -13,7 +13,7 @@ export class SpeedStrip {
   private plot: uPlot | null = null;
   private redraw = debounce(250, () => this.draw(), 1500);
 
-  /// `selected`: a stretch of time was drawn with the mouse; `hint` names what is under it.
+  /// `selected`: an interval of time was drawn with the mouse; `hint` describes what is under it.
   constructor(
     private app: App,
     private selected: (loop: [number, number] | null) => void,
@@ -102,7 +102,7 @@ export class SpeedStrip {
     };
   }
 
-  /// An element of its own: the plot is not drawn anew for every instant.
+  /// An element of its own: the plot is not drawn again for every instant.
   private place(): void {
     const { instant, seconds } = this.app;
     this.here.style.transform = `translateX(${seconds > 0 ? (instant / seconds) * this.element.clientWidth : 0}px)`;
@@ -110,5 +110,5 @@ export class SpeedStrip {
   }
 }
 
-/// Where nothing moves there is no speed: a gap, which uPlot knows as null.
+/// Without motion there is no speed: a gap, which uPlot represents by null.
 const gaps = (v: Float64Array): (number | null)[] => Array.from(v, (x) => (Number.isNaN(x) ? null : x));

@@ -1,4 +1,4 @@
-// The program in figures: where it goes, how long it takes, how far, by which tools.
+// The program in figures: its extents, time, distances, tools.
 import type { App } from "../model/app";
 import type { Box } from "../protocol/types";
 import { on_language, t } from "../texts/texts";

@@ -1,5 +1,4 @@
-// Tables of a machine: what the set-up file says, what was edited here, what the program has made of it. Edits are in
-// force at once.
+// Tables of a machine: values of the set-up file, edits made here, changes by the program. Edits are in force at once.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import type { Json, JsonTable, Tables } from "../protocol/types";
@@ -8,7 +7,7 @@ import { button, fill, h, option, redraw } from "./dom";
 import { toast } from "./toast";
 
 const offset_columns = ["length", "length_wear", "radius", "radius_wear"];
-const of_rows = ["work_offsets", "zeros", "offsets", "tool_table", "form_table"]; // a row has columns; others are a value a row
+const of_rows = ["work_offsets", "zeros", "offsets", "tool_table", "form_table"]; // a row has columns; the others have one value per row
 
 const table = (of: Json | undefined): JsonTable => (of && typeof of === "object" && !Array.isArray(of) ? of : {});
 const shown = (v: Json | undefined): string =>
@@ -20,9 +19,9 @@ export class TablesPanel {
   private tables: Tables | null = null;
   private section = "";
   private asking = false;
-  private told = "{}"; // what was edited, as it was told last
+  private told = "{}"; // the edits, as last reported
 
-  /// `changed`: what was edited, to be laid over the set-up wherever the program is run.
+  /// `changed`: the edits, to be laid over the set-up wherever the program runs.
   constructor(
     private app: App,
     private operator: Operator,
@@ -67,7 +66,7 @@ export class TablesPanel {
     this.draw();
   }
 
-  /// What was typed; it stands there as the table has it, taken or refused.
+  /// Sends what was typed; then the field shows the table's value, whether it was accepted or refused.
   private async take(input: HTMLInputElement, tables: JsonTable): Promise<void> {
     input.value = input.defaultValue;
     await this.edit(tables);
@@ -269,7 +268,7 @@ export class TablesPanel {
     );
   }
 
-  /// The zero in force, to be shifted; null: there is none in this table.
+  /// The work offset in force, which can be shifted; null if there is none in this table.
   zero(): { code: string; shift(axis: string, by: number): void } | null {
     const s = this.tables,
       code = this.operator.panel?.modal.find((m) => /^G5[4-9]$/.test(m.code))?.code;
@@ -282,7 +281,7 @@ export class TablesPanel {
     return { code, shift };
   }
 
-  /// The zero in force is shifted so that the tool's place reads what is wanted.
+  /// Shifts the work offset in force so that the tool's position reads the wanted value.
   private touch_off(may: boolean): HTMLElement | false {
     const p = this.operator.panel!,
       zero = this.zero();
@@ -305,7 +304,7 @@ export class TablesPanel {
     );
   }
 
-  /// Radii and lengths by tools files and comments, where the table has none.
+  /// Proposes radii and lengths from tools files and comments, where the table has none.
   private async propose(s: Tables): Promise<void> {
     let found;
     try {
@@ -327,7 +326,7 @@ export class TablesPanel {
     if (await this.operator.ask("keep_tables", { setup: file })) toast(t("tables_kept", { file }));
   }
 
-  /// null takes an edit back.
+  /// null removes an edit.
   private read(text: string): Json {
     const s = text.trim().replace(",", ".");
     if (s === "") return null;

@@ -20,7 +20,7 @@ const code_choice = (codes: [string, string][], changed: (code: string) => void)
     ...codes.map(([value, text], i) => option(value, text, i === 0)),
   );
 
-/// The text as it stands here, saved or not.
+/// Uses the current text, saved or not.
 export function show_to_tape(app: App): void {
   const opened = app.opened;
   if (!opened) return;
@@ -120,7 +120,7 @@ export function show_to_tape(app: App): void {
   void punch();
 }
 
-/// `folder`: whose files stand first.
+/// `folder`: its files are listed first.
 export function show_from_tape(app: App, folder: string): void {
   let read: TapeRead | null = null,
     asked = 0,

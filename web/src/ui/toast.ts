@@ -1,4 +1,4 @@
-// A short message below: read out by screen readers, gone after a while; an error stays longer.
+// A short message at the bottom: read out by screen readers, removed after a while; an error stays longer.
 import { h } from "./dom";
 
 const host = h("div", { class: "toasts", role: "status", "aria-live": "polite" });

@@ -1,4 +1,4 @@
-// The bar above: what is open and with which control, machine and set-up it runs; language, light, shop mode.
+// The top bar: the open program and its control, machine and set-up; language, light, shop mode.
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import { choose_unit, unit } from "../model/units";
@@ -7,7 +7,7 @@ import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
 import { icon } from "./icons";
 
-/// What there is no verb for has no button: a report has no files, runs nothing and compares nothing.
+/// A missing verb has no button: a report has no files, runs nothing and compares nothing.
 export interface TopbarVerbs {
   files?(): void;
   sheet(): void;
@@ -136,7 +136,7 @@ export class Topbar {
     );
   }
 
-  /// How figures are shown; programs in inches begin in inches.
+  /// The unit of figures; programs in inches start with inches.
   private units(): HTMLElement {
     const one = (its: "mm" | "inch"): HTMLElement =>
       button(t(its), () => choose_unit(its), { "aria-pressed": unit() === its, title: t("units_long") });
@@ -180,6 +180,6 @@ export class Topbar {
     remember("dark", this.dark);
     remember("shop", this.shop);
     this.verbs.theme(this.dark);
-    dispatchEvent(new Event("resize")); // canvases measure themselves and read their colours anew
+    dispatchEvent(new Event("resize")); // canvases measure their size and read their colours again
   }
 }

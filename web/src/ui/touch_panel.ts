@@ -1,4 +1,4 @@
-// Touching the part: a click on it, the way there, the zero that comes of it.
+// Touching the part: a click on it, the approach, the resulting work offset.
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import type { Operator } from "../model/operator";
@@ -10,9 +10,9 @@ import { coordinate } from "./figures";
 import { toast } from "./toast";
 
 export interface TouchDoor {
-  /// A click on the part is for this; null: no longer.
+  /// Sends a click on the part here; null: no longer.
   ask(touched: ((place: Point, normal: Point) => void) | null): void;
-  /// The zero in force is shifted along an axis, mm; null: none is in force that could be.
+  /// Shifts the work offset in force along an axis, mm; null if there is none that can be shifted.
   zero(): { code: string; shift(axis: string, by: number): void } | null;
 }
 
@@ -22,7 +22,7 @@ export class TouchPanel {
   private rules: Omit<TouchRules, "clearance"> = remembered("touch", { away: 5, feed: 100, radius: 0 });
   private clearance: number | null = null;
   private chosen: Touch | null = null;
-  private gone = false; // the way was gone along
+  private gone = false; // the approach was executed
   private drawn = "";
 
   constructor(
@@ -54,7 +54,7 @@ export class TouchPanel {
     this.door.ask(this.element.open ? (place, normal) => this.choose(place, normal) : null);
   }
 
-  /// Over all that the program goes through.
+  /// Above everything on the program's path.
   private over(): number {
     const p = this.operator.panel,
       all = this.app.done?.extents.all,

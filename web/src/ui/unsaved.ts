@@ -1,4 +1,4 @@
-// What an earlier visit, or another tab, left unsaved is offered when its program is opened.
+// Offers the text that an earlier visit, or another tab, left unsaved when its program is opened.
 import type { App } from "../model/app";
 import type { KeptText } from "../model/unsaved";
 import { language, t } from "../texts/texts";
@@ -20,7 +20,7 @@ async function offer(app: App, all: KeptText[]): Promise<void> {
       ["later", t("unsaved_later")],
       ["discard", t("unsaved_discard")],
     ]);
-    if (app.opened?.file !== kept.file) return; // another program is open by now
+    if (app.opened?.file !== kept.file) return; // another program was opened meanwhile
     if (choice === "discard") app.unsaved.drop(kept);
     if (choice === "take") return app.take_unsaved(kept);
   }

@@ -1,4 +1,4 @@
-// The cube in the corner of the view: it stands as the view stands; a click on a face or a corner looks from there.
+// The cube in the corner of the view: it rotates with the view; a click on a face or a corner looks from there.
 import type { Point, View, ViewName } from "../scene/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, svg } from "./dom";
@@ -120,7 +120,7 @@ export class ViewCube {
   }
 }
 
-/// The axes from the cube's lower corner: X red, Y green, Z blue, as everywhere.
+/// The axes from the cube's lower corner: X red, Y green, Z blue, as usual.
 function axes(view: View): SVGElement[] {
   const reach = 1.62;
   return (["X", "Y", "Z"] as const).map((name, k) => {

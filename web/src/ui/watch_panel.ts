@@ -1,11 +1,11 @@
-// Stop points, expressions that are watched, and the calls that are open.
+// Stop points, watched expressions, and the open calls.
 import type { Operator } from "../model/operator";
 import { remember, remembered } from "../model/memory";
 import type { Panel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, redraw } from "./dom";
 
-const each = 500; // ms between looks
+const each = 500; // ms between updates
 
 export class WatchPanel {
   readonly element = h("details", { class: "watches" });

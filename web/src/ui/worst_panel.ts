@@ -1,4 +1,4 @@
-// The lines that lose most time against their programmed feed.
+// The lines that lose most time compared with their programmed feed.
 import type { App } from "../model/app";
 import { WorstLines } from "../model/worst";
 import { on_language, t } from "../texts/texts";
