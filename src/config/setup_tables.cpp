@@ -152,7 +152,7 @@ void place_table(const Json& value, const std::string& key, PlaceTable& to) {
 void parameters(const Json& value, const std::string& key, Parameters& to) {
   for (const auto& [name, item] : table(value, key).items()) {
     const std::optional<ParameterKey> parameter = parameter_key(name);
-    if (!parameter) wrong(key + "." + name, "named N and the number or name of a parameter, then .AXIS, #BIT where it has them");
+    if (!parameter) wrong(key + "." + name, "named N0308, N0306#0, N0402.X or N0106.X#1");
     if (!item.is_number() && !item.is_string()) wrong(key + "." + name, "a number or a text");
     const ParameterValue given =
         item.is_string() ? ParameterValue(item.get<std::string>()) : ParameterValue(number(item, key + "." + name));

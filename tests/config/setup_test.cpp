@@ -118,8 +118,7 @@ TEST(setup, parameters) {
   EXPECT_EQ(text_of({"CLRG", "", "C03"}), "CLRG#C03");
   for (const char* name : {"308", "N", "N12345", "N1x", "N0308#", "N0308.", "N0308.x", "n0308", "N0308 ", "", "CL-R"})
     EXPECT_EQ(refusal(std::string(R"({"parameters": {")") + name + R"(": 1}})"),
-              std::string("setup key 'parameters.") + name +
-                  "' must be named N and the number or name of a parameter, then .AXIS, #BIT where it has them");
+              std::string("setup key 'parameters.") + name + "' must be named N0308, N0306#0, N0402.X or N0106.X#1");
   EXPECT_EQ(refusal(R"({"parameters": {"N0107": true}})"), "setup key 'parameters.N0107' must be a number or a text");
   EXPECT_EQ(refusal(R"({"parameters": {"N0107": 1, "N107": 2}})"), "setup key 'parameters.N107' must be given once");
 }
