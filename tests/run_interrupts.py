@@ -12,7 +12,7 @@ import sys
 import harness
 from harness import expect
 
-MOST_S = 1.0   # of processor time behind a signal; promised are 0.2 s (design.md 10), on one processor, and some programs work in three threads
+MOST_S = 1.0   # of processor time behind a signal; a command ends within 0.2 s on one processor, and some programs work in three threads
 
 RUN = ('run', '{file}', '--quiet', '--max-passes', '1000000000', '--max-blocks', '1000000000000')
 OPTIMAL = ('--machine', str(harness.ROOT / 'machines' / 'mach3-router.toml'))

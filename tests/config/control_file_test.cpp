@@ -1,4 +1,4 @@
-// config/control_file: the built-in controls hold together; a file of one's own extends one of them. Spec gost 3; design.md 3.
+// config/control_file: the built-in controls hold together; a file of one's own extends one of them. Spec gost 3; docs/architecture.md.
 
 #include "config/control_file.h"
 

@@ -1,4 +1,4 @@
-// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). A faulty block,
+// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls. A faulty block,
 // passed over, must be as if it had not been written: the blocks after it, which show all of the state, act the same.
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls (design.md 4), as alarm_state_test.cpp does
+// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls, as alarm_state_test.cpp does
 // it for the other controls.
 
 #include "control/scene.h"
