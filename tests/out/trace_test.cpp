@@ -1,4 +1,4 @@
-// out/trace/trace: the exact lines. docs/commands/run.md, tests/golden/README.md.
+// out/trace/trace: the exact lines. tests/golden/README.md.
 
 #include "out/trace/trace.h"
 

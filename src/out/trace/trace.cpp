@@ -1,4 +1,4 @@
-// TraceWriter: writes Steps as JSON Lines (docs/commands/run.md, tests/golden/README.md). Used by cli/run_view; tested by
+// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md). Used by cli/run_view; tested by
 // tests/out/trace_test.cpp.
 
 #include "out/trace/trace.h"
