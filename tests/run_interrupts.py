@@ -12,7 +12,7 @@ import sys
 import harness
 from harness import expect
 
-MOST_S = 1.0   # s of processor time after a signal; design.md 10 promises 0.2 s on one processor, and some programs work in three threads
+MOST_S = 1.0   # s of processor time after a signal; a command ends within 0.2 s on one processor, and some programs work in three threads
 
 RUN = ('run', '{file}', '--quiet', '--max-passes', '1000000000', '--max-blocks', '1000000000000')
 OPTIMAL = ('--machine', str(harness.ROOT / 'machines' / 'mach3-router.toml'))

@@ -1,5 +1,5 @@
 #pragma once
-// Action: one elementary thing that the machine has to do, fully resolved; a plain value (design.md 1). Lengths are in mm, angles in
+// Action: one elementary thing that the machine has to do, fully resolved; a plain value. Lengths are in mm, angles in
 // degrees, times in s. Axis values are in the order of the control's axis names.
 
 #include <array>
@@ -198,7 +198,7 @@ struct AlarmReport {
   std::string own_text{};  // the program's own message (#3000 of nct), which may be longer than an AlarmArg
 };
 
-/// The result of a probe motion, passed back to `control` before the next block (design.md 1, the only backward arrow).
+/// The result of a probe motion, passed back to `control` before the next block (docs/architecture.md, the only backward arrow).
 struct ProbeAnswer {
   bool touched = false;
   Axes at{};        // work coordinates where the motion ended

@@ -1,5 +1,5 @@
 #pragma once
-// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value (design.md 1). Units as in
+// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value. Units as in
 // action/action.h.
 
 #include <array>

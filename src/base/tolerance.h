@@ -1,6 +1,6 @@
 #pragma once
-// Every tolerance of the engine, with its unit and its reason (style.md 9). A tolerance that a control itself specifies (difference of an
-// arc's radii, limits of the feed) is a row of the control's file, not here.
+// Every tolerance of the engine, with its unit and its reason (CONTRIBUTING.md, "Numbers"). A tolerance that a control itself specifies
+// (difference of an arc's radii, limits of the feed) is a row of the control's file, not here.
 
 namespace kadr::tol {
 

@@ -11,7 +11,7 @@
 
 namespace kadr::cli {
 
-/// Exit status (design.md 5).
+/// Exit status.
 enum Exit : int { ok = 0, alarms = 1, wrong_usage = 2 };
 
 struct Options {

@@ -25,7 +25,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr int first_of_signals = 128;                   // added to the signal's number: the exit status, as in shells
-constexpr auto grace = std::chrono::milliseconds(150);  // 0.2 s in all are promised (design.md 10)
+constexpr auto grace = std::chrono::milliseconds(150);  // a command ends within 0.2 s in all
 
 std::atomic<bool> asked = false;
 

@@ -1,6 +1,6 @@
 #pragma once
-// ControlDef: a control as its file describes it, with a row for every code, address, group, cycle, variable (design.md 3). Rows refer to
-// each other by index. The strings are for people and are not read while a program runs.
+// ControlDef: a control as its file describes it, with a row for every code, address, group, cycle, variable (docs/architecture.md, "A
+// control is a file"). Rows refer to each other by index. The strings are for people and are not read while a program runs.
 
 #include <algorithm>
 #include <array>

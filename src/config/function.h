@@ -1,6 +1,6 @@
 #pragma once
-// The functions of the engine. A control's file says which code or address calls which function (design.md 3). The phase of a function is
-// its place in the order of execution, which the control's file lists too.
+// The functions of the engine. A control's file says which code or address calls which function (docs/architecture.md, "A control is a
+// file"). The phase of a function is its place in the order of execution, which the control's file lists too.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// ToolGeometry: the shape of a tool, from tools files and libraries (design.md 10). Lengths are in mm, angles in degrees.
+// ToolGeometry: the shape of a tool, from tools files and libraries (docs/commands/cut.md, "Tools"). Lengths are in mm, angles in degrees.
 
 #include <cstdint>
 #include <optional>

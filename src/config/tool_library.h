@@ -1,5 +1,5 @@
 #pragma once
-// Reads tools files as ToolGeometry: Kadr's own TOML (design.md 10), and the libraries and tables of other programs
+// Reads tools files as ToolGeometry: Kadr's own TOML (docs/commands/cut.md, "Tools"), and the libraries and tables of other programs
 // (config/tool_formats.h).
 
 #include <string>

@@ -1,5 +1,5 @@
-// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (design.md 1). Used by
-// session/channel_run.
+// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (docs/architecture.md,
+// "Threads"). Used by session/channel_run.
 
 #include "session/run_ahead.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (design.md 1).
+// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (docs/architecture.md,
+// "Threads").
 //
 //   control    batch k+1 · k+2 · … · k+depth, then it waits
 //   after it   batch k

@@ -1,6 +1,6 @@
 #pragma once
 // Session: one run of a program, or of the programs of all channels of a machine. Everything that runs programs uses this interface: cli,
-// page, debugger, library (design.md 9).
+// page, debugger, library.
 //
 //   auto session = Session::open({control, machine, setup, program, limits});
 //   (*session)->outlets().step = [](const Step& step) { … };                    // observes the run

@@ -1,4 +1,4 @@
-// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3; design.md 3.
+// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3; docs/architecture.md.
 
 #include "config/control_file.h"
 

@@ -1,4 +1,4 @@
-// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). If a faulty block is
+// control: an alarm leaves everything as it was: modes, variables, offsets, position, calls. If a faulty block is
 // skipped, the following blocks, which show the whole state, must act as if it had not been written.
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// out/trace/trace: the exact lines of a trace. design.md 5, tests/golden/README.md.
+// out/trace/trace: the exact lines of a trace. tests/golden/README.md.
 
 #include "out/trace/trace.h"
 

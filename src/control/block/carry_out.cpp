@@ -175,7 +175,7 @@ void Interpreter::keep_state() {
 /// Like keep_state(), for a block that only moves and feeds, or only calls.
 void Interpreter::keep_little() { journal.keep<MotionModal>(modal); }
 
-/// Undoes a faulty block completely (design.md 4).
+/// Undoes a faulty block completely (docs/architecture.md, "An alarm undoes its block").
 void Interpreter::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;

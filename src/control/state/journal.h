@@ -1,6 +1,6 @@
 #pragma once
 // Journal: old values of the table cells and variables that a block has written, so that an
-// alarm in the same block can restore them (design.md 4). The state itself (ControlState) is
+// alarm in the same block can restore them. The state itself (ControlState) is
 // a value and is restored by copying; code that writes anything else records it here first.
 
 #include <cstddef>

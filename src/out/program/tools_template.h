@@ -28,8 +28,8 @@ struct ToolsTemplate {
 /// Returns the tools-file word for the kind of tool that the comment describes; empty if the kind is not certain.
 const char* kind_word(const ToolComment& said);
 
-/// Returns the TOML text (design.md 10). A key whose value nobody stated is written as a comment: until it is filled in, the file is
-/// refused with an error that names the tool and the key.
+/// Returns the TOML text (docs/commands/cut.md, "Tools"). A key whose value nobody stated is written as a comment: until it is filled in,
+/// the file is refused with an error that names the tool and the key.
 std::string tools_template_text(const ToolsTemplate& made);
 
 }  // namespace kadr

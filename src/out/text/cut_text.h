@@ -1,5 +1,5 @@
 #pragma once
-// Writes a CutResult as text: the summary on stdout, and JSON (design.md 10).
+// Writes a CutResult as text: the summary on stdout, and JSON (docs/commands/cut.md).
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

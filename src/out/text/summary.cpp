@@ -1,5 +1,5 @@
-// Statistics: collects the totals of a run for the summary on stdout (design.md 5). Used by cli/run_view and out/picture/speed_page; tested
-// by tests/out/summary_test.cpp.
+// Statistics: collects the totals of a run for the summary on stdout (docs/commands/run.md, "Summary"). Used by cli/run_view and
+// out/picture/speed_page; tested by tests/out/summary_test.cpp.
 
 #include "out/text/summary.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Statistics: collects the totals of a run for the summary on stdout (design.md 5).
+// Statistics: collects the totals of a run for the summary on stdout (docs/commands/run.md, "Summary").
 
 #include <string>
 #include <vector>

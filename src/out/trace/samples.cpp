@@ -1,5 +1,5 @@
-// SampleWriter: writes positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. Used by
-// session/planned; tested by tests/out/samples_test.cpp.
+// SampleWriter: writes positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine coordinates.
+// Used by session/planned; tested by tests/out/samples_test.cpp.
 
 #include "out/trace/samples.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// SampleWriter: writes positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates; on request
-// with feed holds and overrides at given times. If the control moves axes in step with a spindle, the column `spindle` gives its angle:
-// running degrees, clockwise.
+// SampleWriter: writes positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine coordinates; on
+// request with feed holds and overrides at given times. If the control moves axes in step with a spindle, the column `spindle` gives its
+// angle: running degrees, clockwise.
 
 #include <cstdio>
 #include <deque>

@@ -1,4 +1,5 @@
-// TraceWriter: writes Steps as JSON Lines (design.md 5, tests/golden/README.md). Used by cli/run_view; tested by tests/out/trace_test.cpp.
+// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md). Used by cli/run_view; tested by
+// tests/out/trace_test.cpp.
 
 #include "out/trace/trace.h"
 

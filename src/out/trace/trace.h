@@ -1,5 +1,5 @@
 #pragma once
-// TraceWriter: writes Steps as JSON Lines (design.md 5, tests/golden/README.md).
+// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md).
 
 #include <optional>
 

@@ -47,7 +47,7 @@ struct ToolShape {
   bool turns() const { return !insert.empty(); }
 };
 
-/// Builds the solids by the kinds of design.md 10.
+/// Builds the solids of each kind of tool (docs/commands/cut.md, "Tools").
 ///   pre  told_fault(geometry) is empty
 ToolShape shape_of(const ToolGeometry& geometry);
 /// Returns a turning tool without its insert. It stands for the tool while the insert is in a helical groove.

@@ -1,4 +1,4 @@
-// Builds the solids of each kind of tool (design.md 10).
+// Builds the solids of each kind of tool (docs/commands/cut.md, "Tools").
 
 #include <algorithm>
 #include <cmath>

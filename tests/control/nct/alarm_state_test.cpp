@@ -1,4 +1,4 @@
-// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls (design.md 4). alarm_state_test.cpp does
+// control/nct: an alarm leaves everything as it was: modes, variables, tables, spindles, calls. alarm_state_test.cpp does
 // the same for the other controls.
 
 #include "control/scene.h"

@@ -112,7 +112,7 @@ void MacroB::take_common(BlockContext& m, const Dialect& from) {
   refresh_settings(m);
 }
 
-// ---- what an alarm takes back; Interpreter::take_back does the same for the state that all controls have (design.md 4)
+// ---- what an alarm takes back; Interpreter::take_back does the same for the state that all controls have
 
 void MacroB::begin_block(Emitter& m) {
   m.journal.keep(state.words);
