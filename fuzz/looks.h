@@ -28,7 +28,7 @@ class Looks {
   void forget_block() { before_is_kept_ = false; }
   /// Asked at each alarm: does the run go on with the next block?
   std::function<bool()> goes_on_after_alarm = [] { return true; };
-  /// Where the motions led is not known any more: a session that is restored beside begin_at().
+  /// The end of the motions is not known any more: a session was restored without begin_at().
   bool jumps = false;
   /// After the end: summary, trace, state.
   void finish();

@@ -131,7 +131,7 @@ class Run {
     while (goes_on(looks)) state_ = session.go_on();
   }
 
-  /// A command may carry out many blocks, and a block many motions.
+  /// A command may execute many blocks, and a block many motions.
   void stop_after_some(Session& session, Looks& looks) {
     looks.stop_after(most_commanded, stop_);
     session.outlets().stop = StopToken(stop_);

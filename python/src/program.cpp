@@ -40,7 +40,7 @@ ProgramSpec::ProgramSpec(const Wanted& wanted) : file_(wanted.file), text_(wante
   machine_ = got(load_machine(wanted.machine));
   setup_ = setup_of(wanted);
   texts_ = got(AlarmTexts::load(control_.get()));
-  (void)source();  // a file that is not there is told now
+  (void)source();  // a missing file is reported now
 }
 
 Setup ProgramSpec::setup_of(const Wanted& wanted) const {

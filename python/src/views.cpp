@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t most_faults = 1000;
 constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
 
-/// Takes faults, each once however often its block is carried out.
+/// Collects faults, each once, however often its block is executed.
 class Faults {
  public:
   explicit Faults(const ProgramSpec& spec) : spec_(spec) {}

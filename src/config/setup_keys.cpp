@@ -156,7 +156,7 @@ constexpr SetupKey keys[] = {
   {"events.when", F::table, N::fixed, any, U::none, stated, H::machine_axes, "", R"({"block": "N30", "at": "end"})", "", "{block, at}, {code, count}, {action} or {program}", "{block, at}, {code, count}, {action} или {program}"},
   {"events.when.block", F::text, N::fixed, any, U::none, stated, H::machine_axes, "", R"("N30")", "", "number of a block", "номер кадра"},
   {"events.when.at", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "start end", R"("end")", "", "before or behind it; default start", "до или после него; по умолчанию start"},
-  {"events.when.code", F::text, N::fixed, any, U::none, stated, H::machine_axes, "", R"("M90")", "", "a code that the machine is told: M, S, T, …", "код, передаваемый станку: M, S, T, …"},
+  {"events.when.code", F::text, N::fixed, any, U::none, stated, H::machine_axes, "", R"("M90")", "", "a code that is sent to the machine: M, S, T, …", "код, передаваемый станку: M, S, T, …"},
   {"events.when.count", F::whole, N::fixed, {1, 999'999'999}, U::none, stated, H::machine_axes, "", "3", "", "the n-th time only", "только в n-й раз"},
   {"events.when.action", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "stop message", R"("message")", "", "a stop or a message", "останов или сообщение"},
   {"events.when.program", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "end", R"("end")", "", "the end of the program", "конец программы"},
