@@ -10,6 +10,8 @@ from mkdocs.structure.nav import Navigation
 
 log = logging.getLogger('mkdocs.plugins.kadr')
 
+ROOT = Path(__file__).resolve().parents[2]
+
 # Sections of the navigation: title, pages. A `*` stands for all pages of that form which no other section has. Pages that are not there
 # are left out, so a page can come and go without a change here.
 ENGLISH = [
@@ -65,7 +67,7 @@ def on_config(config):
         names = []
         for pattern in patterns:
             found = sorted(path.relative_to(root).as_posix() for path in root.glob(pattern))
-            names += [name for name in found if name == pattern or name not in named]
+            names += [name for name in found if name == pattern or (name not in named and name.count('.') == 1)]  # two: NAME.json.md
         if names:
             config['nav'].append({title: entries(root, names)})
     return config
@@ -117,7 +119,9 @@ def on_page_content(html, page, config, files):
     """Warns, which ends a strict build, if the site shows other lists, tables or blocks of code than GitHub does."""
     if re.search('^::: ', page.markdown, re.M):  # made by mkdocstrings
         return html
-    here, there = Elements(html).count, Elements(MarkdownIt('commonmark').enable('table').render(page.markdown)).count
+    original = ROOT / page.file.src_path
+    text = original.read_text(encoding='utf-8') if original.is_file() else page.markdown
+    here, there = Elements(html).count, Elements(MarkdownIt('commonmark').enable('table').render(text)).count
     if here != there:
         log.warning('%s: the site has other elements than GitHub shows: %s', page.file.src_path,
                     ', '.join(f'{tag} {here[tag]} instead of {there[tag]}' for tag in COUNTED if here[tag] != there[tag]))
