@@ -33,7 +33,11 @@ deb:
 	cpack --config build/fast/CPackConfig.cmake -B build/deb
 	lintian --fail-on error,warning --info build/deb/*.deb
 
+site:
+	@dev/setup site
+	@dev/site
+
 clean:
 	rm -rf build
 
-.PHONY: all run test check install deb clean
+.PHONY: all run test check install deb site clean
