@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests the rules of the source tree: dev/tree finds nothing here, and finds each breach that is planted in a temporary tree. Tests also
-that dev/test_results counts the results of a test run, and that dev/slowest names what took longest.
+that dev/test_results counts the results of a test run, and that dev/slowest names what took longest,
+and that dev/doc_names finds wrong names in a page.
 
     source_tree.py --kadr build/release/kadr
 
@@ -15,6 +16,7 @@ from harness import expect
 
 ROOT = Path(__file__).resolve().parent.parent
 TREE = ROOT / 'dev' / 'tree'
+DOC_NAMES = ROOT / 'dev' / 'doc_names'
 RESULTS = ROOT / 'dev' / 'test_results'
 JUNIT = '''<testsuite>
   <testcase name="oracle" time="0.5" status="run"><system-out>skipped: rs274 is not installed\n0 passed</system-out></testcase>
@@ -116,6 +118,21 @@ def check_slowest_steps(kadr):
     status, text = run(ROOT / 'dev' / 'slowest', kadr.folder / 'build', kadr.folder / 'none', '--steps', '3')
     steps = [line.split(': ', 1)[1] for line in text.splitlines()]
     expect(status == 0 and steps == ['test slow', 'a.o', 'b.o'], text)
+
+
+def check_names_in_pages(kadr):
+    page = kadr.file('page.md', '`Control::run()` in `control/control.h`, `VirtualMachine::take()`.\n| `Session::open()` | `session/session.h` |\n')
+    expect(run(DOC_NAMES, page) == (0, ''), 'something is found in a page whose names are right')
+
+
+def check_wrong_names_in_pages(kadr):
+    page = kadr.file('page.md', '`VirtualMachine::nonsense()`; `Control::run()` (`machine/plc.h`); `no_file.h`.\n'
+                     '| `Session::open()` | `session/player.h` |\n')
+    status, text = run(DOC_NAMES, page)
+    expect(status == 1, text)
+    for fault in ('VirtualMachine::nonsense is not in src/', 'Control::run is not in machine/plc.h', 'no_file.h is not in src/',
+                  'Session::open is not in session/player.h'):
+        expect(f': {fault}\n' in text, f'{fault}: not found in {text}')
 
 
 if __name__ == '__main__':
