@@ -157,7 +157,8 @@ bool Looks::stopped(const AlarmReport& report) {
   const bool is_known = !jumps && control_.holds_before && session_.channels().size() == 1;  // and the control is not ahead
   if (is_known && alarms_ <= most_compared) {
     const Ending after = control_.ending();
-    const bool in_space = frame_ && frame_->placement.space;  // an ending is reported in the work system, not in the frame that is programmed
+    const bool in_space =
+        frame_ && frame_->placement.space;  // an ending is reported in the work system, not in the frame that is programmed
     const Axes work = in_space ? frame_->placement.space->in_system(stand_.work) : stand_.work;
     const bool frame_is_known = frame_ || shop_.plain_frames;  // not where it began in the middle
     // Behind a refused motion the check goes on from where that motion leads to.

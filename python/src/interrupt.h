@@ -6,7 +6,8 @@
 
 namespace kadr::python {
 
-/// While it lives, SIGINT sets the flag, and the handler that was there before handles it afterwards. In Python's main thread only, as its handlers.
+/// While it lives, SIGINT sets the flag, and the handler that was there before handles it afterwards. In Python's main thread only, as its
+/// handlers.
 class CatchInterrupt {
  public:
   explicit CatchInterrupt(std::atomic<bool>& flag);

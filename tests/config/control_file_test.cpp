@@ -1,4 +1,5 @@
-// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3; docs/architecture.md.
+// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3;
+// docs/architecture.md.
 
 #include "config/control_file.h"
 
