@@ -67,7 +67,7 @@ class Document:
     """The statements of docs/commands/convert.md or its Russian page about the golden programs: the figures of a sentence, and a table."""
 
     DOCS = Path(__file__).resolve().parent.parent / 'docs'
-    BEGINS = {'commands/convert.md': 'Of the golden programs', 'ru/commands/convert.md': 'Эталонные программы'}
+    BEGINS = {'commands/convert.md': 'The golden programs', 'ru/commands/convert.md': 'Эталонные программы'}
     NAMES = {'2С42': 's2c42', 'Mach3': 'mach3', 'correctors': 'correctors', 'с корректорами': 'correctors', 'GOST': 'gost', 'ГОСТ': 'gost', 'NCT': 'nct',
              'LinuxCNC': 'linuxcnc', 'Fanuc': 'fanuc', 'Haas': 'haas', 'Grbl': 'grbl'}
     FIGURE = r'(?<![\w`])\d{1,3}(?:,\d{3})+|(?<![\w`])\d{3,}'   # figures of three digits and more
