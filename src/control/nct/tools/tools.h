@@ -1,5 +1,5 @@
 #pragma once
-// Tool management (nct 12): the tables of tools, pockets and forms (a form states how many pockets a tool occupies), tool call and
+// Tool management (nct 12): the tables of tools, pockets and forms (a form states the space that a tool needs), tool call and
 // change, tool life, data input by G10. ToolManagement has the tables; DataInput fills them between G10 L75/L76/L77 and G11. Magazine
 // numbers: 1…4 are magazines with many pockets; 10, 20, … are the spindles and 11, 21, … their stand-by magazines, with one
 // pocket each.
