@@ -1,4 +1,4 @@
-// Hole patterns (spec/haas 8.5).
+// Computes hole positions on a circle, an arc or a line (spec/haas 8.5).
 
 #include "control/fanuc/drilling/pattern.h"
 

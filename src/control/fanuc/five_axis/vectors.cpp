@@ -58,7 +58,7 @@ struct Components {
   bool any() const { return first != nullptr; }
 };
 
-/// Reads the words I, J, K with indices from `from` to `to` in the block and removes them from the block.
+/// Reads the words I, J, K whose index in the block is at least `from` and below `to`, and removes them from the block.
 Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to) {
   Components found;
   double* const parts[] = {&found.value.x, &found.value.y, &found.value.z};
