@@ -81,7 +81,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void note_motion(Emitter& m, Motion& motion) override;
   double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;
   void note_feed(BlockContext&) override { state.thread_lead = 0; }
-  bool keeps_both_feeds() const override { return true; }  // NCT 6.2.1
+  bool keeps_both_feeds() const override { return true; }  // NCT 6.2.1: G94 and G95 each keep their F
   void refresh_frames(Emitter& m) override;
   Axes shift_of_origin(const BlockContext& m) const override;
   bool zero_may_move() const override { return true; }

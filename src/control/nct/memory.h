@@ -26,7 +26,7 @@ struct Memory {
   Volatile state;
   ToolManagement tools;
   DataInput data_input;
-  Couplings couplings;        // axes that follow others
+  Couplings couplings;        // axes that follow a master axis
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
   bool counts_time = false;   // the life of a tool was counted in time at the last set_time()

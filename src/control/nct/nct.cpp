@@ -25,7 +25,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
 /// Returns the number of axes in all channels.
 int axes_of_machine(const BlockContext& m, const Setup& setup) {
   int axes = static_cast<int>(m.axis_count);
-  constexpr int by_default = 3;  // X, Y, Z
+  constexpr int by_default = 3;  // a channel that lists no axes has X, Y, Z
   for (const auto& [number, channel] : setup.channels) axes += channel.axes.empty() ? by_default : static_cast<int>(channel.axes.size());
   return axes;
 }

@@ -14,7 +14,7 @@ namespace kadr::nct {
 
 class Nct;
 
-inline constexpr int most_channels = 8;  // NCT 1.2
+inline constexpr int most_channels = 8;  // most channels of a machine (NCT 1.2)
 
 /// Returns the channels that the set-up lists, as bits; 0 if there is no other channel.
 std::uint32_t channels_of(const Setup& setup);

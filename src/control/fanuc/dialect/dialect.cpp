@@ -25,7 +25,7 @@ void Fanuc::note_skip_mark(Emitter& m) { fanuc::note_skip_mark(m); }
 Result<bool> Fanuc::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (MacroB::state.active_modal_calls != 0 || !pending.empty()))
-    m.keep_flow_place();  // a call after the block may fail
+    m.keep_flow_place();  // since a macro call after the block may fail
   return done;
 }
 
@@ -83,8 +83,8 @@ void Fanuc::count_words(BlockContext& m) const { count_increments(m); }
 
 void Fanuc::note_line(BlockContext& m) {
   if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
-    MacroB::state.words.o = m.block->label;                          // spec/fanuc 5.8
-  if (m.block->has_number) MacroB::state.words.n = m.block->number;  // 23.1.14
+    MacroB::state.words.o = m.block->label;                          // last program number O (spec/fanuc 5.8)
+  if (m.block->has_number) MacroB::state.words.n = m.block->number;  // last block number N (23.1.14)
   if (m.block->calls_macro) return;                                  // the words of the block are arguments
   if (const Word* const code = m.block->find('M'); code != nullptr) MacroB::state.words.m = code->value;
   if ((m.block->letters & letter_bit('F')) == 0) return;

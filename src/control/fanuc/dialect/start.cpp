@@ -38,7 +38,7 @@ std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) 
 void reset_shifts(BlockContext& m) {
   reset_five_axis(m);
   m.modal.new_system = {};
-  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33
+  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33 keeps G52
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
   m.modal.diameter = 0;
@@ -146,7 +146,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
   m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);
-  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2
+  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2: G94, G95
   const bool per_minute = m.modal.feed_mode == FeedMode::per_minute;
   m.modal.feed = feeds[per_minute ? 0 : 1];
   m.modal.other_feed = feeds[per_minute ? 1 : 0];

@@ -35,7 +35,7 @@ bool moves_by_code(const BlockContext& m) {
 
 /// Returns the drilling direction for the plane in force: 1 X, 2 Y, 3 Z.
 int drilling_direction(const BlockContext& m) {
-  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: always along Z
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
@@ -92,7 +92,7 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1
+    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1: R alone is enough too
     if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
     KADR_TRY(remember(*bottom));
     double passes = 1;
@@ -253,7 +253,7 @@ class Drilling {
       }
     }
     if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && kept_.shift.x > 0 &&
-        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
+        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: decreasing pecks
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
@@ -332,7 +332,7 @@ int drills_along(const BlockContext& m) {
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
-    macro_b_of(m).state.parts_done += 1;  // 13.1
+    macro_b_of(m).state.parts_done += 1;  // 13.1: a part code counts a part
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
   if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // 19.1: ends a simple turning cycle

@@ -91,7 +91,7 @@ Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter
     KADR_TRY(m.feed_known(where));
     return 0;
   }
-  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));  // INFERRED
+  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));  // INFERRED: alarm if the feed parameter is 0
   return of_parameter;
 }
 

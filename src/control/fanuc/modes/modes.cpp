@@ -53,7 +53,7 @@ Status smoothing(Emitter& m, const Call& call) {
 
 /// G4 P (8): dwells P seconds, or in G95 P revolutions of the main spindle.
 Status dwell_or_turns(Emitter& m, const Call& call) {
-  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1: unit by decimal point
     const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));

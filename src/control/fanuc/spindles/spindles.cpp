@@ -209,7 +209,7 @@ Status css_on(Emitter& m, const Call&) {
     const auto& numbers = m.def.axis_numbers;
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
-      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, like AX[n] (23.2.12)
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED: alarm as for AX[n] (23.2.12)
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
@@ -254,7 +254,7 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
     }
   }
   const SpindleSettings& own = settings.spindles[static_cast<std::size_t>(number)];
-  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2
+  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2: the code closes the position loop
   const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
   if (closes) {
     spindle(number).loop_closed = true;

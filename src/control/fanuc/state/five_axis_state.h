@@ -42,8 +42,8 @@ struct FiveAxisState {
   bool posture = false;    // tool posture control: P1 in the block of G43.4 to G43.9
   double lead_length = 0;  // tool length by H, mm
   SpaceFrame frame = SpaceFrame::none;
-  Mat3 turn;           // rotation of the frame
-  Vec3 origin;         // origin of the frame, mm
+  Mat3 turn;           // rotation of the programming frame
+  Vec3 origin;         // origin of the programming frame, mm
   Axes outer_shift{};  // G52 and G92 shifts at the time when the frame was set
   PlaneBlocks plane;
   std::optional<RotaryPair> oriented;  // positions to which G53.1, G53.6 have turned the rotary axes; the frame is valid there

@@ -60,7 +60,7 @@ struct Volatile : MotionMemory {
   FiveAxisState five_axis;
 };
 
-inline constexpr std::size_t extended_systems = most_further_systems;  // G54.1 P1 …
+inline constexpr std::size_t extended_systems = most_further_systems;  // number of work systems of G54.1 P
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
 inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: the last rows in the tables of work offsets and rotations
 

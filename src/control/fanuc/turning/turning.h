@@ -39,7 +39,7 @@ Status compound_thread(Emitter& m, const Call& call);
 /// One pass of a thread: at rapid from `start` to `from`, along the thread to `to`, out of the thread, and back to `start`.
 struct ThreadPass {
   Vec2 from, to;
-  Vec2 start;          // the point where the pass starts and ends
+  Vec2 start;          // point where the whole pass starts and ends
   double lead = 0;     // thread lead, mm
   double angle = 0;    // spindle angle at the start of the thread, degrees
   double chamfer = 0;  // length of the run-out at 45° at the end of the thread, mm along its axis

@@ -18,7 +18,7 @@ std::uint32_t fanuc::most_offsets(const BlockContext& m) {
 }
 
 Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
-  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // spec/fanuc 7.1: PS0030
+  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // PS0030 (spec/fanuc 7.1)
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, fanuc::most_offsets(m));
   if (!number) return number;

@@ -73,7 +73,7 @@ double rolled_position(double c, double period) {
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
   const double period = axis.period;
   if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
-  if (axis.by_sign) {  // INFERRED: also if ASH is set
+  if (axis.by_sign) {  // INFERRED: ABS has priority over ASH
     const double t = rolled_position(std::fabs(programmed), period);
     return programmed >= 0 ? rolled_position(t - c, period) : -rolled_position(c - t, period);
   }
