@@ -1,8 +1,8 @@
 #pragma once
-// Fanuc: the dialect class that Fanuc, Haas and NCT share on top of macros (spec/fanuc, spec/nct): drilling and turning cycles, reference
-// return, frames, five axes, spindles, measuring. There is one object per channel; its memory is a plain value (memory.h). `settings` and
-// `state` belong to this class; the macro level has its own, macro_b_of(m).settings and macro_b_of(m).state. Behaviour that only the NCT
-// has is behind the virtual functions below.
+// Fanuc: the dialect class that Fanuc, Haas and NCT share (spec/fanuc, spec/nct); it is derived from the class of macros, MacroB. It adds
+// drilling and turning cycles, reference return, frames, five axes, spindles, measuring. There is one object per channel; its memory is a
+// plain value (memory.h). `settings` and `state` belong to this class; the macro level has its own, macro_b_of(m).settings and
+// macro_b_of(m).state. Behaviour that only the NCT has is behind the virtual functions below.
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace kadr::fanuc {
 
-using namespace macro_b;  // a Fanuc is a MacroB: its code uses the names of macro_b unqualified
+using namespace macro_b;  // the class Fanuc is derived from MacroB: its code uses the names of macro_b unqualified
 
 class Fanuc : public MacroB, public fanuc::Memory {
  public:
@@ -23,13 +23,13 @@ class Fanuc : public MacroB, public fanuc::Memory {
   ~Fanuc() override;
 
   // ---- start and end
-  /// Sets the power-on state, then what the set-up states.
+  /// Sets the power-on state, then the state that the set-up describes.
   bool start(Interpreter& m, const Setup& setup) override;
   /// Reads variables, plane and diameter programming from the set-up, after the set-up's modal codes have been executed.
   void take_setup(Emitter& m, const Setup& setup) override;
   bool end_program(Interpreter& m) override;
   bool lose_power(Interpreter& m) override;
-  /// Returns the whole state for the last line of a trace, in the form of a set-up.
+  /// Returns the whole state in the form of a set-up, for the last line of a trace.
   RunState run_state(const Emitter& m) const override;
 
   // ---- undoing a faulty block
@@ -44,9 +44,9 @@ class Fanuc : public MacroB, public fanuc::Memory {
   // ---- spindles
   SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
-  /// Returns the present speed of the main spindle, rev/min; 0 if it does not turn.
+  /// Returns the present speed of the main spindle, rev/min; 0 if the spindle does not turn.
   double spindle_rpm(const Emitter& m) const;
-  /// Returns how G96, G97 determine the speed of the main spindle (11.5). tell_surface_speed() emits it whenever it changes.
+  /// Returns how G96, G97 determine the speed of the main spindle (11.5). tell_surface_speed() emits this whenever it changes.
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void tell_surface_speed(Emitter& m) const;
   double css_rpm(const Emitter& m) const;
@@ -57,7 +57,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void convert_spindle(int number, bool to_axis) override;
   SearchRules search_rules() const override;
 
-  // ---- what the interpreter asks (dialect.cpp): each one is implemented by a function of this folder
+  // ---- what the interpreter asks of a dialect (dialect.cpp): each function is implemented by one of the same name in this folder
   bool has_unfinished() const override { return !finishing.empty(); }
   Result<bool> finish(Interpreter& m) override;
   void note_skip_mark(Emitter& m) override;
@@ -81,17 +81,17 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void note_motion(Emitter& m, Motion& motion) override;
   double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;
   void note_feed(BlockContext&) override { state.thread_lead = 0; }
-  bool keeps_both_feeds() const override { return true; }  // 6.2.1
+  bool keeps_both_feeds() const override { return true; }  // NCT 6.2.1: G94 and G95 each keep their F
   void refresh_frames(Emitter& m) override;
   Axes shift_of_origin(const BlockContext& m) const override;
   bool zero_may_move() const override { return true; }
   void roll(const BlockContext& m, Axes& positions) const override;
   Status take_answer(Emitter& m, const ProbeAnswer& at) override;
   Status machine_code(Interpreter& m, const Call& call) override;
-  /// Executes a code of a spindle (indexing, closing the position loop); passes any other code to the machine's logic.
+  /// Executes an M code of a spindle (indexing, closing the position loop); passes any other code to the machine's logic.
   Status spindle_machine_code(Emitter& m, int code, Span where);
 
-  // ---- what the macro level asks
+  // ---- what the macro level, MacroB, asks
   Axes before_transform(const BlockContext& m) const override;
   void keep_cycles() override { interrupted_cycles = {state.drilling, state.turning}; }
   void bring_cycles_back() override;
@@ -101,7 +101,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
   // ---- behaviour that only the NCT has
-  /// Returns the number that an H or D word means: one special number stands for the tool in the spindle (12.5.1).
+  /// Returns the number that an H or D word refers to: one special number means the offset of the tool in the spindle (12.5.1).
   virtual Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const = 0;
   /// open_tool_data() opens the tool tables for G10 L75 to L77; tool_line() reads one of the data lines that follow (12.4).
   virtual Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) = 0;
@@ -109,7 +109,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
 
  protected:
   void read_parameters(BlockContext& m) override;
-  /// Resets what the program has set to its power-on state (3.4).
+  /// Resets everything that the program has set to its power-on state (3.4).
   void reset_program(Interpreter& m);
   /// Ends the electronic gearbox (NCT 20.1) if a reset ends it; called when the program is reset.
   virtual void end_gear(Emitter& m) = 0;
@@ -122,33 +122,33 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void reset_codes(Interpreter& m, bool keep);
   void stop_machine(Interpreter& m);
 
-  Volatile before_;                        // what keep_all() has saved
-  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up itself states, without the parameters
+  Volatile before_;                        // the state that keep_all() has saved
+  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up itself states; those of the parameters are not included
 };
 
-/// The part of a snapshot that belongs to this class.
+/// The part of a snapshot that belongs to the class Fanuc.
 struct FanucState : MacroState {
   explicit FanucState(const Fanuc& of);
 
   fanuc::Memory cutting;
 };
 
-/// Returns the number of rows of the offset table: N1400, or if it is not set, as many as the variables have room for (15.1).
+/// Returns the number of rows of the offset table: N1400; if N1400 is not set, the number of rows that variables can address (15.1).
 std::uint32_t most_offsets(const BlockContext& m);
-/// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up say that it does.
+/// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up state such conversions.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
-/// Warns if one of these axes is moved while it turns as a spindle.
+/// Warns if one of the named axes is moved while it turns as a spindle.
 void watch_spindle_axes(Emitter& m, AxisMask named);
-/// Returns the lead of a thread in mm, from the block's E or F, or the last one; 0: none (4.4).
+/// Returns the thread lead in mm, from the block's E or F, or the last lead; 0: none (4.4).
 double take_lead(BlockContext& m);
 /// Returns the dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Emitter& m, double p, Span where);
-/// Returns a dwell P that is read by its digits, in seconds: P without a point is in milliseconds; P with a point is in seconds or an
-/// alarm, by the control (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
+/// Returns a dwell P in seconds, on a control where the decimal point decides the unit: without a point P is in milliseconds; with a
+/// point it is in seconds or, on some controls, an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
 Result<double> dwell_by_digits(BlockContext& m);
-/// True if the block has a word for a spindle.
+/// True if the block has a word that refers to a spindle.
 bool has_spindle_word(const BlockContext& m);
-/// Executes G10 L… (set_tables.cpp).
+/// Executes G10 L… (in tables/set_tables.cpp).
 Status set_tables(Emitter& m, const Call& call);
 
 }  // namespace kadr::fanuc

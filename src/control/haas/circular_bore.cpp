@@ -1,4 +1,4 @@
-// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on a half circle, as in the manual's figure.
+// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on a half circle, as in the manual's drawing.
 
 #include "base/code_literals.h"
 #include "control/fanuc/fanuc.h"
@@ -8,7 +8,7 @@
 namespace kadr::functions {
 namespace {
 
-/// The circles of one level, about the tool's position.
+/// Cuts the circles of a pocket at one depth, about the tool's position.
 class CircularBore {
  public:
   CircularBore(Emitter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
@@ -75,8 +75,8 @@ class CircularBore {
     return arc(radius / 2, 0, 0.5);
   }
 
-  /// Adds an arc about the point at `around` on the first axis, to the point at `to` on the first axis; both relative
-  /// to the pocket's centre.
+  /// Adds an arc. Its centre is at the coordinate `around` on the plane's first axis, its end at `to` on that axis; both are relative to
+  /// the pocket's centre.
   Status arc(double around, double to, double turns) {
     Axes end = m_.position.programmed;
     end[plane_.first] = center_.x + to;
@@ -105,7 +105,7 @@ class CircularBore {
 
 }  // namespace
 
-/// G12: clockwise, G13: counter-clockwise.
+/// G12: clockwise; G13: counter-clockwise.
 Status circular_bore(Emitter& m, const Call& call) { return CircularBore(m, call).run(); }
 
 }  // namespace kadr::functions

@@ -1,4 +1,4 @@
-// The font of engraved text. Used by control/haas/engraving.
+// The font for engraved text. Used by control/haas/engraving.
 
 #include "control/haas/letters.h"
 
@@ -7,7 +7,7 @@
 namespace kadr::haas {
 namespace {
 
-/// Points on a grid of 5 by 7: one digit for x, one for y. A blank ends a stroke.
+/// The strokes of one letter, as points on a grid of 5 by 7: two digits per point, x and y. A space ends a stroke.
 struct LetterRow {
   char letter;
   std::string_view strokes;

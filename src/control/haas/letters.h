@@ -9,11 +9,11 @@
 
 namespace kadr::haas {
 
-/// Height of a capital letter, and the distance from one letter to the next, in the units of the strokes.
+/// Height of a capital letter, and the distance from one letter to the next, in the units of strokes_of().
 inline constexpr double letter_height = 6, letter_advance = 6;
 
-/// Returns the strokes of a letter, relative to its lower left corner. Small letters are drawn as capitals. Returns nullopt if the
-/// font lacks the letter.
+/// Returns the strokes of a letter, as points relative to its lower left corner. Small letters are drawn as capitals. Returns nullopt if
+/// the font lacks the letter.
 std::optional<std::vector<std::vector<Vec2>>> strokes_of(char letter);
 
 }  // namespace kadr::haas

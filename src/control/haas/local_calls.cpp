@@ -12,7 +12,7 @@ namespace kadr::functions {
 
 using macro_b::CallRequest;
 
-/// M97 P L (spec/haas 3.1): calls block P of the same program, up to M99. The local variables remain the same.
+/// M97 P L (spec/haas 3.1): calls block P of the same program, up to M99. The called blocks use the caller's local variables.
 Status call_local(Interpreter& m, const Call& call) {
   const Word* const p = m.word('P');
   if (p == nullptr) return fail(alarm(AlarmId::call_without_program, call.where, call.row->code));
@@ -32,7 +32,7 @@ Status jump_by_input(Interpreter& m, const Call& call) {
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double most_inputs = 63;
-  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is not a length
+  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is not a length: undo its scaling
   if (!(input >= 0 && input <= most_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
   const auto& inputs = macro_b_of(m).plc_in;
   const auto number = static_cast<std::size_t>(input);

@@ -21,12 +21,12 @@ namespace nct {
 
 void Nct::started(Emitter& m) {
   couple_gantries(m);
-  for (const auto& [name, value] : signals)  // signals of the machine's logic for axes that are on from the start (20.2 to 20.4)
+  for (const auto& [name, value] : signals)  // axis signals of the machine's logic that are on from the start (20.2 to 20.4)
     if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
       couple_axis(m, std::string(asked.axis), asked.link, true);
 }
 
-/// Takes over the tables of tools, pockets and forms (12.3), which all channels share.
+/// Copies the tables of tools, pockets and forms (12.3), which all channels share, from another channel.
 void Nct::take_common(BlockContext& m, const Dialect& from) {
   tools.take_tables(static_cast<const Nct&>(from).tools);
   Fanuc::take_common(m, from);
@@ -39,7 +39,7 @@ Result<bool> Nct::finish(Interpreter& m) {
 
 Status Nct::may_move(const BlockContext& m, AxisMask named) const { return not_following(m, named); }
 
-/// Axes that follow others move with the motion; parked axes do not move.
+/// Completes a motion: axes that follow a master move with it; parked axes do not move.
 void Nct::note_motion(Emitter& m, Motion& motion) {
   fanuc::note_motion(m, motion);
   if (following != 0) follow(m, motion);
@@ -53,7 +53,7 @@ Status Nct::take_answer(Emitter& m, const ProbeAnswer& at) {
   return taken;
 }
 
-/// Waiting codes are executed by the control and not passed to the machine (14.5).
+/// Executes an M code. Waiting codes are executed by the control and not passed to the machine (14.5).
 Status Nct::machine_code(Interpreter& m, const Call& call) {
   const auto waits = waiting_code(m, call);
   if (!waits) return fail(waits.error());

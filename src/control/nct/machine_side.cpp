@@ -1,4 +1,4 @@
-// What the machine's logic and its operator report to the NCT only (spec/nct 12.3, 20.2).
+// Reports of the machine's logic and of the operator that only the NCT handles (spec/nct 12.3, 20.2).
 
 #include <utility>
 

@@ -8,14 +8,14 @@
 
 namespace kadr::nct {
 
-/// The electronic gearbox (20.1).
+/// State of the electronic gearbox (20.1).
 struct Gear {
   bool on = false;
   double ratio = 0;  // revolutions of the table per revolution of the spindle
   double teeth = 0;
 };
 
-/// What a run remembers about the NCT. An alarm restores it as one value.
+/// The state of the NCT that a run changes. An alarm restores it as one value.
 struct Volatile {
   Gear gear;
 };
@@ -26,12 +26,12 @@ struct Memory {
   Volatile state;
   ToolManagement tools;
   DataInput data_input;
-  Couplings couplings;        // axes that follow others
+  Couplings couplings;        // axes that follow a master axis
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
   bool counts_time = false;   // the life of a tool was counted in time at the last set_time()
-  bool turned = false;        // the main spindle turned at the last set_time()
-  double tool_magazine = 10;  // #8400
+  bool turned = false;        // the main spindle was turning at the last set_time()
+  double tool_magazine = 10;  // #8400: the spindle or stand-by magazine whose tool #8401 … report
 };
 
 }  // namespace kadr::nct

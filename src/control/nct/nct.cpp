@@ -1,5 +1,5 @@
-// The NCT control at power-on, when a set-up is read, and at the end of a program (spec/nct/12, 20); what an alarm restores, and what a
-// snapshot holds. Used by the rest of control.
+// The NCT control at power-on, when a set-up is read, and at the end of a program (spec/nct/12, 20); saving and restoring its state for
+// alarms and snapshots. Used by the rest of control.
 
 #include "control/nct/nct.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-/// Reads the limits from N1400, N2902, N2903.
+/// Reads the limits of the tool tables from N1400, N2902, N2903.
 ToolLimits tool_limits(const ParameterStore& p) {
   const ToolLimits usual;
   const auto whole = [&](const char* name, int otherwise) {
@@ -25,7 +25,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
 /// Returns the number of axes in all channels.
 int axes_of_machine(const BlockContext& m, const Setup& setup) {
   int axes = static_cast<int>(m.axis_count);
-  constexpr int by_default = 3;  // X, Y, Z
+  constexpr int by_default = 3;  // a channel that lists no axes has X, Y, Z
   for (const auto& [number, channel] : setup.channels) axes += channel.axes.empty() ? by_default : static_cast<int>(channel.axes.size());
   return axes;
 }
@@ -54,7 +54,7 @@ void Nct::take_setup(Emitter& m, const Setup& setup) {
   watch_tool_time(m);
 }
 
-/// Power off and on (23.5): the gearbox is off, and every axis drives itself again.
+/// Executes power off and on (23.5): the gearbox is off, and every axis drives its own machine axis again.
 bool Nct::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);
@@ -69,13 +69,13 @@ bool Nct::lose_power(Interpreter& m) {
   return true;
 }
 
-/// If a tool's life is counted in time, the machine's time is read after each block.
+/// Makes the run report the machine's time after each block if the life of any tool is counted in time.
 void watch_tool_time(Emitter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
 
-/// N1800 #0 RCE: a reset ends the gearbox (20.1.4).
+/// Ends the gearbox at a reset if N1800 #0 RCE is set (20.1.4).
 void Nct::end_gear(Emitter& m) {
   if (!parameters.bit(parameters.named("1800"), 0)) return;
   (void)withdraw(m);

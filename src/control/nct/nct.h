@@ -1,7 +1,7 @@
 #pragma once
-// The dialect of the NCT control (spec/nct): what no row of its file can express and no other control has. There is one object per
-// channel; its memory is a plain value (memory.h). `settings` and `state` belong to this class; the Fanuc family has its own,
-// fanuc_of(m).settings and fanuc_of(m).state.
+// The dialect class of the NCT control (spec/nct): behaviour that the control's file cannot express and that no other control has. There
+// is one object per channel; its memory is a plain value (memory.h). `settings` and `state` belong to this class; the Fanuc family has
+// its own, fanuc_of(m).settings and fanuc_of(m).state.
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace kadr::nct {
 
-using namespace fanuc;  // an Nct is a Fanuc: its code uses the names of fanuc unqualified
+using namespace fanuc;  // the class Nct is derived from Fanuc: its code uses the names of fanuc unqualified
 
 class Nct : public Fanuc, public nct::Memory {
  public:
@@ -41,7 +41,7 @@ class Nct : public Fanuc, public nct::Memory {
   Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const override;
   Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) override;
   Status tool_line(Emitter& m) override;
-  /// The magazine number of the channel's default spindle (N0604; 12.3.2): 10, 20, …
+  /// Returns the magazine number of the channel's default spindle (N0604; 12.3.2): 10, 20, …
   int spindle_magazine() const { return ToolManagement::main_spindle * std::max(Fanuc::settings.default_spindle, 1); }
   std::uint64_t common_version() const override { return tools.tables_version() + Fanuc::common_version(); }
   void take_common(BlockContext& m, const Dialect& from) override;
@@ -75,10 +75,10 @@ class Nct : public Fanuc, public nct::Memory {
   bool keeps_group(int group) const override;
 
  private:
-  Volatile before_;  // what keep_all() has saved
+  Volatile before_;  // the state that keep_all() has saved
 };
 
-/// The part of a snapshot that belongs to this class.
+/// The part of a snapshot that belongs to the class Nct.
 struct NctState : FanucState {
   explicit NctState(const Nct& of);
 
@@ -87,9 +87,9 @@ struct NctState : FanucState {
 
 /// Stops the electronic gearbox if it is on (20.1).
 void disengage(Emitter& m);
-/// Retracts the tool from the teeth if the gearbox is on (20.1.4).
+/// If the gearbox is on, retracts the tool from the teeth of the workpiece (20.1.4).
 Status withdraw(Emitter& m);
-/// Makes the run provide the time if the life of a tool is counted in time (12.3.1).
+/// If the life of any tool is counted in time, makes the run report the machine's time after each block (12.3.1).
 void watch_tool_time(Emitter& m);
 
 }  // namespace kadr::nct

@@ -6,10 +6,10 @@
 namespace kadr::nct {
 
 struct Settings {
-  int waiting_low = 0, waiting_high = 0;  // N2201, N2202
-  bool life_counts_on_t = false;          // N2901 #1 TLC
-  int offset_by_tool = 0;                 // N2923
-  int place_code = 0;                     // N2924
+  int waiting_low = 0, waiting_high = 0;  // N2201, N2202: first and last waiting code
+  bool life_counts_on_t = false;          // N2901 #1 TLC: T changes the tool and counts its use, instead of M6
+  int offset_by_tool = 0;                 // N2923: the H or D number that means the offset of the tool in the spindle
+  int place_code = 0;                     // N2924: M code that makes T of its block a pocket number
 };
 
 Settings read_settings(const macro_b::ParameterSource& source);

@@ -17,7 +17,7 @@ bool is_waiting_code(const Settings& s, int code) {
   return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + most_waiting_codes;
 }
 
-/// True if the block has only the block number, P and the waiting code.
+/// True if the block has only a block number, P and the waiting code.
 bool stands_alone(const BlockContext& m) {
   std::size_t others = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
@@ -25,7 +25,7 @@ bool stands_alone(const BlockContext& m) {
   return others == 1;
 }
 
-/// "12" → bits 1 and 2. INFERRED: a repeated digit counts once.
+/// Converts the digits of P to bits of channels: "12" gives bits 1 and 2. INFERRED: a repeated digit counts once.
 Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   const std::string text = std::to_string(digits);
   std::uint32_t channels = 0;

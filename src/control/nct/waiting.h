@@ -14,15 +14,16 @@ namespace kadr::nct {
 
 class Nct;
 
-inline constexpr int most_channels = 8;  // 1.2
+inline constexpr int most_channels = 8;  // most channels of a machine (NCT 1.2)
 
-/// Returns the channels of the set-up as bits; 0 if it lists no other channel.
+/// Returns the channels that the set-up lists, as bits; 0 if there is no other channel.
 std::uint32_t channels_of(const Setup& setup);
 
 /// True if the signal CP_NOWT is on: waiting codes then have no effect.
 bool waiting_suspended(const Nct& nct);
 
-/// Executes `Mm P…` with m from N2201 to N2202, at most 100 codes: the channel waits for the channels whose digits follow P, in any order.
+/// Executes `Mm P…` with m from N2201 to N2202 (at most 100 codes): the channel waits for the channels whose digits follow P, in any
+/// order.
 ///   returns  true if the code was a waiting code
 ///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine lacks; channels_wait: this run has no other
 ///            channels (Control::Waiting::alarm)

@@ -1,4 +1,4 @@
-// Warnings about rules in the manual of the 2С42 whose violation its control does not report (6.3.6, 6.4.1, 6.7).
+// Warnings about breaches of rules in the manual of the 2С42 that the control itself does not report (6.3.6, 6.4.1, 6.7).
 //   reference_again, reference_late  G25 may come once only, at the start of the program (6.4.1)
 //   plane_without_stop               G9 is needed at a change of plane, except with G0 (6.4.1); table 9 writes it next to G17
 //   return_not_alone                 M17 must be in a block of its own, without motions (6.4.2)
@@ -24,12 +24,12 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
   return nullptr;
 }
 
-/// What the program has contained so far.
+/// What the program has contained up to the present block.
 struct Seen {
-  bool reference = false;  // G25
+  bool reference = false;  // a G25 has occurred
   bool moved = false;
-  bool at_rest = true;        // the last motion came to a stop at its end
-  std::uint64_t shadows = 0;  // bit per cycle number whose hidden subprogram has been reported
+  bool at_rest = true;        // the last motion stopped at its end
+  std::uint64_t shadows = 0;  // one bit per canned cycle whose hidden subprogram has been reported
 };
 
 void check_reference(Emitter& m, Seen& seen) {
@@ -40,14 +40,15 @@ void check_reference(Emitter& m, Seen& seen) {
   seen.reference = true;
 }
 
-/// INFERRED: G9 is in the block with the new plane, as in table 9, or in the last block before it that moves.
+/// Warns if the plane changes without a stop. INFERRED: G9 is in the block with the new plane, as in table 9, or in the last block before
+/// it that moves.
 void check_plane(Emitter& m, const Seen& seen, Plane before) {
   const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
   if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;
   m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
 }
 
-/// M2 in the same block is allowed: it ends the section (6.3.5).
+/// Warns if M17 is not alone in its block. M2 in the same block is allowed: it ends the section (6.3.5).
 void check_return(Emitter& m) {
   const Word* const end = code_of(m, {Function::subprogram_end});
   if (end == nullptr) return;
@@ -66,7 +67,7 @@ void check_length(Emitter& m) {
 }
 
 void note_moved(const BlockContext& m, Seen& seen) {
-  const bool calls = m.has('L');  // the canned cycles end at rest (table 9)
+  const bool calls = m.has('L');  // a canned cycle ends with a stop (table 9)
   const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
   const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
   const bool takes_axes = code_of(m, {Function::zero_shift}) != nullptr;
@@ -122,7 +123,7 @@ class S2c42 final : public Dialect {
     Seen seen;
   };
   Seen seen_;
-  // of the block, before it is executed
+  // of the present block, noted before the block is executed
   bool in_body_ = false;  // the block is in the body of a canned cycle
   Plane plane_ = Plane::xy;
 };

@@ -1,5 +1,5 @@
-// Steps around the common plan of a block: data lines, calls, checks before the words are planned (spec/nct/23 23.3, 24.1, 12.4;
-// spec/fanuc 1.2, 1.3, 2.1). Used by control/fanuc/dialect/dialect.
+// What the Fanuc family does before and after the planning of a block: data lines, macro calls, checks of the words (spec/nct/23 23.3,
+// 24.1, 12.4; spec/fanuc 1.2, 1.3, 2.1). Used by control/fanuc/dialect/dialect.
 
 #include "control/fanuc/dialect/blocks.h"
 
@@ -18,7 +18,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// `G17 X`: a letter without a number only selects the axis of the plane; it moves nothing (10.4).
+/// Executes letters without a number, as in `G17 X`: such a letter only selects the axis of the plane and moves nothing (10.4).
 Status take_bare_words(BlockContext& m) {
   Fanuc& fanuc = fanuc_of(m);
   fanuc.plane_axes = 0;
@@ -35,7 +35,7 @@ Status take_bare_words(BlockContext& m) {
   return {};
 }
 
-/// Of two words of one address, or two codes of one group, the last one counts (spec/fanuc 1.2, 2.1).
+/// Drops repeated words: of two words of one address, or two codes of one group, the last one counts (spec/fanuc 1.2, 2.1).
 void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
     const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
@@ -57,8 +57,8 @@ void drop_repeated(BlockContext& m) {
   if (m.block->altered) m.note_addresses();
 }
 
-/// Checks that each address occurs once, however it is spelled, and that the block has no more M codes than the control allows, at most
-/// one of each exclusive group (nct 13.1).
+/// Checks that each address occurs once, however the address is written, and that the block has no more M codes than the control allows,
+/// at most one of each exclusive group (nct 13.1).
 Status check_words(const BlockContext& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
@@ -77,7 +77,8 @@ Status check_words(const BlockContext& m) {
   return check_m_codes(m);
 }
 
-/// Refuses S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point, whatever their letter.
+/// Refuses a decimal point in words that allow none, such as S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point,
+/// whatever their letter.
 Status check_points(const BlockContext& m) {
   const std::uint64_t concerned = fanuc_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
@@ -89,7 +90,7 @@ Status check_points(const BlockContext& m) {
   return {};
 }
 
-/// Checks that P has only one meaning in a block (8, 10.2.2, 14.4.2).
+/// Checks that only one function of the block uses P (8, 10.2.2, 14.4.2).
 Status one_meaning_of_p(const BlockContext& m) {
   if (!m.has('P')) return {};
   const CodeRow* first = nullptr;
@@ -110,7 +111,8 @@ Status one_meaning_of_p(const BlockContext& m) {
   return {};
 }
 
-/// Allows one spindle per block. `S1500 P2` names it by its number, in a block of its own (11.1.1).
+/// Reads the spindle words: at most one spindle per block. In `S1500 P2`, P is the spindle's number, and the block has no other words
+/// (11.1.1).
 Status take_spindle_words(BlockContext& m) {
   fanuc_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
@@ -139,13 +141,13 @@ Status take_spindle_words(BlockContext& m) {
 
 }  // namespace
 
-/// A number without a point counts least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is a whole number
-/// (spec/fanuc 1.3), unless a parameter says otherwise. What a number counts may change from one block to the next of the same shape, so
-/// this looks at every block; a word that has been counted already (Word::counted) stays as it is.
+/// Counts numbers without a decimal point in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is a whole
+/// number (spec/fanuc 1.3), unless a parameter says otherwise. The increment may change between blocks that have the same words, so each
+/// block is counted; a word that has been counted already (Word::counted) stays as it is.
 void count_increments(BlockContext& m) {
   if (m.def.grammar.least_increments.empty()) return;
   const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
-  if (!inch && !m.block->evaluates && !m.has('F')) return;  // the reader has counted thousandths of a millimetre
+  if (!inch && !m.block->evaluates && !m.has('F')) return;  // the reader has already counted in 0.001 mm
   const Settings& s = fanuc_of(m).settings;
   const bool turns = m.has_code({Function::feed_per_revolution}) ||
                      (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
@@ -185,7 +187,7 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {  // an earlier pass has checked the block …
+      !looks_closer) {  // the block's words were checked when it was executed before …
     if (!m.block->calls_macro) count_increments(m);
     if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but values may have changed since
     if (!m.block->calls_macro) note_words(m);

@@ -1,22 +1,22 @@
 #pragma once
-// Steps around the common plan of a block: data lines, calls, checks before the words are planned, and what happens after them
-// (spec/nct/23 23.3, 24.1, 12.4; spec/fanuc 1.2, 1.3, 2.1).
+// What the Fanuc family does before and after the planning of a block: data lines, macro calls, checks of the words, and calls after the
+// motion (spec/nct/23 23.3, 24.1, 12.4; spec/fanuc 1.2, 1.3, 2.1).
 
 #include "base/result.h"
 
 namespace kadr {
 class BlockContext;
 class Interpreter;
-}
+}  // namespace kadr
 
 namespace kadr::fanuc {
 
 /// Checks and prepares the evaluated words before they are planned.
 ///   returns  true if the block is done (it was a data line, or a macro was called with it)
 Result<bool> before_plan(Interpreter& m);
-/// Scales the block's numbers without a point to what the control counts them in (spec/fanuc 1.3).
+/// Scales numbers without a decimal point to the increments in which the control counts them (spec/fanuc 1.3).
 void count_increments(BlockContext& m);
-/// Executes the calls that follow the block's motion: words that stand for subprograms, modal macros; then the single-block stop.
+/// Executes the calls that follow the block's motion (words that call subprograms, modal macros), then the single-block stop.
 Status after_block(Interpreter& m);
 
 }  // namespace kadr::fanuc

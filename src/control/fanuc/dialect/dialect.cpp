@@ -25,7 +25,7 @@ void Fanuc::note_skip_mark(Emitter& m) { fanuc::note_skip_mark(m); }
 Result<bool> Fanuc::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (MacroB::state.active_modal_calls != 0 || !pending.empty()))
-    m.keep_flow_place();  // a call after the block may fail
+    m.keep_flow_place();  // since a macro call after the block may fail
   return done;
 }
 
@@ -64,7 +64,7 @@ bool Fanuc::lines_follow(const BlockContext& m) const {
   return !counts_inches && !m.modal.polar_data && plain_motion && words_follow();
 }
 
-/// Axes that roll over: their motion is computed separately (5.6).
+/// Returns the axes that roll over: their travel is computed separately (5.6).
 AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   AxisMask rolling = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -72,7 +72,8 @@ AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   return rolling;
 }
 
-/// I, J, K belong to X, Y, Z whichever axes the plane has (4.3). A plane with other axes takes the general path.
+/// Returns the rule for simple arcs: I, J, K belong to X, Y, Z whichever axes the plane has (4.3), so a plane with other axes needs the
+/// general code.
 ArcRule Fanuc::arc_rule(const BlockContext& m) const {
   return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
           m.def.behaviour.arc_angle_even};
@@ -82,9 +83,9 @@ void Fanuc::count_words(BlockContext& m) const { count_increments(m); }
 
 void Fanuc::note_line(BlockContext& m) {
   if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
-    MacroB::state.words.o = m.block->label;                          // spec/fanuc 5.8
-  if (m.block->has_number) MacroB::state.words.n = m.block->number;  // 23.1.14
-  if (m.block->calls_macro) return;                                  // its words are arguments
+    MacroB::state.words.o = m.block->label;                          // last program number O (spec/fanuc 5.8)
+  if (m.block->has_number) MacroB::state.words.n = m.block->number;  // last block number N (23.1.14)
+  if (m.block->calls_macro) return;                                  // the words of the block are arguments
   if (const Word* const code = m.block->find('M'); code != nullptr) MacroB::state.words.m = code->value;
   if ((m.block->letters & letter_bit('F')) == 0) return;
   MacroB::state.words.f = m.block->find('F')->value;
@@ -118,7 +119,7 @@ void Fanuc::synchronise(int slave, int master) {
     SpindleState& s = spindle(n);
     s.master = master;
     if (master < 1 || master > static_cast<int>(most_spindles)) continue;
-    SpindleState& leads = spindle(master);  // both position loops are closed; the slave has the master's speed (11.7.4)
+    SpindleState& leads = spindle(master);  // 11.7.4: both position loops are closed; the slave gets the master's speed
     s.rpm = leads.rpm;
     s.dir = leads.dir;
     s.loop_closed = leads.loop_closed = true;
@@ -134,7 +135,7 @@ void Fanuc::convert_spindle(int number, bool to_axis) {
   s.referenced = false;
 }
 
-/// Returns the groups of N1341 to N1372; a group with values of 0 does not exist.
+/// Returns the exclusive groups of M codes from N1341 to N1372; a group with values of 0 does not exist.
 SearchRules Fanuc::search_rules() const {
   SearchRules rules{{}, settings.change_on_m6};
   for (const auto& group : settings.m_groups)
@@ -142,7 +143,7 @@ SearchRules Fanuc::search_rules() const {
   return rules;
 }
 
-// ---- what the macro level asks
+// ---- what the macro level, MacroB, asks
 
 Axes Fanuc::before_transform(const BlockContext& m) const { return fanuc::before_transform(m); }
 

@@ -1,5 +1,5 @@
-// The Fanuc family at power-on, when a set-up is read, and at the end of a program (spec/nct/03, 13, 24); what an alarm restores, and
-// what a snapshot holds. Used by control/nct/nct.
+// The Fanuc family at power-on, when a set-up is read, and at the end of a program (spec/nct/03, 13, 24); saving and restoring its state
+// for alarms and snapshots. Used by control/nct/nct.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ int group_number(const GroupRow& group) {
   return digits ? std::stoi(group.name) : 0;
 }
 
-/// Returns the initial code of a group, in tenths (3.3).
+/// Returns the initial code of a modal group, in tenths (3.3).
 std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) {
   switch (group) {
     case 1: return s.default_1[0] ? 1_g : 0_g;
@@ -38,7 +38,7 @@ std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) 
 void reset_shifts(BlockContext& m) {
   reset_five_axis(m);
   m.modal.new_system = {};
-  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33
+  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33 keeps G52
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
   m.modal.diameter = 0;
@@ -48,18 +48,18 @@ void reset_shifts(BlockContext& m) {
 
 }  // namespace
 
-/// Puts the initial code of every modal group into force. `keep`: respect the bits of CLR G Table.
+/// Puts the initial code of every modal group into force. `keep`: groups whose bit in CLR G Table is set keep their code.
 void Fanuc::reset_codes(Interpreter& m, bool keep) {
   const Settings& s = settings;
   plane_axes = 0;
   Block* const block = m.block;
   Block none;
-  m.block = &none;  // the functions find no words
+  m.block = &none;  // an empty block: the functions find no words
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
     if (keeps_group(number)) continue;
-    const bool always = number == 15 || number == 17 || number == 21;  // G64, G15, G13.1: always reset, whatever CLR says (6.3.3, 5.4, 4.5)
+    const bool always = number == 15 || number == 17 || number == 21;  // groups of G64, G15, G13.1: reset despite CLR (6.3.3, 5.4, 4.5)
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
@@ -67,7 +67,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
-    if (row.function == Function::mirror_off) clear_mirror(m);  // also under G51, G68 that remain in force
+    if (row.function == Function::mirror_off) clear_mirror(m);  // ends mirroring even under G51, G68 that remain in force
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, {}});
     m.batch->cut(silent);
@@ -91,7 +91,7 @@ Fanuc::Fanuc(BlockContext& m, const Setup& setup, const RunLimits& limits, std::
 
 Fanuc::~Fanuc() = default;
 
-/// The reference points of the parameters (9, 9.2) have priority over those that the set-up itself states.
+/// Sets the reference points: those of the parameters (9, 9.2) have priority over those that the set-up itself states.
 void Fanuc::take_reference_points(BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     for (std::size_t point = 1; point < m.tables.reference.size(); ++point) {
@@ -139,14 +139,14 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
     spindle_names[number] = spindle_setup.name;
   }
   if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
-  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4, INFERRED: the spindle of N0604
+  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: the spindle of N0604
   spindle_part = setup.spindle_override / 100;
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
   m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);
-  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2
+  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2: G94, G95
   const bool per_minute = m.modal.feed_mode == FeedMode::per_minute;
   m.modal.feed = feeds[per_minute ? 0 : 1];
   m.modal.other_feed = feeds[per_minute ? 1 : 0];
@@ -157,7 +157,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
 
 namespace {
 
-/// Puts G43 and H of a set-up into force, where no axis was named. INFERRED: they act along the tool (25.1), else along Z.
+/// Puts the tool length of a set-up with G43 and H into force if the set-up names no axis. INFERRED: the length acts along the tool
+/// (25.1), else along Z.
 void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
@@ -169,7 +170,7 @@ void take_length_in_force(BlockContext& m) {
 
 }  // namespace
 
-/// Settings 45 to 48 (spec/haas 6.1): mirrors the axes about the work origin from the start.
+/// Mirrors the axes of settings 45 to 48 (spec/haas 6.1) about the work origin, from the start of the program.
 void Fanuc::mirror_by_settings(BlockContext& m) const {
   if (settings.mirrored == 0) return;
   const Axes at = m.transform.to_work(m.position.programmed);
@@ -194,7 +195,8 @@ void Fanuc::take_setup(Emitter& m, const Setup& setup) {
   mirror_by_settings(m);
 }
 
-/// M5, M9 at the end of the program (13.1, "usually"): executes the codes in `end` of the control's file; all spindles of the channel stop.
+/// Stops the machine at the end of the program as M5, M9 do (13.1, "usually"): executes the codes in `end` of the control's file; all
+/// spindles of the channel stop.
 void Fanuc::stop_machine(Interpreter& m) {
   const std::size_t silent = m.batch->size();
   const double parts = MacroB::state.parts_done;
@@ -228,12 +230,12 @@ void Fanuc::reset_program(Interpreter& m) {
 }
 
 bool Fanuc::end_program(Interpreter& m) {
-  if (settings.part_code == 0) MacroB::state.parts_done += 1;  // 13.1; with a part code, note_code() counts
+  if (settings.part_code == 0) MacroB::state.parts_done += 1;  // 13.1; if a part code is set, note_code() counts parts
   reset_program(m);
   return true;
 }
 
-/// Resets the codes, whatever CLR says (23.5).
+/// Executes power off and on: resets the codes, whatever CLR says (23.5).
 bool Fanuc::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);

@@ -1,5 +1,5 @@
-// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and what other functions ask about it. Used by the
-// rest of control; tested by tests/control/fanuc/drilling_test.cpp.
+// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and queries about them for other functions. Used by
+// the rest of control; tested by tests/control/fanuc/drilling_test.cpp.
 
 #include "control/fanuc/drilling/drilling.h"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr double most_pecks = 1e6;
 constexpr double most_holes = 99'999'999;
 
-/// Returns the row of the cycle in force, or -1.
+/// Returns the table row of the cycle in force, or -1.
 std::int16_t cycle_row(const BlockContext& m) {
   const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
@@ -33,9 +33,9 @@ bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
 
-/// Returns the drilling direction of the plane: 1 X, 2 Y, 3 Z.
+/// Returns the drilling direction for the plane in force: 1 X, 2 Y, 3 Z.
 int drilling_direction(const BlockContext& m) {
-  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: always along Z
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
@@ -44,7 +44,7 @@ bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
   return role == direction || role == direction + 4;
 }
 
-/// Returns the word of the drilling direction, or nullptr. At most one is allowed.
+/// Returns the block's word for an axis of the drilling direction (the bottom of the hole), or nullptr. At most one is allowed.
 ///   alarms  not_together: words of both the main and the parallel axis (18.0 does not say), address_twice
 Result<const Word*> bottom_word(const BlockContext& m) {
   const int direction = drilling_direction(m);
@@ -61,8 +61,8 @@ Result<const Word*> bottom_word(const BlockContext& m) {
   return found;
 }
 
-/// Returns the axis of the bottom word. Without that word: the axis that drills already, or INFERRED the main axis. -1 if
-/// the channel has none.
+/// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force, or INFERRED the main axis; -1
+/// if the channel has none.
 int drilling_axis(const BlockContext& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
@@ -73,7 +73,7 @@ int drilling_axis(const BlockContext& m, const Word* bottom) {
   return -1;
 }
 
-/// Executes one block with a cycle: keeps its words, computes the levels, does operation 1 and starts the rest.
+/// Executes one block with a drilling cycle: stores its words, computes the levels, does operation 1 and starts the other operations.
 class Drilling {
  public:
   Drilling(Emitter& m, const Call& call)
@@ -92,13 +92,13 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1
+    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1: R alone is enough too
     if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
     KADR_TRY(remember(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
-      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is not a length
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is not a length: undo its scaling
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
       if (!(passes >= 0 && passes <= most_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
@@ -107,7 +107,7 @@ class Drilling {
     return start({}, static_cast<std::uint32_t>(passes));
   }
 
-  /// Executes the cycle in force at each of these points of the plane; programmed coordinates, mm (spec/haas 8.5).
+  /// Executes the cycle in force at each of these points, which are programmed coordinates of the plane, mm (spec/haas 8.5).
   Status at_points(std::vector<Vec2> points) {
     const auto count = static_cast<std::uint32_t>(points.size());
     return start(std::move(points), count);
@@ -147,7 +147,8 @@ class Drilling {
     return {};
   }
 
-  /// True if the letter belongs to the plane: I J in G17, K I in G18, J K in G19. I also belongs where it is a percentage.
+  /// True if the letter I, J or K belongs to the plane: I J in G17, K I in G18, J K in G19. I also belongs in cycles where it is a
+  /// percentage.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
     if (m_.def.behaviour.shifts_by_q()) return true;
@@ -158,7 +159,7 @@ class Drilling {
     }
   }
 
-  /// Switches the mode on, or changes the drilling axis: notes the initial level. R and the bottom must be given (18.0).
+  /// Switches the cycle mode on, or changes the drilling axis: stores the initial level. The block must have R and the bottom (18.0).
   Status begin(std::size_t axis, const Word* bottom) {
     const bool fresh = !drilling_on(m_);
     if (!fresh && axis == kept_.axis) return {};
@@ -169,7 +170,7 @@ class Drilling {
     return {};
   }
 
-  /// Returns the tool's position before a new length of this block: the length acts from operation 3 on.
+  /// Returns the tool's position without a new tool length of this block: the new length acts from operation 3 on.
   Axes before_new_length() const {
     Placement frames = m_.frames;
     frames.length = m_.state_before().modal.lengths;
@@ -181,7 +182,7 @@ class Drilling {
       kept_.bottom = coordinate(m_, *bottom, kept_.axis);
       kept_.bottom_added = is_increment(m_, *bottom);
     }
-    if (const Word* const r = m_.word('R'); r != nullptr) {  // always a radius (5.3)
+    if (const Word* const r = m_.word('R'); r != nullptr) {  // R is always a radius (5.3)
       kept_.level = m_.length_value('R');
       kept_.level_added = !m_.modal.absolute || r->incremental;
     }
@@ -190,7 +191,7 @@ class Drilling {
     if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
     if (m_.has('J')) kept_.shift.y = m_.length_value('J');
     if (m_.has('K') && !m_.def.behaviour.repeats_by_k) kept_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: its sign is ignored
+    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q is ignored
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -198,7 +199,7 @@ class Drilling {
       if (!seconds) return fail(seconds.error());
       KADR_TRY(not_negative('P', *seconds, kept_.dwell));
     } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
-      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P of G4
+      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P as in G4
     return {};
   }
 
@@ -226,8 +227,8 @@ class Drilling {
     return {};
   }
 
-  /// Sets the data of the cycle; missing words come from the parameters. INFERRED: a percentage of 0 in a parameter is
-  /// not set and means 100.
+  /// Sets the data of the cycle; values of missing words come from the parameters. INFERRED: a percentage of 0 in a parameter means "not
+  /// set", so 100.
   Status data(DrillingRun::Job& job) const {
     const Settings& s = fanuc_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
@@ -246,13 +247,13 @@ class Drilling {
       const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
       const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
       job.shift = {values[first], values[(first + 1) % 3]};
-      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: 00 +X, 01 -X, 10 +Y, 11 -Y
+      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: direction bits 00 +X, 01 -X, 10 +Y, 11 -Y
         const double way = s.shift_negative ? -job.peck : job.peck;
         job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
       }
     }
     if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && kept_.shift.x > 0 &&
-        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3
+        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: decreasing pecks
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
@@ -270,7 +271,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks every level of the first hole and the position that L increments lead to, since nothing may fail after the cycle has started.
+  /// Checks that every level of the first hole and the last position that increments with L lead to are within range, since nothing may
+  /// fail after the cycle has started.
   Status within_reach(const DrillingRun::Job& job) const {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {
@@ -300,7 +302,8 @@ class Drilling {
   DrillingMemory& kept_;
 };
 
-/// With the lathe's codes (N1503 CSM), G73, G74, G76 are not drilling cycles; G83.1, G84.1, G86.1 exist only then.
+/// Checks that the cycle exists: with the lathe's codes (N1503 CSM), G73, G74, G76 are no drilling cycles, and only then G83.1, G84.1,
+/// G86.1 are.
 Status known(const BlockContext& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
@@ -329,10 +332,10 @@ int drills_along(const BlockContext& m) {
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
-    macro_b_of(m).state.parts_done += 1;  // 13.1
+    macro_b_of(m).state.parts_done += 1;  // 13.1: a part code counts a part
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
-  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // deletes the data of a simple turning cycle (19.1)
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // 19.1: ends a simple turning cycle
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -353,14 +356,15 @@ Status check_increment_of_r(const BlockContext& m) {
 
 namespace kadr::functions {
 
-/// G73 … G89 (18), phase `positioning`: does operation 1 now; the rest follows after the block's functions, action by action.
+/// G73 … G89 (18), in the phase `positioning` of the block: does operation 1 now; the other operations follow one by one after the
+/// block's functions.
 Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(fanuc::known(m, call));
   if (fanuc::moves_by_code(m)) return {};
   return fanuc::Drilling(m, call).run();
 }
 
-/// G80 (18.1.4), or a code of group 1: deletes the cycle's data and puts G98 into force.
+/// G80 (18.1.4) or a code of group 1: deletes the cycle's data and puts G98 into force.
 Status drilling_off(Interpreter& m, const Call&) {
   if (!fanuc::drilling_on(m)) return {};
   fanuc_of(m).state.drilling = {};

@@ -1,6 +1,6 @@
 #pragma once
-// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and what other functions ask about it. The mode is on
-// while group 9 holds a cycle; the code of group 1 remains in force after the cycle ends.
+// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and queries about them for other functions. The cycle
+// mode is on while modal group 9 has a cycle in force; the code of group 1 remains in force after the cycle ends.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,16 +19,17 @@ namespace kadr::fanuc {
 
 /// True if a cycle of group 9 is in force.
 bool drilling_on(const BlockContext& m);
-/// Returns the row of the code that axis words alone execute in this block: the cycle in force, or the code of group 1 (18.0).
+/// Returns the row of the code that a block with axis words alone executes: the cycle in force, or the code of group 1 (18.0).
 std::int16_t motion_row(const BlockContext& m);
 /// Returns the drilling axis if the block executes a cycle, else -1. A length offset acts on this axis (15.3, 18.2).
 int drills_along(const BlockContext& m);
 /// Called after each executed code: a code of group 1 ends the cycle mode (18.0).
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);
-/// Checks what the cycle of this block needs from words that act after operation 1: S, M3.
+/// Checks that the spindle turns if the cycle of this block needs it. S and M3 of the block act after operation 1, the motion over the
+/// hole.
 ///   alarms  spindle_not_turning
 Status check_drilling(const Emitter& m);
-/// Checks the operator I after R: R can be an increment only in a cycle (5.1). alarms increment_not_allowed
+/// Checks the operator I (incremental value) of an R word: it is permitted only in a cycle (5.1). alarms increment_not_allowed
 Status check_increment_of_r(const BlockContext& m);
 
 }  // namespace kadr::fanuc

@@ -1,5 +1,5 @@
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1), pass by pass, in constant memory for any L and any depth. Used by
-// control/fanuc/drilling/drilling.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. Memory is constant for any number of
+// passes (word L) and any depth. Used by control/fanuc/drilling/drilling.
 
 #include "control/fanuc/drilling/drilling_run.h"
 
@@ -36,7 +36,7 @@ bool is_there(const BlockContext& m, const Axes& to, AxisMask named) {
   return true;
 }
 
-/// Moves over the hole at rapid, with exact stop if the setting requests it (spec/haas 8.1: setting 57).
+/// Moves over the hole at rapid, with exact stop if setting 57 requests it (spec/haas 8.1).
 Status to_hole(Emitter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
@@ -114,7 +114,7 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   return is_there(m, to, named) ? Status() : to_hole(m, to, named);
 }
 
-/// Operation 1. For the first pass it was done before the functions of the block.
+/// Executes operation 1 of a pass. For the first pass, operation 1 was executed before the functions of the block.
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
@@ -162,7 +162,8 @@ Status DrillingRun::spindle_step(Emitter& m, DrillStep step) {
   }
 }
 
-/// 18.1.1, 18.1.7: cuts by Q, then goes back at rapid by E or to R, and down again near the bottom. The last peck cuts the remainder.
+/// Peck drilling (18.1.1, 18.1.7): cuts by Q, then retracts at rapid by E or to R, and returns at rapid to E above the depth reached. The
+/// last peck cuts the remainder.
 Status DrillingRun::pecks(Emitter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
@@ -180,7 +181,8 @@ Status DrillingRun::pecks(Emitter& m, bool to_level) {
   }
 }
 
-/// 18.1.9, 18.1.10. INFERRED: every motion is synchronised; N1507 applies to the return to R, N1506 to the return by E.
+/// Tapping with pecks (18.1.9, 18.1.10). INFERRED: every motion is synchronised; N1507 applies to the return to R, N1506 to the return by
+/// E.
 Status DrillingRun::tap_in(Emitter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
@@ -193,7 +195,7 @@ Status DrillingRun::tap_in(Emitter& m) {
   }
 }
 
-/// 18.1.9, operation 4: M19, or only closing the position loop.
+/// Operation 4 of rigid tapping (18.1.9): executes M19, or only closes the position loop of the spindle.
 Status DrillingRun::close_loop(Emitter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
   const int number = fanuc_of(m).state.current_spindle;
@@ -208,7 +210,8 @@ Status DrillingRun::close_loop(Emitter& m) {
   return fanuc_of(m).spindle_machine_code(m, code, m.block->where);
 }
 
-/// Dwell P: seconds, or revolutions in G95. INFERRED: for a tap these are revolutions at S, since its spindle is held in the position loop.
+/// Executes dwell P: seconds, or revolutions in G95. INFERRED: in tapping, revolutions count at speed S, since the spindle is in its
+/// position loop.
 Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
   if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -226,7 +229,7 @@ Status DrillingRun::dwell(Emitter& m) {
   return {};
 }
 
-/// Shifts the tool from the hole by a distance of the machine: mirroring, rotation and scaling do not act on it (18.0).
+/// Shifts the tool from the hole by machine millimetres: mirroring, rotation and scaling do not act on the shift (18.0).
 Status DrillingRun::shift(Emitter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
@@ -255,12 +258,12 @@ Status DrillingRun::feed(Emitter& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2
+  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2: feed override and hold are off
   return {};
 }
 
-/// 18.1.9: one revolution per lead, clockwise into the hole with G84.2. The feed is emitted in mm/min, since the
-/// spindle turns with the axis.
+/// Taps to a level (18.1.9): the spindle turns one revolution per thread lead, clockwise into the hole with G84.2. The feed is emitted in
+/// mm/min, since the spindle turns with the axis.
 Status DrillingRun::tap(Emitter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};
@@ -279,7 +282,7 @@ void DrillingRun::single_block(Emitter& m) const {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
-/// Returns machine millimetres per programmed millimetre of the drilling axis.
+/// Returns the machine millimetres per programmed millimetre along the drilling axis.
 double DrillingRun::scale(const BlockContext& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
 double DrillingRun::next_depth(const BlockContext& m) const {
@@ -287,7 +290,7 @@ double DrillingRun::next_depth(const BlockContext& m) const {
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 
-/// Returns the level of E above the depth reached, but not above R.
+/// Returns the level that is E above the depth reached, but not above R.
 double DrillingRun::back_to(const BlockContext& m) const {
   const double back = depth_ - down() * job_.clearance / scale(m);
   return down() * (back - job_.level) < 0 ? job_.level : back;

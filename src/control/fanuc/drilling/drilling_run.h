@@ -1,5 +1,6 @@
 #pragma once
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1), pass by pass, in constant memory for any L and any depth.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. Memory is constant for any number of
+// passes (word L) and any depth.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,35 +12,35 @@
 
 namespace kadr::fanuc {
 
-/// Computes the hole position of the block from its axis words, without the word of the drilling axis. `to`: programmed coordinates.
-///   alarms  those of the coordinates (5)
+/// Computes the block's hole position from its axis words, except the word of the drilling axis. `to`: programmed coordinates.
+///   alarms  those of target() in words/coordinates.h (chapter 5)
 Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named);
-/// Operation 1: moves at rapid over the hole; does nothing if the tool is there already.
+/// Operation 1: moves at rapid over the hole; does nothing if the tool is already there.
 Status over_hole(Emitter& m, std::size_t drill);
-/// Returns the speed that rigid tapping couples the axis to: S of the spindle referred to last, rev/min.
+/// Returns the spindle speed that rigid tapping couples the axis to, rev/min: S of the spindle that a word referred to last.
 double tapping_rpm(const BlockContext& m);
 
-/// Runs operations 2 … 10 of the first pass, and all operations of the further passes of L. It cannot fail after
+/// Runs operations 2 … 10 of the first pass, and all operations of the other passes that L requests. A run cannot fail after
 /// check_drilling() has succeeded.
 class DrillingRun final : public RunningValue<DrillingRun> {
  public:
-  /// What the program and the parameters state for one block. Levels: programmed coordinates, mm.
+  /// Data of one block from the program and the parameters. Levels are programmed coordinates, mm.
   struct Job {
-    std::int32_t code = 0;  // code in tenths; for an alias, the code of its cycle
+    std::int32_t code = 0;  // code in tenths; for an alias, the code of the cycle that it stands for
     std::size_t axis = 0;   // the drilling axis
     std::uint32_t passes = 1;
     double initial = 0, level = 0, bottom = 0;
-    bool to_initial = true;          // G98
+    bool to_initial = true;          // G98: the tool returns to the initial level; else to R
     double peck = 0, clearance = 0;  // mm of machine travel: not scaled (18.0)
     double dwell = 0;                // P, seconds or revolutions
     Vec2 shift;                      // mm in the plane; not mirrored, rotated or scaled
-    double out_percent = 100;        // of the feed, in operation 7
-    double between_percent = 100;    // of the feed, for a tap's return to R between its cuts
+    double out_percent = 100;        // feed of the retract (operation 7), % of the programmed feed
+    double between_percent = 100;    // feed of a tap's return to R between its cuts, % of the programmed feed
     bool back_boring = false;        // G87 with a spindle that can be oriented
     bool pecks_to_level = false;     // a tap clears chips at R like G83 (PTC=1), else it breaks them like G73
-    std::vector<Vec2> points;        // of a pattern: programmed coordinates, one per pass; empty: by the block's words
-    double less = 0, least = 0;      // each peck is less than the one before by `less`, but never below `least` (spec/haas 8.3)
-    double rise = 0;                 // height above R for the return between pecks
+    std::vector<Vec2> points;        // pattern: hole positions, programmed, one per pass; empty: the block's words give the position
+    double less = 0, least = 0;      // each peck is shorter by `less` than the previous one, but at least `least` (spec/haas 8.3)
+    double rise = 0;                 // the return between pecks goes to this height above R
     double clear_after = 0;          // after cuts of this total depth the tool returns to R (spec/haas 8.3); 0: never
     bool orients_tap = false;        // TSC=1: the spindle is oriented before tapping
   };
@@ -76,9 +77,9 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   double peck_ = 0;  // depth of the next peck
   Axes hole_{};
   std::uint32_t pass_ = 0;
-  std::size_t at_ = 0;      // next step; 0: operation 1
-  std::uint32_t part_ = 0;  // position within a peck
-  double depth_ = 0;        // depth reached by pecks, programmed
+  std::size_t at_ = 0;      // next step of the cycle; 0: operation 1
+  std::uint32_t part_ = 0;  // phase within a peck: 1 return to R, 2 move to the start of the next cut, else cut
+  double depth_ = 0;        // level reached by pecks, programmed coordinate, mm
   double cut_ = 0;          // depth cut since the last return to R, mm
   bool stands_off_ = false;
 };

@@ -14,9 +14,10 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr int orient_alone = 531;  // G53.1
+constexpr int orient_alone = 531;  // code in tenths: G53.1
 
-/// Returns the positions of the two rotary axes that orient the tool along Z' of the plane (25.11; 25g 3), machine coordinates.
+/// Returns the positions of the two rotary axes, machine coordinates, that orient the tool along the Z' axis of the tilted plane (25.11;
+/// 25g 3).
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const PartSpace& space = *space_of(m);
   const PartSpaceData& d = space.data();
@@ -27,7 +28,8 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   return *pair;
 }
 
-/// Returns the real position of the tool tip on the part, with the length in force, in the programming frame (25g 1.5, INFERRED).
+/// Returns the real position of the tool tip on the part, for the length in force, in coordinates of the programming frame (25g 1.5,
+/// INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
   const PartSpace& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
@@ -55,14 +57,14 @@ AxisMask all_five(const BlockContext& m) {
   return axes;
 }
 
-/// Returns the kind of motion by the code in force: G0 moves at rapid, all others at feed (25.15; for G53.1 INFERRED).
+/// Returns the kind of motion for the code in force: rapid for G0, feed for all others (25.15; for G53.1 INFERRED).
 Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
   if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
   KADR_TRY(m.feed_known(call.where));
   return MotionKind::feed;
 }
 
-/// Adds a straight motion of all five axes to work coordinates in the frames in force.
+/// Adds a straight motion of all five axes to a point in work coordinates of the frames in force.
 Motion& add_five(Emitter& m, MotionKind kind, const Axes& work) {
   const AxisMask named = all_five(m);
   const auto rolls = fanuc_of(m).settings.axes;
@@ -94,9 +96,9 @@ Status turn_to_plane(Emitter& m, const Call& call) {
   return {};
 }
 
-/// The words of G53.6 (25.15).
+/// The words X Y Z and R of G53.6 (25.15).
 struct Leading {
-  std::optional<Vec3> end;  // in the programming frame
+  std::optional<Vec3> end;  // end point X Y Z in the programming frame
   double pivot = 0;
 };
 
@@ -129,7 +131,8 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   return words;
 }
 
-/// Puts the length of H into force: plainly or along the tool's direction, by the compensation in force (25.15).
+/// Puts the length of H into force. The compensation in force decides whether the length acts plainly or along the tool's direction
+/// (25.15).
 Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
@@ -157,7 +160,7 @@ Status take_orientation_length(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53.6: moves with tool centre point control during the rotation; then the plane's frame is valid for the positions reached.
+/// G53.6: rotates the axes with tool centre point control; afterwards the plane's frame is valid for the rotary positions reached.
 Status orient_led(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
@@ -173,7 +176,7 @@ Status orient_led(Emitter& m, const Call& call) {
   const ToolLead lead = std::exchange(five.lead, ToolLead::tip);
   const double length = std::exchange(five.lead_length, along);
   five.oriented.reset();
-  m.change_frames();  // tool centre point control acts from here …
+  m.change_frames();  // tool centre point control is on from here …
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
   TipWays::Data way;
@@ -190,7 +193,7 @@ Status orient_led(Emitter& m, const Call& call) {
   }
   Motion& motion = add_five(m, *kind, work);
   if (way.pivot) detail_of(m, motion).tip_way = std::make_shared<const TipWays>(way);
-  five.lead = lead;  // … to here
+  five.lead = lead;  // … to here: the mode before the block is restored
   five.lead_length = length;
   five.oriented = *pair;
   m.change_frames();
@@ -204,7 +207,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G53.1, G53.6 (25.11, 25.15); call.row->arg is the code in tenths.
+/// G53.1, G53.6 (25.11, 25.15). call.row->arg is the code in tenths.
 Status tool_orientation(Emitter& m, const Call& call) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
@@ -213,8 +216,8 @@ Status tool_orientation(Emitter& m, const Call& call) {
   return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_led(m, call);
 }
 
-/// G54.2 P (25.4). With FOS=0 the axes move to the new place of the origin and keep their coordinates; they move at rapid unless
-/// G0 or G1 is in force.
+/// G54.2 P (25.4): selects a dynamic offset. With FOS=0 the axes move with the origin and keep their coordinates; they move at rapid
+/// unless G1 is in force.
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));

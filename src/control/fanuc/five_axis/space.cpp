@@ -1,5 +1,5 @@
-// Converts the codes in force to the space of the work coordinates (spec/nct/25a 6.3). Used by control/fanuc/frames/frames and the
-// functions of this folder.
+// Computes from the codes in force the transformation between work and machine coordinates (spec/nct/25a 6.3). Used by
+// control/fanuc/frames/frames and the functions of this folder.
 
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
@@ -10,7 +10,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// The basic rotation of the work system: M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
+/// Returns the basic rotation of the work system: M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
 Mat3 basic_rotation(const BlockContext& m) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
   return Mat3::about({0, 0, 1}, angles.x) * Mat3::about({0, 1, 0}, angles.y) * Mat3::about({1, 0, 0}, angles.z);
@@ -30,14 +30,14 @@ Axes shifts(const BlockContext& m) {
   return sum;
 }
 
-/// Sets the origin of the work system, and the positions of the rotary tables for which it was measured (25a 7, 25d).
+/// Sets the origin of the work system, and the rotary table positions at which the origin was measured (25a 7, 25d).
 void set_zero(const Emitter& m, PartSpaceData& d) {
   const FiveAxis& machine = d.machine;
   const Axes& zero = m.tables.zeros[m.modal.work_zero];
   const auto of = [&](const RotaryJoint& joint, bool on_table, const Axes& from) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
-  if (d.moves_zero) {  // relative to the pivot of the second table; INFERRED: the common offset does not count
+  if (d.moves_zero) {  // the origin is relative to the pivot of the second table; INFERRED: without the common offset
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;
@@ -102,7 +102,7 @@ std::shared_ptr<const WorkSpace> part_space(const Emitter& m, const std::shared_
   return std::make_shared<const PartSpace>(data);
 }
 
-/// 25a 7: in five-axis functions the work offset of a table's rotary axis counts, that of a head's axis does not.
+/// In five-axis functions the work offset of a rotary axis in the table is used, the offset of a rotary axis in the head is not (25a 7).
 void refresh_space(Emitter& m) {
   Placement& f = m.frames;
   f.space = part_space(m, f.space);
@@ -120,7 +120,8 @@ void refresh_space(Emitter& m) {
   } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main || f.turn->drives != drives) {
     f.turn = std::make_shared<const FrameTurn>(FrameTurn{turn->rows, d.main, drives});
   }
-  // The sums keep what reports show: the work offset, and the length with the rotary axes at 0.
+  // Origin and length remain in force as reports show them: the work offset, and the length with the rotary axes at 0. Only the shift
+  // becomes 0.
   for (const std::int8_t axis : d.main)
     if (axis >= 0) f.shift[static_cast<std::size_t>(axis)] = 0;
 }

@@ -12,14 +12,15 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
-constexpr double least_sine = 1e-4;      // 25.8 says "almost on one line": UNKNOWN; this value is suggested in spec/nct/25f
-constexpr double least_distance = 1e-3;  // mm
+constexpr double least_sine = 1e-4;      // sine of an angle: 25.8 says "almost on one line"; UNKNOWN, value as suggested in spec/nct/25f
+constexpr double least_distance = 1e-3;  // mm between points
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 
 Vec3 vector_words(const BlockContext& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
 
-/// Reads X, Y, Z of the main axes; 0 for those left out. They are always absolute, in the system before the block, and never diameters.
+/// Reads the coordinates X, Y, Z of the main axes, 0 if left out. They are always absolute, in the system before the block, never
+/// diameters.
 Result<Vec3> point_words(const BlockContext& m) {
   Vec3 point;
   double* const parts[] = {&point.x, &point.y, &point.z};
@@ -34,7 +35,7 @@ Result<Vec3> point_words(const BlockContext& m) {
   return point;
 }
 
-/// Puts the frame into force. No axis moves: the machine position stays, the coordinates change.
+/// Puts the programming frame into force. No axis moves: the machine position stays, the coordinates change.
 void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   FiveAxisState& five = frame_state(m);
   if (five.frame == SpaceFrame::none)
@@ -46,7 +47,7 @@ void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   m.change_frames();
 }
 
-/// Rotation by a sequence of rotations about the fixed axes (25.7): Q gives their order, the last one is the leftmost factor.
+/// Returns the rotation made of rotations about the fixed axes (25.7). Q gives their order: the last rotation is the leftmost factor.
 Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   const double q = m.value('Q');
   const Mat3 turns[] = {Mat3::about(axis_x, angles.x), Mat3::about(axis_y, angles.y), Mat3::about(axis_z, angles.z)};
@@ -58,7 +59,7 @@ Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   return of(2) * (of(1) * of(0));
 }
 
-/// Rotation by projection angles (25.10).
+/// Returns the rotation that projection angles define (25.10).
 Result<Mat3> by_projections(const BlockContext& m, Vec3 angles) {
   const Vec3 first = Mat3::about(axis_y, angles.x) * axis_x, second = Mat3::about(axis_x, angles.y) * axis_y;
   const Vec3 normal = cross(first, second);
@@ -97,8 +98,8 @@ int missing_of(const PlaneBlocks& plane) {
   return 0;
 }
 
-/// Reads a block of a plane defined by three points (25.8) or two vectors (25.9). INFERRED: the frame comes into force with the block
-/// that gives the last of them; a Q0 block after it shifts and rotates the frame.
+/// Reads a block of a plane that is defined by three points (25.8) or two vectors (25.9). INFERRED: the frame comes into force with the
+/// block that gives the last point or vector; a later block with Q0 shifts and rotates the frame.
 Status take_plane_block(Emitter& m, std::uint32_t p) {
   PlaneBlocks& plane = frame_state(m).plane;
   if (plane.kind != p) plane = {}, plane.kind = static_cast<std::uint8_t>(p);
@@ -136,7 +137,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G68.1 (25.3): rotation about one axis. A second G68.1 acts within the frame of the first.
+/// G68.1 (25.3): rotates the programming frame about one axis. A second G68.1 acts within the frame of the first.
 Status space_rotation(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::plane) return fail(alarm(AlarmId::frames_too_many, call.where, call.row->code, "G68.2"));
@@ -154,7 +155,7 @@ Status space_rotation(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G68.2 (25.6 to 25.10). INFERRED: without P it acts as with P0.
+/// G68.2 (25.6 to 25.10): sets a tilted plane. INFERRED: without P it acts as with P0.
 Status tilted_plane(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   const auto p = m.has('P') ? m.whole('P', 0, 4) : Result<std::uint32_t>(0);

@@ -59,7 +59,8 @@ bool straight_mode(const BlockContext& m) {
   return m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
 }
 
-/// Returns the cone that the tool sweeps along an arc: the arc's plane and axis, and the angle from start to end (η of 25.16).
+/// Returns the cone on which the tool's direction moves along an arc: the arc's plane and axis, and the angle from start to end (η of
+/// 25.16).
 DirectionWay::Cone cone_of(const Motion& motion, const PartSpace& space) {
   const auto& main = space.data().main;
   const auto of = [&](std::size_t axis) {
@@ -88,8 +89,8 @@ void note_lead_radius(BlockContext& m) {
   five.corner = offset.corner + offset.corner_wear;
 }
 
-/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block. A G49 block without motion ends the mode
-/// after any motion code.
+/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block of G49. A G49 block without motion ends the mode
+/// whatever motion code is in force.
 Status may_end_lead(const BlockContext& m, const Call& call) {
   if (!leads_tip(five_of(m).lead) || straight_mode(m)) return {};
   const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
@@ -131,8 +132,8 @@ Status led_line(Emitter& m, const Call& call, MotionKind kind) {
   return lead_motion(m, std::get<Motion>(m.batch->back().what), from);
 }
 
-/// Tool posture control keeps the tool in the plane, or on the cone, between its directions at both ends (25.16). Cutting point control
-/// places the tip so that the tool touches the programmed point (25.17).
+/// Tool posture control keeps the tool's direction in the plane, or on the cone, through its directions at both ends of the motion
+/// (25.16). Cutting point control places the tip so that the tool touches the programmed point (25.17).
 Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
   const PartSpace* const space = space_of(m);
@@ -159,7 +160,7 @@ Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   if (data.posture) {
     const auto reached = way->end_of_posture();
     const RotaryPair wanted = space->rotary(data.end);
-    constexpr double same_angle = 0.01;  // degrees (25i, INFERRED)
+    constexpr double same_angle = 0.01;  // degrees: axis positions this close are the same (25i, INFERRED)
     const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
     if (!reached || off(reached->first, wanted.first) > same_angle || off(reached->second, wanted.second) > same_angle) {
       const double tilt = space->data().machine.group == MachineGroup::head_head ? wanted.second : wanted.first;
@@ -183,7 +184,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G43.1, G43.4, G43.5, G43.8, G43.9; call.row->arg is the code in tenths. INFERRED: without H, the H in force is used; a block without
+/// G43.1, G43.4, G43.5, G43.8, G43.9. call.row->arg is the code in tenths. INFERRED: without H, the H in force is used; a block without
 /// words that move an axis only puts the length into force: the reported position changes.
 Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;

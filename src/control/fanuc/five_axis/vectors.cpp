@@ -18,7 +18,8 @@ namespace {
 
 constexpr char vector_letters[] = {'I', 'J', 'K'};
 
-/// Returns the mode in force when the block moves: a code in the block takes effect before the motion.
+/// Returns the tool centre point mode that is in force when the block moves (a code in the block takes effect first), and that code's
+/// row.
 std::pair<ToolLead, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -44,20 +45,20 @@ void hide(BlockContext& m, Word& w) {
   m.block->altered = true;
 }
 
-/// True if the block has a code that uses I J K or P itself.
+/// True if another code of the block uses the words I J K or P.
 bool has_other_taker(const BlockContext& m) {
   return m.has_code({Function::set_tables, Function::tilted_plane, Function::space_rotation, Function::macro_call, Function::macro_modal,
                      Function::work_area_on, Function::vector_corner, Function::radius_side, Function::scaling_on});
 }
 
-/// Three components of a vector; those left out are 0 (25.14, INFERRED).
+/// The components I J K of a vector; components left out are 0 (25.14, INFERRED).
 struct Components {
   Vec3 value;
   const Word* first = nullptr;
   bool any() const { return first != nullptr; }
 };
 
-/// Reads the words I, J, K between two positions in the block and removes them from it.
+/// Reads the words I, J, K whose index in the block is at least `from` and below `to`, and removes them from the block.
 Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to) {
   Components found;
   double* const parts[] = {&found.value.x, &found.value.y, &found.value.z};
@@ -92,8 +93,8 @@ Status take_normal(BlockContext& m, ToolLead lead) {
   return {};
 }
 
-/// Near a singular direction one rotary axis is free. If the control's choice turns that axis far although it could stay, this function
-/// keeps it where it is. Not from the manual.
+/// Near a singular direction, one rotary axis is free. If the position that the control chooses turns that axis far although the axis
+/// could stay, this function keeps the axis where it is. Not from the manual.
 std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                         const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
@@ -114,7 +115,7 @@ std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 want
 Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
-  if (machine.group == MachineGroup::none) return {};  // the code itself reports it
+  if (machine.group == MachineGroup::none) return {};  // the code of the mode itself raises the alarm
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const PartSpace& space = *space_of(m);
   PartSpaceData d = space.data();
@@ -125,7 +126,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
-    // No plane is defined between opposite directions (25i).
+    // Between opposite directions no plane is defined in which the tool could turn (25i).
     const Vec3 from = space.direction_of(space.rotary(m.position.machine));
     if (dot(from, on_machine) < -1 + 1e-9) return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
     at = DirectionWay(space, present, from, on_machine, std::nullopt).rotary(1, present);
@@ -147,7 +148,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
     fanuc.directed[axis] = targets[given];
     ++given;
   }
-  for (; given < 2; ++given) {  // fewer words than axes: the other axis is positioned without a word
+  for (; given < 2; ++given) {  // fewer words than rotary axes: the other axis is positioned without a word
     const auto axis = static_cast<std::size_t>(axes[given]);
     fanuc.by_direction |= AxisMask{1} << axis;
     fanuc.directed[axis] = targets[given];
@@ -155,7 +156,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
   return {};
 }
 
-/// G43.5, G43.9: I J K are the tool's direction; words of the rotary axes are an alarm (25.14).
+/// Executes I J K of G43.5, G43.9: they are the tool's direction. Words of the rotary axes are an alarm (25.14).
 Status take_direction(Emitter& m, ToolLead lead) {
   const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
@@ -173,7 +174,7 @@ Status take_direction(Emitter& m, ToolLead lead) {
   return {};
 }
 
-/// Refuses codes in tool centre point control. INFERRED: the manual describes none of them there.
+/// Refuses codes that the manual does not describe together with tool centre point control (INFERRED).
 Status nothing_refused(const BlockContext& m, ToolLead lead) {
   if (!leads_tip(lead)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {

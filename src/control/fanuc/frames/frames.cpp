@@ -13,7 +13,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Basic rotation M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
+/// Returns the basic rotation of a work system as a matrix: M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
 std::array<Vec3, 3> rotation_rows(Vec3 angles) {
   const SinCos g = sincos_deg(angles.x), b = sincos_deg(angles.y), a = sincos_deg(angles.z);
   return {Vec3{g.cos * b.cos, g.cos * b.sin * a.sin - g.sin * a.cos, g.cos * b.sin * a.cos + g.sin * a.sin},
@@ -48,7 +48,7 @@ namespace {
 void refresh_sums(BlockContext& m) {
   Placement& f = m.frames;
   f.turn = rotation_of(m, f.turn);
-  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d: INFERRED: the common offset does not count
+  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d; INFERRED: the common offset is not added to a dynamic offset
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     f.origin[a] = (dynamic ? 0 : m.tables.common[a]) + m.tables.zeros[m.modal.work_zero][a];
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -77,7 +77,7 @@ void refresh_frames(Emitter& m) {
   if (before && m.frames.turn && *before == *m.frames.turn) m.frames.turn = before;
 }
 
-/// Returns 0 if the frame is rotated: the shift is then rotated too, and is part of the frames (Placement::shift).
+/// Returns 0 if the frame is rotated: the shift is then rotated too, and Placement::shift has it instead.
 Axes shift_of_origin(const BlockContext& m) {
   Axes shift{};
   for (std::size_t a = 0; a < m.axis_count && m.frames.turn == nullptr; ++a) shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -92,7 +92,7 @@ MotionDetail& detail_of(BlockContext& m, Motion& motion) {
   return filled;
 }
 
-/// Puts positions into [0, R), whatever the number of revolutions was (5.6).
+/// Reduces positions of axes that roll over to [0, period), whatever the number of revolutions was (5.6).
 void roll_positions(const BlockContext& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const AxisSettings& axis = fanuc_of(m).settings.axes[a];
@@ -101,20 +101,20 @@ void roll_positions(const BlockContext& m, Axes& positions) {
 }
 
 double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) {
-  double linear = 0, rotary = 0;  // squares of the distances, mm and degrees
+  double linear = 0, rotary = 0;  // squares of the distances: linear axes in mm, rotary axes in degrees
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
     const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
     ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
   }
   if (rotary == 0 || m.modal.surface != PathSurface::plane || leads_tip(fanuc_of(m).state.five_axis.lead)) return m.modal.feed;
-  const double feed = m.modal.feed / mm_per_inch;  // inches or degrees per minute
+  const double feed = m.modal.feed / mm_per_inch;  // inches per minute, or degrees per minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
 
 namespace {
 
-/// Fine smoothing acts only on G1, with G40, G64 and G80 (4.7).
+/// Returns the smoothing of a motion. Fine smoothing acts only on G1, with G40, G64 and G80 (4.7).
 std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
   const AxisMask smoothed =
       fanuc_of(m).state.smoothed != 0 ? fanuc_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
@@ -123,8 +123,8 @@ std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
 }
 
-/// Adds the programmed end point to a motion in a frame in space: reports show it next to the end that transformations and
-/// compensation compute.
+/// Adds the programmed end point to a motion in a frame in space: reports show it together with the end point after transformations and
+/// compensation.
 void tell_programmed(BlockContext& m, Motion& motion) {
   MotionDetail& detail = detail_of(m, motion);
   detail.programmed = m.position.programmed;
@@ -140,16 +140,16 @@ void note_motion(Emitter& m, Motion& motion) {
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
   if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) tell_programmed(m, motion);
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
-  const bool tip = leads_tip(fanuc.state.five_axis.lead);      // 25.14: the feed is that of the tool tip
+  const bool tip = leads_tip(fanuc.state.five_axis.lead);      // 25.14: the feed is the feed of the tool tip
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: the feed counts millimetres and degrees alike
-  // #3004: no feed hold; override and feed hold as in G63; no exact stop (23.1.10, 6.3.4)
+  // bits of #3004: M_FHD: no feed hold; M_OV: override and feed hold as in G63; M_EST: no exact stop (23.1.10, 6.3.4)
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;
   if ((fanuc.control_2 & m_est) != 0) motion.exact = false;
   const bool stops = (m.block_exact || m.modal.exact) && (fanuc.control_2 & m_est) == 0;
   motion.in_position = stops || (motion.kind == MotionKind::rapid && fanuc.settings.in_position_check);
   motion.own_override = (fanuc.control_2 & m_ov) != 0 || m.modal.rows[fanuc.stop_group] == fanuc.inhibiting;
   motion.no_hold = motion.own_override || (fanuc.control_2 & m_fhd) != 0;
-  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4
+  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4: not slowed down at corners
   else if (m.modal.rows[fanuc.stop_group] == fanuc.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = fanuc.settings.accuracy;
   if (m.modal.smoothing > 1 && !stops) motion.smoothing = smoothing_of(m, motion);

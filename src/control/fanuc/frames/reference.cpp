@@ -10,7 +10,7 @@
 namespace kadr::functions {
 namespace {
 
-constexpr double same_place = 1e-4;  // mm
+constexpr double same_place = 1e-4;  // mm: positions closer than this are the same
 
 /// Checks that no drilling cycle is in force, on a control where G80 must end it first (spec/fanuc 10.1: PS0044).
 Status outside_cycles(const BlockContext& m, const Call& call) {
@@ -24,7 +24,7 @@ Status off_surfaces(const BlockContext& m, const Call& call) {
   return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
 }
 
-/// Reads the point of the axis words; it is Cartesian even with G16.
+/// Reads the point that the axis words give; it is Cartesian even with G16.
 Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
   fanuc_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
@@ -42,13 +42,14 @@ Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
 
 }  // namespace
 
-/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. arg 1: the first one.
+/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. call.row->arg 1: to the first reference
+/// point.
 Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
   if (call.row->arg == 2) {
-    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6
+    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6: no P: point 2
     if (needed && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
     const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
     if (!number) return fail(number.error());
@@ -56,7 +57,7 @@ Status reference_return(Emitter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (!call.row->needs_axis) {  // spec/fanuc 6.6, UNKNOWN: no motion
+    if (!call.row->needs_axis) {  // spec/fanuc 6.6; UNKNOWN, so without axis words nothing moves
       m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
       return {};
     }
@@ -71,7 +72,7 @@ Status reference_return(Emitter& m, const Call& call) {
   return to_reference(m, point, named);
 }
 
-/// G27 (spec/fanuc 6.6): moves at rapid to the point, which must be the reference point of the axes named.
+/// G27 (spec/fanuc 6.6): moves at rapid to the given point, which must be the reference point of the named axes.
 Status reference_check(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
@@ -103,7 +104,7 @@ Status reference_leave(Emitter& m, const Call& call) {
   return m.straight(MotionKind::rapid, to, named);
 }
 
-/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the overshoot beyond the point is not output.
+/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the overshoot beyond the end point is not output.
 Status single_direction(Emitter& m, const Call&) {
   AxisMask named = 0;
   Axes to;

@@ -12,7 +12,7 @@ namespace {
 
 bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
 
-/// Converts a point of the virtual plane to the real axes. Of all equal angles the one nearest to `near` is used.
+/// Converts a point of the virtual plane to the real axes. Of the angles that differ by full revolutions, uses the one nearest to `near`.
 void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
@@ -26,7 +26,7 @@ void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& 
   work[plane.second] = angle;
 }
 
-/// Returns a point on the unrolled cylinder, mm.
+/// Returns a point of the cylinder on the unrolled surface, mm.
 Vec2 unrolled(const BlockContext& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
   const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
@@ -62,7 +62,8 @@ Vec2 flat_point(const BlockContext& m, const Axes& point) {
   return {point[m.modal.axes.first], point[m.modal.axes.second]};
 }
 
-/// Returns the end of a motion on the real axes: it is transformed in the programmed plane, then converted to polar axes (4.5, INFERRED).
+/// Returns the end point of a motion on the real axes: it is transformed in the programmed plane, then converted to polar axes (4.5,
+/// INFERRED).
 Axes surface_work(const BlockContext& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
   return m.modal.surface == PathSurface::polar ? polar_work(m, point, fanuc_of(m).state.surface_angle) : point;
@@ -79,7 +80,7 @@ double swept_about_pole(const FlatArc& arc) {
   const Vec2 arm = arc.from - arc.center;
   const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
   const double turns = std::fabs(arc.turns);
-  double whole = 0;  // full revolutions of a true circle: they need no sampling
+  double whole = 0;  // full revolutions of a circle whose radius stays constant: they need no sampling
   if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
   const double around = length(arc.center) < length(arm) ? 360 : 0;
   const double left = std::min(turns - whole, most_sampled);
@@ -115,10 +116,10 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
   const AxisMask both = 1u << plane.first | 1u << plane.second;
   const bool in_plane = (named & both) != 0;
   const bool polar = m.modal.surface == PathSurface::polar;
-  const bool real_rapid = kind == MotionKind::rapid && !polar;  // 4.6: rapid motion of the real axes
+  const bool real_rapid = kind == MotionKind::rapid && !polar;  // 4.6: a rapid motion moves the real axes
   if (polar && in_plane) {
-    // The continued angle follows the straight line. A line turns about the pole by at most half a revolution, so the
-    // nearer angle is right.
+    // The rotary axis follows the straight line continuously. A line passes the pole by at most half a revolution, so of two possible
+    // angles the nearer one is right.
     named |= both;
   }
   m.move_to(programmed, surface_work(m, programmed), named);
@@ -136,7 +137,7 @@ namespace {
 
 Status allowed(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  // 4.5, 4.6 do not say how scaling and rotation act while the axes of the plane have another meaning.
+  // 4.5, 4.6 do not state how scaling and rotation act while the axes of the plane have another meaning.
   if (m.transform.scaling || m.transform.turning)
     return fail(alarm(AlarmId::not_available, call.where, m.transform.scaling ? "G51" : "G68"));
   return {};
@@ -144,8 +145,8 @@ Status allowed(const BlockContext& m, const Call& call) {
 
 }  // namespace
 
-/// G12.1 (4.5): the plane must have a linear first axis and a rotary second axis. At the start the rotary axis must be at 0, the
-/// linear axis must not.
+/// G12.1 (4.5): switches polar interpolation on. The plane must have a linear first axis and a rotary second axis; the rotary axis must
+/// be at 0, the linear axis must not.
 Status polar_surface_on(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;
@@ -159,7 +160,7 @@ Status polar_surface_on(Emitter& m, const Call& call) {
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
   fanuc_of(m).state.surface_angle = rotary;
-  Axes at = m.position.work;  // coordinates in the virtual plane
+  Axes at = m.position.work;  // coordinates of the tool in the virtual plane
   at[plane.second] = fanuc_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);
   return {};

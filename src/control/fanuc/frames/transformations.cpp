@@ -15,8 +15,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Changes the transformations. The tool and the initial level of a drilling cycle keep their real position, so their programmed
-/// coordinates change (16.0, INFERRED).
+/// Changes the transformations. The tool and the initial level of a drilling cycle keep their real position, so the programmed
+/// coordinates of both change (16.0, INFERRED).
 template <class Change>
 void change_transform(BlockContext& m, Change change) {
   const Axes tool = before_transform(m);
@@ -30,8 +30,8 @@ void change_transform(BlockContext& m, Change change) {
   if (drilling_on(m)) drilling.initial = m.transform.to_programmed(initial)[drilling.axis];
 }
 
-/// Calls `use(axis, centre)` for each centre coordinate in the block. Centres are Cartesian even in G16; increments count from the
-/// programmed position (16.0).
+/// Calls `use(axis, centre)` for each coordinate of the centre in the block. The centre is Cartesian even in G16; increments count from
+/// the programmed position (16.0).
 template <class Use>
 Status each_center(const BlockContext& m, Use use) {
   AxisMask named = 0;
@@ -49,7 +49,7 @@ Status each_center(const BlockContext& m, Use use) {
   return {};
 }
 
-/// Mirroring is the outermost transformation; it cannot change while others are on (16.4).
+/// Checks that mirroring may change: it is the outermost transformation, so no other transformation may be on (16.4).
 Status mirror_may_change(const BlockContext& m, const Call& call) {
   if (!m.transform.scaling && !m.transform.turning) return {};
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
@@ -66,7 +66,7 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
   return is_virtual || (m.def.rotary >> axis & 1u) == 0;
 }
 
-/// Reads the factors: P for every linear axis, or I, J, K for X, Y, Z. INFERRED: a factor left out is 1.
+/// Reads the scale factors: P for every linear axis, or I, J, K for X, Y, Z. INFERRED: a factor left out is 1.
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
@@ -76,12 +76,12 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
       if (m.has(letter)) m.warn(warning(AlarmId::word_passed_over, m.where(letter), m.block->text_of(m.where(letter))));
-  if (!each && !m.has('P') && settings.scale_usual != 0) {  // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71
+  if (!each && !m.has('P') && settings.scale_usual != 0) {  // parameter 5411 (spec/fanuc 6.9), setting 71 (spec/haas 6.3)
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = settings.scale_usual;
     return {};
   }
-  if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));  // 5411 is 0
+  if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));  // parameter 5411 is 0
   if (!each && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   if (each && m.has('P')) return fail(alarm(AlarmId::not_together, m.where('P'), "P", "I J K"));
   for (const char letter : {'P', 'I', 'J', 'K'})
@@ -89,7 +89,7 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (!each) {
     const bool counted = !m.word('P')->has_point && !m.word('P')->expression;
     const double factor = m.value('P') * (counted ? settings.scale_unit : 1);
-    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K can mirror
+    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only negative I, J, K mirror
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = factor;
     return {};
@@ -126,7 +126,7 @@ namespace kadr::functions {
 using namespace fanuc;
 namespace {
 
-/// Ends mirroring on the named axes; without axis words on all axes (INFERRED).
+/// Ends mirroring on the named axes; without axis words, on all axes (INFERRED).
 Status end_mirror(BlockContext& m) {
   if (!m.has_axis_words()) {
     clear_mirror(m);
@@ -181,14 +181,14 @@ Status mirror_axes_on(Emitter& m, const Call&) {
 
 Status mirror_axes_off(Emitter& m, const Call&) { return end_mirror(m); }
 
-/// G50.1: ends mirroring on the named axes; without axis words on all axes (INFERRED). alarms mirror_state
+/// G50.1: ends mirroring on the named axes; without axis words, on all axes (INFERRED). alarms mirror_state
 Status mirror_off(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   return end_mirror(m);
 }
 
-/// G51 (16.2): a centre coordinate left out is the present position. Scaling that is already on keeps its place in the
-/// order of transformations.
+/// G51 (16.2): switches scaling on. A coordinate of the centre that is left out is the present position. Scaling that is already on keeps
+/// its position in the order of transformations.
 Status scaling_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   Axes factors;
@@ -214,8 +214,8 @@ Status scaling_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G68 (16.1): rotates by R about a point of the plane. An incremental R adds to the angle in force. INFERRED: without R the
-/// angle in force remains.
+/// G68 (16.1): rotates by R about a point of the plane. An incremental R adds to the angle in force. INFERRED: without R the angle in
+/// force remains.
 Status plane_rotation_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   const PlaneAxes& plane = m.modal.axes;

@@ -10,7 +10,7 @@ namespace kadr::fanuc {
 
 /// Ends mirroring on all axes. The tool does not move.
 void clear_mirror(BlockContext& m);
-/// Keeps G51.1 as the code in force of group 22 while any axis is mirrored (16.3, INFERRED). `row`: the code just executed.
+/// Keeps G51.1 as the code in force of modal group 22 while any axis is mirrored (16.3, INFERRED). `row`: row of the code just executed.
 void note_mirror_code(BlockContext& m, const CodeRow& row);
 
 }  // namespace kadr::fanuc

@@ -15,8 +15,8 @@ Status plane_surface(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Calls `use(axis, value, word)`, which returns a Status, for each axis word. The value is as written, in mm or degrees;
-/// a diameter is halved.
+/// Calls `use(axis, value, word)` for each axis word; `use` returns a Status. The value is as written, in mm or degrees; a diameter is
+/// halved.
 template <class Use>
 Status each_axis(const BlockContext& m, Use use) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -34,8 +34,8 @@ bool written_as_increment(const BlockContext& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Returns the axis for direction d of the plane (1 X, 2 Y, 3 Z): the axis named in the block, a main axis before a parallel one; else
-/// the main axis (10.4).
+/// Returns the axis for direction d of the plane (1 X, 2 Y, 3 Z): if the block names one, that axis, a main axis rather than a parallel
+/// one; else the main axis (10.4).
 int axis_of_direction(const BlockContext& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -54,8 +54,8 @@ bool names_direction(const BlockContext& m, int d) {
   return false;
 }
 
-/// Returns a rotary axis named in the block, or -1. Together with one named direction of the plane, it replaces the other
-/// direction (4.5, 4.6).
+/// Returns a rotary axis named in the block, or -1. If the block names one direction of the plane as well, the rotary axis replaces the
+/// other direction (4.5, 4.6).
 int named_rotary(const BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
@@ -76,16 +76,17 @@ Status select_plane(Emitter& m, const Call& call) {
   const int normal = fanuc::main_axis(m, d3);
   if (m.modal.radius_side != 0 && (m.modal.plane != plane)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.plane = plane;
-  // A channel that lacks an axis of the plane still selects it; a motion in the plane is then an alarm.
+  // A channel that lacks an axis of the plane can still select the plane; a motion in the plane is then an alarm.
   m.modal.axes = {static_cast<std::size_t>(std::max(first, 0)), static_cast<std::size_t>(std::max(second, 0)),
                   static_cast<std::size_t>(std::max(normal, 0))};
   return {};
 }
 
-/// G54 … G59 (10.2.1).
+/// G54 … G59 (10.2.1): selects a work system.
 Status work_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
-  const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;  // spec/fanuc 6.1: G54 P3
+  // G54 P3 selects a further work system (spec/fanuc 6.1).
+  const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;
   if (extended) return work_system_extended(m, call);
   m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
   note_work_zero(m, m.modal.work_zero);
@@ -93,7 +94,7 @@ Status work_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54.1: P1 … P99 on the NCT (10.2.2), up to P300 on the Fanuc (spec/fanuc 6.1).
+/// G54.1 P (10.2.2): selects a further work system: P1 … P99 on the NCT, up to P300 on the Fanuc (spec/fanuc 6.1).
 Status work_system_extended(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
@@ -105,7 +106,7 @@ Status work_system_extended(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (10.3): sets the origin of the local system; increments shift it from the last origin.
+/// G52 (10.3): sets the origin of the local system; increments shift the origin from where it is.
 Status local_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
@@ -117,7 +118,8 @@ Status local_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of these axes. S: 11.5.2.
+/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of the named axes. Word S:
+/// 11.5.2.
 Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
     fanuc_of(m).state.css_most = m.value('S');
@@ -130,7 +132,7 @@ Status new_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
-    const double here = m.position.work[a] + m.modal.local[a];  // 16: data of G92 are not transformed
+    const double here = m.position.work[a] + m.modal.local[a];  // chapter 16: the coordinates of G92 are not transformed
     m.modal.new_system[a] += here - v;
     m.modal.local[a] = 0;
     return {};
@@ -139,12 +141,12 @@ Status new_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53 (10.1.1): moves at rapid to machine coordinates, always absolute, without compensations. Without axis words it empties
-/// the look-ahead buffer.
+/// G53 (10.1.1): moves at rapid to machine coordinates, always absolute, without compensations. Without axis words, G53 empties the
+/// look-ahead buffer.
 Status machine_move(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
-  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5: in G91, G53 does nothing
     m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code));
     return {};
   }
@@ -156,7 +158,8 @@ Status machine_move(Emitter& m, const Call& call) {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[m.frames.driven(a)] = v;
     named |= 1u << a;
-    if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
+    // An axis that rolls over travels as with G90 (5.6).
+    if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {
       const double from = fanuc::rolled_position(m.position.machine[a], axis.period);
       fanuc_of(m).travel[a] = fanuc::roll_travel(axis, from, v, false);
       fanuc_of(m).rolled |= 1u << a;

@@ -13,7 +13,7 @@ namespace kadr::functions {
 Status work_area_on(Emitter& m, const Call& call) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr char most_letters[] = {'X', 'Y', 'Z'}, least_letters[] = {'I', 'J', 'K'};
-  if (m.block->letters == 0) return {};  // power-on (3.4): there are no limits yet
+  if (m.block->letters == 0) return {};  // G22 at power-on (3.4): there are no limits yet
   ZoneChange zone{true, false, 0, {}, {}};
   for (int role = 1; role <= 3; ++role) {
     const char most = most_letters[role - 1], least = least_letters[role - 1];
@@ -39,7 +39,7 @@ Status work_area_on(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G23: restores the zone of the parameters with their present values (22.2: values written into them take effect here).
+/// G23: restores the zone of the parameters with the present parameter values (22.2: values written into them take effect here).
 Status work_area_off(Emitter& m, const Call&) {
   const macro_b::ParameterStore& p = macro_b_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");
@@ -51,7 +51,7 @@ Status work_area_off(Emitter& m, const Call&) {
     zone.most[a] = p.value(most, number);
     zone.least[a] = p.value(least, number);
   }
-  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // no zone
+  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // there is no zone
   m.emit(zone);
   m.emit(ZoneChange{p.bit(control, before), false, 0, {}, {}, true});
   if (zone.on) m.each_block = true;  // from here on the machine may refuse a motion

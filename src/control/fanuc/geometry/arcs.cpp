@@ -17,7 +17,7 @@ namespace {
 constexpr double any_difference = 1e300;
 constexpr std::uint32_t most_turns = 99'999'999;
 
-/// Letters of the arc's centre by plane (4.3, 4.5): for the first axis, for the second axis, and the letter that the plane does not use.
+/// Letters of an arc's centre in a plane (4.3, 4.5): for the first axis, for the second axis, and the letter that the plane does not use.
 struct CenterLetters {
   char first, second, other;
 };
@@ -29,8 +29,8 @@ CenterLetters center_letters(Plane plane) {
   }
 }
 
-/// Builds the arc of one block. It is computed after the transformations (16.0): start, end and centre are transformed first; the sign of
-/// their determinant gives the sense of rotation.
+/// Builds the arc of one block, after the transformations (16.0): start, end and centre are transformed, and the sign of the
+/// transformation's determinant decides whether the sense of rotation is reversed.
 class Arc {
  public:
   Arc(Emitter& m, const Call& call, Turn turn)
@@ -51,7 +51,7 @@ class Arc {
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
-    if (named_ == 0 && !has_data) return {};  // only the code: it sets the mode
+    if (named_ == 0 && !has_data) return {};  // the code alone only sets the mode
     if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) tell_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
@@ -93,7 +93,7 @@ class Arc {
     return {};
   }
 
-  /// An over-determined arc: its start point, and so its length, is computed in `path` (17.3).
+  /// Adds an over-determined arc. Its start point, and so its length, is computed in the room `path` (17.3).
   Status meeting_arc() {
     if (m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_together, call_.where, "G51", "I J R"));
     const Vec2 center{m_.length_value(letters_.first), m_.length_value(letters_.second)};
@@ -112,14 +112,15 @@ class Arc {
 
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
 
-  /// Polar angle of the start, in [0, 360): as last programmed, or the angle of the tool's position.
+  /// Returns the polar angle of the start point, in [0, 360): as last programmed, or the angle of the tool's position.
   double start_angle() const {
     if (m_.modal.polar_angle_given) return m_.modal.polar_angle;
     const double angle = angle_deg({m_.position.programmed[plane_.first], m_.position.programmed[plane_.second]});
     return angle < 0 ? angle + 360 : angle;
   }
 
-  /// R without an end point (or with an end equal to the start) means no circle and no alarm (4.3); other axes still move.
+  /// Moves the other axes of a block without an arc: R without an end point (or with the start point as its end) means no circle and no
+  /// alarm (4.3).
   Status straight_rest() {
     if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
@@ -135,7 +136,8 @@ class Arc {
     return m_.straight(MotionKind::feed, end_, named_);
   }
 
-  /// I, J, K count from the start point, or with CCA=1 from the work origin. They are always radii, never polar.
+  /// Computes the arc from its centre: I, J, K count from the start point, or with CCA=1 from the work origin. They are always radii,
+  /// never polar.
   Result<PlaneArc> by_center() {
     if (m_.modal.surface == PathSurface::cylinder) {
       const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
@@ -158,7 +160,7 @@ class Arc {
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
-    // 4.3: the centre is on the chord, at the distance R from the start
+    // 4.3: if R is too short, the centre is on the chord, at the distance R from the start
     if (r < half - tol::same_point) {
       if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_too_small, {}, r, half));
       return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
@@ -168,8 +170,8 @@ class Arc {
     return arc;
   }
 
-  /// Returns the number of revolutions of an arc around the pole in G16 with an angle of one revolution or more (5.4). INFERRED: the
-  /// sweep is the difference of the angles.
+  /// Returns the number of revolutions of an arc around the pole in G16, if its angle is one revolution or more (5.4); else nullopt.
+  /// INFERRED: the swept angle is the difference of the programmed angles.
   std::optional<double> polar_turns(double angle_before) const {
     if (!m_.modal.polar_data || m_.modal.surface == PathSurface::cylinder) return std::nullopt;
     const double sweep = m_.modal.polar_angle - angle_before;
@@ -177,7 +179,7 @@ class Arc {
     return std::fabs(sweep) / 360;
   }
 
-  /// L: the number of revolutions, a started one included (4.3.1).
+  /// Reads L, the number of revolutions; a started revolution counts (4.3.1).
   Status turns(PlaneArc& arc) {
     if (!m_.has('L')) return {};
     const auto count = m_.whole('L', 1, most_turns);
@@ -187,7 +189,7 @@ class Arc {
   }
 
   Status hand_on(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // the usual case
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks: nothing to transform
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
     }
@@ -220,8 +222,9 @@ class Arc {
     return motion;
   }
 
-  /// True if the radius changes although L does not request a spiral: "not the speed along the path is constant, but the angular velocity"
-  /// (4.3). INFERRED: the feed is the feed at its start; this does not hold for a helix or for the unrolled plane of a cylinder.
+  /// True if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the
+  /// angular velocity" (4.3). INFERRED: the feed is the feed at the start of the arc. A helix, or an arc on the unrolled cylinder, is no
+  /// such arc.
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
@@ -229,7 +232,7 @@ class Arc {
            radius_changes(from_, to_, arc.center);
   }
 
-  /// Transforms a programmed point of the plane; mm. Not for a cylinder.
+  /// Transforms a programmed point of the plane, mm; not for points of a cylinder.
   Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
 
   /// Transforms any programmed point; on a cylinder the result is on the unrolled surface.
@@ -237,7 +240,7 @@ class Arc {
     return m_.transform.identity ? flat_point(m_, programmed) : flat_point(m_, m_.transform.to_work(programmed));
   }
 
-  /// On a cylinder: converts millimetres to the units of the axes.
+  /// On a cylinder, converts millimetres of the unrolled surface to the units of the axes.
   Vec2 in_axes(Vec2 flat) const {
     const double mm_per_degree = m_.modal.surface_radius * rad_per_deg;
     const auto is_rotary = [&](std::size_t axis) { return (m_.def.rotary >> axis & 1u) != 0; };
@@ -252,7 +255,7 @@ class Arc {
   Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // after the transformations, like from_ and to_
+  Turn turn_;  // sense of rotation after the transformations; from_ and to_ are transformed too
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

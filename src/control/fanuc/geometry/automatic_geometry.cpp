@@ -1,4 +1,4 @@
-// Automatic geometry (spec/nct/17): ,C ,R ,A, over-determined blocks, end points by an angle. Used by the rest of control.
+// Automatic geometry (spec/nct/17): ,C ,R ,A, over-determined blocks, end points given by an angle. Used by the rest of control.
 
 #include "control/fanuc/geometry/automatic_geometry.h"
 
@@ -14,13 +14,13 @@ namespace {
 constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
 constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | letter_bit('Q');
 
-/// Converts programmed directions and lengths to work coordinates; no other function transforms those of chapter 17. If the axes have
-/// different scale factors, a length is scaled by their mean (16.2 for ,R).
+/// Converts programmed directions and lengths of chapter 17 to work coordinates; no other function does. If the axes have different scale
+/// factors, a length is scaled by their mean (16.2 for ,R).
 ContourData in_work(const BlockContext& m, ContourData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
-  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // vector of the line, scaled with it
+  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // direction of the line as a vector, scaled like the line
   if (const double size = length(way); size > 0) c.direction = 1 / size * way;
   c.chamfer *= t.corner_scale(plane);
   c.rounding *= t.corner_scale(plane);
@@ -29,7 +29,7 @@ ContourData in_work(const BlockContext& m, ContourData c) {
   return c;
 }
 
-/// ,A with no coordinate of the plane or with both: a line that starts or ends at a computed point (17.3).
+/// Reads ,A in a block with no coordinate of the plane, or with both: a line that starts or ends at a computed point (17.3).
 Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, ContourData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
@@ -38,7 +38,7 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   const SinCos angle = sincos_deg(m.value(comma_angle));
   contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
   contour.direction = {angle.cos, angle.sin};
-  contour.farther = m.value('Q') > 0;  // 17.3 rule 6; without Q, INFERRED, as with Q below 0
+  contour.farther = m.value('Q') > 0;  // 17.3 rule 6; INFERRED: without Q as with Q below 0
   return {};
 }
 

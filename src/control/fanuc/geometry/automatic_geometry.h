@@ -1,6 +1,6 @@
 #pragma once
-// Automatic geometry (spec/nct/17): ,C ,R ,A and over-determined blocks. End points by an angle are computed here; all else is passed on
-// to path/contour/contour_corners.
+// Automatic geometry (spec/nct/17): chamfers ,C, roundings ,R, angles ,A and over-determined blocks. End points given by an angle are
+// computed here; path/contour/contour_corners computes everything else.
 
 #include "action/action.h"
 #include "base/result.h"
@@ -33,7 +33,7 @@ Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named);
 /// Checks that ,A comes with exactly one coordinate of the plane, as a drilling cycle requires (17.2). alarms  angle_alone
 Status one_coordinate(const BlockContext& m);
 
-/// Executes G0 or G1 with words of this chapter.
+/// Executes G0 or G1 with the words ,C ,R ,A or Q (chapter 17).
 ///   alarms  those of end_by_angle and shape_words; angle_alone, intersection_needs_side, illegal_address (Q), surface_state
 Status shaped_line(Emitter& m, const Call& call, MotionKind kind);
 
@@ -41,14 +41,15 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind);
 ///   alarms  chamfer_and_rounding (2082), value_out_of_range
 Status shape_words(const BlockContext& m, ContourData& contour);
 
-/// Returns true for X Y I J R of an arc in G41, G42: the second of two blocks that meet at a computed point (17.3.2, 17.3.4).
+/// Returns true if the block is an over-determined arc, X Y I J R in G41, G42: the second of two blocks that meet at a computed point
+/// (17.3.2, 17.3.4).
 ///   alarms  intersection_needs_side, illegal_address (Q)
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers);
-/// Reads the circle of such an arc: the centre is absolute, R is the radius.
+/// Reads the circle of an over-determined arc: its centre is absolute, R is its radius.
 ///   alarms  radius_mismatch (2012), value_out_of_range
 Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& contour);
 
-/// Attaches contour data to the last motion, for the room `path`.
+/// Attaches contour data to the last motion; the room `path` computes chamfers, roundings and intersections from them.
 void attach(Emitter& m, const ContourData& contour);
 
 }  // namespace kadr::fanuc

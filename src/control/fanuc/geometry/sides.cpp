@@ -1,5 +1,5 @@
-// Passes the data of motions and blocks to cutter radius compensation, path/contour/radius_compensation (spec/nct/15 15.5). Used
-// by the rest of control.
+// Adds to motions and blocks the data that cutter radius compensation needs (path/contour/radius_compensation; spec/nct/15 15.5). Used by
+// the rest of control.
 
 #include "control/fanuc/geometry/sides.h"
 

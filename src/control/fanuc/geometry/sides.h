@@ -1,5 +1,5 @@
 #pragma once
-// Passes the data of motions and blocks to cutter radius compensation, path/contour/radius_compensation (spec/nct/15 15.5).
+// Adds to motions and blocks the data that cutter radius compensation needs (path/contour/radius_compensation; spec/nct/15 15.5).
 
 #include <optional>
 
@@ -14,15 +14,18 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Sets side, tool radius and side step of a motion in the plane. The first such motion gets the step: it starts or ends compensation.
+/// Sets the compensation side, tool radius and side step of a motion. The side step says that the motion starts or ends compensation;
+/// only the first motion in the plane after G41, G42 or G40 gets one.
 void note_side(BlockContext& m, Motion& motion);
-/// Handles a block with `/`, whether it is skipped or not: it interrupts compensation if N1337 #4 CBB is 0 (15.5.2).
+/// Handles a block with the skip character `/`, whether the block is skipped or not: it interrupts compensation if N1337 #4 CBB is 0
+/// (15.5.2).
 void note_skip_mark(Emitter& m);
-/// True if the block has a new length and increments of zero: the start point shifts by the length, nothing moves (15.3).
+/// True if the block has a new tool length and increments of zero: the start point shifts by the length, and nothing moves (15.3).
 bool only_shifts_length(const BlockContext& m);
-/// Ends a block with G41, G42 or G40 that did not move in the plane.
+/// Completes a block with G41, G42 or G40 that did not move in the plane.
 void end_side_block(Emitter& m);
-/// Returns I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if the block has none.
+/// Returns the words I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if there are
+/// none.
 std::optional<Vec2> plane_direction(const BlockContext& m);
 
 }  // namespace kadr::fanuc

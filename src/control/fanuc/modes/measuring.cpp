@@ -17,16 +17,16 @@ namespace kadr {
 namespace {
 
 constexpr int most_inputs = 8;
-constexpr int torque_input = 98;     // P of G31 that measures by the torque limit
-constexpr double full_torque = 255;  // Q that stands for 100 %
+constexpr int torque_input = 98;     // P98 of G31: measures by the torque limit
+constexpr double full_torque = 255;  // value of Q that means 100 % torque
 constexpr double most_torque_word = 254;
 
-/// A modal group, and the code of this group that measuring needs.
+/// A modal group, and the code of this group that must be in force for measuring.
 struct Needed {
   std::string_view group;
   std::string_view code;
 };
-constexpr Needed no_radius{"7", "G40"};  // for G31 only
+constexpr Needed no_radius{"7", "G40"};  // needed by G31 only
 constexpr std::array<Needed, 5> always_needed{{{"17", "G15"}, {"11", "G50"}, {"22", "G50.1"}, {"16", "G69"}, {"5", "G94"}}};
 
 /// Returns the code in force of a group; empty if there is none.
@@ -49,7 +49,7 @@ Status state_allows(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Reads the probe input P1 … P8 or P98; without P it is 1.
+/// Reads P, the probe input: 1 … 8 or 98; without P it is 1.
 Result<int> input_of(const BlockContext& m) {
   if (!m.has('P')) return 1;
   const auto p = m.whole('P', 1, torque_input);
@@ -58,7 +58,7 @@ Result<int> input_of(const BlockContext& m) {
   return static_cast<int>(*p);
 }
 
-/// N3019 limits the following error of the axis during measuring (21.2). INFERRED: 0 means no limit; the following error is
+/// Checks N3019, which limits the following error of the axis during measuring (21.2). INFERRED: 0 means no limit; the following error is
 /// the value in the set-up.
 Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   const macro_b::ParameterStore& store = macro_b_of(m).parameters;
@@ -71,7 +71,7 @@ Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   return {};
 }
 
-/// Checks G31 P98 (21.2): Q1 … Q254 and a single axis, whose drive reports its torque.
+/// Checks G31 P98 (21.2): Q1 … Q254, and a single axis whose drive reports its torque.
 Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const double q = m.value('Q');
@@ -84,14 +84,14 @@ Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) 
   return servo_follows(m, call, named);
 }
 
-/// Returns the measuring feed: of the parameter if a bit says so (SKF, TLF); else 0, which means the feed in force.
+/// Returns the measuring feed: that of the parameter if the parameter bit SKF or TLF is set; else 0, which means the feed in force.
 ///   alarms  feed_missing
 Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter, Span where) {
   if (!by_parameter) {
     KADR_TRY(m.feed_known(where));
     return 0;
   }
-  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));  // INFERRED
+  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));  // INFERRED: alarm if the feed parameter is 0
   return of_parameter;
 }
 
@@ -109,8 +109,8 @@ Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int
   return {};
 }
 
-/// N3004 and N3005 (21.3) must be positive, and the rapid distance the greater one. INFERRED: else the alarm names the
-/// parameter as out of limits.
+/// Checks that N3004 and N3005 (21.3) are positive, and that N3004, the rapid distance, is the greater one. INFERRED: otherwise the alarm
+/// names the parameter as out of limits.
 Status distances_fit(const BlockContext& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
@@ -119,8 +119,8 @@ Status distances_fit(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Returns the axis of the single axis word of G37: a linear axis, never an increment. INFERRED: a second axis word or a
-/// rotary axis is faulty data.
+/// Returns the axis of the only axis word of G37: a linear axis, never an increment. INFERRED: a second axis word or a rotary axis raises
+/// the alarm for faulty data.
 Result<std::size_t> length_axis(const BlockContext& m) {
   const Word* only = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -136,7 +136,7 @@ Result<std::size_t> length_axis(const BlockContext& m) {
   return std::size_t{m.def.address(only->address).axis};
 }
 
-/// Computes the end point from the axis word, which is absolute even in G91 (21.3).
+/// Computes the end point from the axis word of G37, which is absolute even in G91 (21.3).
 Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
   const bool absolute = std::exchange(m.modal.absolute, true);
   const Status read = m.target(to, named);
@@ -148,7 +148,7 @@ Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
 
 namespace functions {
 
-/// G31 (21.1); with P98 it measures by the torque (21.2).
+/// G31 (21.1): measures by a probe signal; with P98, by the torque limit (21.2).
 Status measure(Emitter& m, const Call& call) {
   KADR_TRY(state_allows(m, call));
   KADR_TRY(needs(m, call, no_radius));
@@ -166,8 +166,8 @@ Status measure(Emitter& m, const Call& call) {
   return probe_motion(m, to, named, *feed, *input);
 }
 
-/// G37 (21.3): moves at rapid to the distance N3004 before the expected position, then at feed to the signal, at most N3005
-/// beyond that position.
+/// G37 (21.3): moves at rapid to the distance N3004 before the expected position, then at feed until the signal comes, at most N3005
+/// beyond the expected position.
 Status measure_length(Emitter& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   KADR_TRY(state_allows(m, call));
@@ -181,13 +181,13 @@ Status measure_length(Emitter& m, const Call& call) {
   const auto feed = measuring_feed(m, s.length_parameter_feed, s.length_feed, call.where);
   if (!feed) return fail(feed.error());
   const double expected = to[*axis];
-  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: the side that the axis comes from
+  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: on the side that the axis comes from
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   fanuc_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
   m.probe_where = call.where;
   to[*axis] = expected - side * s.length_alarm;
-  return probe_motion(m, to, named, *feed, 1);  // INFERRED: input 1
+  return probe_motion(m, to, named, *feed, 1);  // INFERRED: probe input 1
 }
 
 }  // namespace functions
@@ -195,14 +195,15 @@ Status measure_length(Emitter& m, const Call& call) {
 namespace fanuc {
 namespace {
 
-/// Adds the difference q − Q to the offset that H selected (TMW, TCA). INFERRED: the new value acts from the next H on.
+/// Adds the difference q − Q (position of the signal less expected position) to the offset that H selected (TMW, TCA). INFERRED: the new
+/// value acts from the next H on.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = fanuc_of(m).settings.length_wear ? offset.length_wear : offset.length;
-  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table has diameters for an axis in diameter programming
+  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: for an axis in diameter programming the table has diameters
   corrected += fanuc_of(m).settings.length_adds ? entered : -entered;
   fanuc_of(m).changed_offsets.push_back(of.offset);
   return {};

@@ -8,23 +8,23 @@
 
 namespace kadr::functions {
 
-/// G16 (5.4): radius and angle must be given again.
+/// G16 (5.4): switches polar data on; radius and angle must be given again.
 Status polar_data_on(Emitter& m, const Call&) {
   if (!m.modal.polar_data) m.modal.polar_radius_given = m.modal.polar_angle_given = false;
   m.modal.polar_data = true;
   return {};
 }
 
-/// Codes that only concern the machine or the planner.
+/// Executes codes that concern only the machine or the planner: no action.
 Status no_action(Emitter&, const Call&) { return {}; }
 
-/// G08 P1, P0 (spec/fanuc 11): a matter of the machine; checked, but without any action.
+/// G08 P1, P0 (spec/fanuc 11): look-ahead concerns only the machine, so P is checked and nothing is emitted.
 Status look_ahead(Emitter& m, const Call& call) {
   if (m.has('P') && (m.value('P') == 0 || m.value('P') == 1)) return {};
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
 }
 
-/// M29 S (spec/fanuc 10.4): until G80, G84 and G74 synchronise the spindle with the axis.
+/// M29 S (spec/fanuc 10.4): G84 and G74 tap rigidly (the spindle is synchronised with the axis) until G80.
 Status rigid_tapping(Emitter& m, const Call&) {
   fanuc_of(m).state.rigid_tap = true;
   return {};
@@ -35,8 +35,8 @@ Status polar_data_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G5.1 Q (4.7): the mode is kept here; smoothing itself belongs to the room motion. Axis words name the axes, nothing moves. INFERRED: a
-/// motion of axes that were not named, or of a rotary axis, is not smoothed.
+/// G5.1 Q (4.7): stores the smoothing mode; the room motion does the smoothing. Axis words name the axes to smooth, nothing moves.
+/// INFERRED: a motion of axes that were not named, or of a rotary axis, is not smoothed.
 Status smoothing(Emitter& m, const Call& call) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const auto q = m.whole('Q', 0, 3);
@@ -51,9 +51,9 @@ Status smoothing(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G4 P (8): seconds, or in G95 revolutions of the main spindle.
+/// G4 P (8): dwells P seconds, or in G95 P revolutions of the main spindle.
 Status dwell_or_turns(Emitter& m, const Call& call) {
-  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1: unit by decimal point
     const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
@@ -74,17 +74,17 @@ Status dwell_or_turns(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G62, G63, G64; their effect on the feed belongs to the room motion.
+/// G62, G63, G64: stores the mode of feed control; the room motion applies it to the feed.
 Status feed_control(Emitter& m, const Call&) {
   m.modal.exact = false;
   m.modal.blend_tolerance = 0;
   return {};
 }
 
-/// G50.2: ends polygon turning, which Kadr never starts, so it is always off.
+/// G50.2 ends polygon turning. Kadr never starts polygon turning, so nothing is to be done.
 Status transform_off(Emitter&, const Call&) { return {}; }
 
-/// G33 (4.4): a thread along one or two axes. F is the lead, or E the threads per inch; Q is the start angle.
+/// G33 (4.4): cuts a thread along one or two axes. F is the thread lead, or E the threads per inch; Q is the start angle.
 Status thread(Emitter& m, const Call& call) {
   if (call.row->modal) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -113,7 +113,7 @@ Status thread(Emitter& m, const Call& call) {
   return {};
 }
 
-/// A, B, C, U, V, W as auxiliary functions (13.2).
+/// Executes A, B, C, U, V, W as auxiliary functions (13.2).
 Status auxiliary_word(Emitter& m, const Call& call) {
   const std::uint8_t number = m.def.address(call.word->address).number;
   macro_b_of(m).state.words.aux[number - 1u] = call.word->value;
@@ -129,7 +129,8 @@ Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 namespace kadr::fanuc {
 
-/// Returns the lead: F is the common modal word, E a lead of its own that remains valid until the next F (4.4, as spec/nct/04 recommends).
+/// Returns the thread lead. F is the common modal word; E sets a thread lead of its own that remains valid until the next F (4.4, as
+/// spec/nct/04 recommends).
 double take_lead(BlockContext& m) {
   if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
@@ -151,8 +152,8 @@ Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   if (m.modal.feed_mode != FeedMode::per_revolution || fanuc_of(m).settings.dwell_seconds) return p;
   const double rpm = fanuc_of(m).spindle_part > 0 ? fanuc_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
-  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
-  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): real revolutions of the spindle, with its override
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: a dwell in revolutions would never end
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): real revolutions of the spindle, override included
 }
 
 }  // namespace kadr::fanuc

@@ -13,7 +13,7 @@ namespace {
 constexpr double mm_per_m = 1000;
 constexpr double mm_per_foot = 304.8;
 
-/// Returns the lowest and highest speed of the spindle: of the selected range, or of all ranges.
+/// Returns the lowest and highest speed of the spindle: those of the selected gear range, or of all gear ranges.
 std::pair<double, double> limits_of(const Fanuc& fanuc, int number) {
   const auto found = fanuc.ranges.find(number);
   if (found == fanuc.ranges.end() || found->second.empty()) return {0, 1e300};
@@ -25,7 +25,7 @@ std::pair<double, double> limits_of(const Fanuc& fanuc, int number) {
   return all;
 }
 
-/// Returns the one range that contains the speed. If several do, returns the selected range; if none does, 0 (11.3).
+/// Returns the number of the gear range that contains the speed. If several do, returns the selected range; if none does, 0 (11.3).
 int range_of(const Fanuc& fanuc, int number, double rpm) {
   const auto found = fanuc.ranges.find(number);
   if (found == fanuc.ranges.end()) return 0;
@@ -43,8 +43,7 @@ std::string name_of_spindle(const BlockContext& m, int number) {
   return found != fanuc_of(m).spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
-/// Checks that the spindle belongs to this channel. INFERRED: a number that the set-up does not list, although it lists
-/// spindles, is alarm 2017.
+/// Checks that the spindle belongs to this channel. INFERRED: if the set-up lists spindles, a number that it does not list is alarm 2017.
 Status own_spindle(const BlockContext& m, int number, Span where) {
   const SpindleState& s = fanuc_of(m).spindle(number);
   if (!s.known && !fanuc_of(m).spindle_names.empty())
@@ -53,7 +52,7 @@ Status own_spindle(const BlockContext& m, int number, Span where) {
   return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
 }
 
-/// Turns the spindle by `degrees` in the position loop.
+/// Turns the spindle by `degrees`, with its position loop closed.
 void turn(Emitter& m, int number, double degrees, bool absolute) {
   SpindleState& s = fanuc_of(m).spindle(number);
   s.angle += degrees;
@@ -63,8 +62,8 @@ void turn(Emitter& m, int number, double degrees, bool absolute) {
   m.emit(action);
 }
 
-/// Returns the spindle that a word of the block names, or the one that plain S means; without such a word the spindle
-/// referred to last (11.1.1, 11.2).
+/// Returns the number of the spindle that a word of the block names (plain S means the default spindle); without such a word, the spindle
+/// that a word referred to last (11.1.1, 11.2).
 int spindle_of_block(const BlockContext& m) {
   const Fanuc& fanuc = fanuc_of(m);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -79,7 +78,7 @@ int spindle_of_block(const BlockContext& m) {
   return fanuc.state.current_spindle;
 }
 
-/// Limits the speed of an S word to the range; S0 stays 0.
+/// Limits the speed of an S word to the gear range; S0 stays 0.
 double limited(const Fanuc& fanuc, int number, double rpm) {
   const auto [least, most] = limits_of(fanuc, number);
   return rpm == 0 ? 0 : std::clamp(rpm, least, most);
@@ -118,10 +117,10 @@ double Fanuc::spindle_rpm(const Emitter& m) const {
 
 namespace kadr::functions {
 
-/// S, S1=…, SSB…, S… P: speed of one spindle. With G96, plain S is the surface speed (11.1, 11.5.1).
+/// Executes S, S1=…, SSB…, S… P: sets the speed of one spindle. With G96, plain S is the surface speed (11.1, 11.5.1).
 Status spindle_word(Emitter& m, const Call& call) {
   fanuc::Fanuc& fanuc = fanuc_of(m);
-  if (m.has_code({Function::new_system})) return {};  // G92 S limits the speed (11.5.2)
+  if (m.has_code({Function::new_system})) return {};  // 11.5.2: G92 S limits the speed
   const double value = call.word->value;
   if (!(value >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, call.word->address, value));
   const int named = m.def.address(call.word->address).number;
@@ -142,14 +141,14 @@ Status spindle_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M3, M4, M5, M19 for the spindle referred to last (11.2).
+/// M3, M4, M5, M19 for the spindle that a word referred to last (11.2).
 Status spindle_code(Emitter& m, const Call& call) {
   fanuc::Fanuc& fanuc = fanuc_of(m);
   const int number = fanuc.state.current_spindle;
   fanuc::SpindleState& s = fanuc.spindle(number);
   s.master = 0;
   const bool turned = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
-  // the speed remains valid at G97 (11.5.1)
+  // The present speed of G96 remains valid at G97 (11.5.1).
   if (turned && m.modal.surface_speed && number == fanuc.state.main_spindle) s.rpm = fanuc.css_rpm(m);
   switch (call.row->arg) {
     case 3: s.dir = SpindleDir::cw; break;
@@ -169,7 +168,7 @@ Status spindle_code(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M11 … M18 (11.3): selects the gear range of the spindle that the block names. A speed in force outside the range is limited (11.1).
+/// M11 … M18 (11.3): selects the gear range of the spindle that the block names. A speed in force is limited to the new range (11.1).
 Status gear_range(Emitter& m, const Call& call) {
   const int number = fanuc::spindle_of_block(m);
   fanuc::SpindleState& s = fanuc_of(m).spindle(number);
@@ -184,7 +183,7 @@ Status gear_range(Emitter& m, const Call& call) {
   return {};
 }
 
-/// CS2=30: turns to an angle by the shorter path, or by an increment (11.7.3).
+/// Executes CS2=30: turns spindle 2 to an angle by the shorter path, or by an increment (11.7.3).
 Status spindle_axis_word(Emitter& m, const Call& call) {
   const int number = m.def.address(call.word->address).number;
   KADR_TRY(fanuc::own_spindle(m, number, call.where));
@@ -202,7 +201,7 @@ Status spindle_axis_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G96 P: axis that the diameter is measured on (11.5.3).
+/// G96 P: P selects the axis that the diameter is measured on (11.5.3).
 Status css_on(Emitter& m, const Call&) {
   if (m.has('P')) {
     const auto axis = m.whole('P', 1, 32);
@@ -210,7 +209,7 @@ Status css_on(Emitter& m, const Call&) {
     const auto& numbers = m.def.axis_numbers;
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
-      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, like AX[n] (23.2.12)
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED: alarm as for AX[n] (23.2.12)
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
@@ -218,7 +217,7 @@ Status css_on(Emitter& m, const Call&) {
   return {};
 }
 
-/// G97: the last speed of G96 remains in force (11.5.1).
+/// G97: the last spindle speed of G96 remains in force (11.5.1).
 Status css_off(Emitter& m, const Call&) {
   if (m.modal.surface_speed && m.batch != nullptr) {
     fanuc::SpindleState& s = fanuc_of(m).spindle(fanuc_of(m).state.main_spindle);
@@ -233,7 +232,7 @@ Status css_off(Emitter& m, const Call&) {
 
 namespace kadr::fanuc {
 
-/// M codes for the machine: indexing (11.7.3), closing the position loop (11.7.2), optional spindle codes (11.2), all others.
+/// Executes M codes of the machine: indexing (11.7.3), closing the position loop (11.7.2), optional spindle codes (11.2), all others.
 Status Fanuc::machine_code(Interpreter& m, const Call& call) {
   const auto own_code = interrupt_code(m, call);
   if (!own_code) return fail(own_code.error());
@@ -243,11 +242,11 @@ Status Fanuc::machine_code(Interpreter& m, const Call& call) {
 Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   const int number = state.current_spindle;
   for (int i = 0; i <= static_cast<int>(most_spindles); ++i) {
-    const int n = i == 0 ? number : i;  // the spindle referred to last has priority over others with the same codes (11.2)
+    const int n = i == 0 ? number : i;  // 11.2: first the spindle that a word referred to last
     const SpindleSettings& s = settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
       KADR_TRY(loop_closed(m, n, where));
-      if (!spindle(n).referenced)  // 11.7.3: M19 before the first indexing code
+      if (!spindle(n).referenced)  // 11.7.3: M19 must come before the first indexing code
         return fail(alarm(AlarmId::spindle_not_referenced, where, std::string_view(name_of_spindle(m, n))));
       const double way = (code - s.index_from + 1) * s.index_angle;
       turn(m, n, s.index_negative ? -way : way, false);
@@ -255,7 +254,7 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
     }
   }
   const SpindleSettings& own = settings.spindles[static_cast<std::size_t>(number)];
-  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2
+  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2: the code closes the position loop
   const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
   if (closes) {
     spindle(number).loop_closed = true;
@@ -266,7 +265,8 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   return {};
 }
 
-/// INFERRED from the manual's example, where S1 becomes C1: the axis is C with the spindle's number; for spindle 1 also plain C.
+/// INFERRED from the manual's example, where S1 becomes C1: the spindle's axis is named C with the spindle's number; for spindle 1 also
+/// plain C.
 void find_spindle_axes(BlockContext& m, const Setup& setup) {
   for (const SetupEvent& event : setup.events) {
     if (event.what != SetupEvent::Do::spindle_to_axis) continue;

@@ -1,7 +1,7 @@
 #pragma once
 // What the five-axis functions (NCT manual, chapter 25) remember from block to block: tool centre point control, the programming frame in
-// space, the positions to which G53.1 has turned the rotary axes (spec/nct/25b to 25l). A plain value; the resulting space is
-// Placement::space, computed in space.cpp.
+// space, the positions to which G53.1 has turned the rotary axes (spec/nct/25b to 25l). Plain values; space.cpp computes the resulting
+// transformation, Placement::space.
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace kadr::fanuc {
 
-/// Group 8, beyond G43, G44, G49: what the programmed point means for the tool.
+/// Codes of modal group 8 other than G43, G44, G49. They decide which point of the tool the programmed coordinates describe.
 enum class ToolLead : std::uint8_t {
   none,
   axis,            // G43.1: the length acts along the tilted tool axis
@@ -24,32 +24,32 @@ constexpr bool leads_tip(ToolLead lead) { return lead >= ToolLead::tip; }
 constexpr bool by_vector(ToolLead lead) { return lead == ToolLead::tip_vector || lead == ToolLead::contact_vector; }
 constexpr bool leads_contact(ToolLead lead) { return lead >= ToolLead::contact; }
 
-/// Group 18: the programming frame in space.
-enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };  // G69.1; one or two G68.1; G68.2
+/// Modal group 18, the programming frame in space. none: G69.1; turned: one G68.1; turned_twice: two G68.1; plane: G68.2.
+enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
 
 /// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the definition is over when the first block of another kind comes.
 struct PlaneBlocks {
-  std::uint8_t kind = 0;          // P of these blocks; 0: no definition is open
+  std::uint8_t kind = 0;          // word P of these blocks; 0: no definition is open
   std::uint8_t seen = 0;          // bit q is set if the block with Qq has been read
-  std::array<Vec3, 4> points{};   // point of each block, indexed by Q
-  std::array<Vec3, 4> vectors{};  // vector of each block of P3, indexed by Q
-  double turn = 0;                // R of the block with Q0, degrees
+  std::array<Vec3, 4> points{};   // point given by each block, indexed by Q
+  std::array<Vec3, 4> vectors{};  // vector given by each block of P3, indexed by Q
+  double turn = 0;                // angle R of the block with Q0, degrees
 };
 
 struct FiveAxisState {
   ToolLead lead = ToolLead::none;
   bool begins = false;     // tool centre point control takes effect with the next motion (25h)
   bool posture = false;    // tool posture control: P1 in the block of G43.4 to G43.9
-  double lead_length = 0;  // length by H, mm
+  double lead_length = 0;  // tool length by H, mm
   SpaceFrame frame = SpaceFrame::none;
-  Mat3 turn;           // rotation of the frame
-  Vec3 origin;         // origin of the frame, mm
-  Axes outer_shift{};  // G52 and G92 shifts at the moment when the frame was set
+  Mat3 turn;           // rotation of the programming frame
+  Vec3 origin;         // origin of the programming frame, mm
+  Axes outer_shift{};  // G52 and G92 shifts at the time when the frame was set
   PlaneBlocks plane;
-  std::optional<RotaryPair> oriented;  // positions to which G53.1, G53.6 have turned the rotary axes: the frame is valid for these
+  std::optional<RotaryPair> oriented;  // positions to which G53.1, G53.6 have turned the rotary axes; the frame is valid there
   AxisMask positioned = 0;             // rotary axes programmed since G43.1 or tool centre point control was switched on (25.20)
-  Vec3 normal;                         // surface normal by ,L2, unit vector in part coordinates; {}: none yet
-  double radius = 0, corner = 0;       // tool radius and corner radius by D, mm (25.17)
+  Vec3 normal;                         // surface normal by ,L2, a unit vector in part coordinates; {}: none programmed yet
+  double radius = 0, corner = 0;       // tool radius and corner radius of offset D, mm (25.17)
 };
 
 }  // namespace kadr::fanuc

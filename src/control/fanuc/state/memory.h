@@ -20,25 +20,25 @@
 namespace kadr::fanuc {
 
 struct SpindleState {
-  bool known = false;  // the set-up lists it
+  bool known = false;  // the set-up lists this spindle
   int channel = 1;
-  double rpm = 0;  // limited to the selected range
+  double rpm = 0;  // programmed speed, limited to the selected gear range
   SpindleDir dir = SpindleDir::stop;
   bool loop_closed = false;
-  bool referenced = false;  // oriented since the loop was closed
-  double angle = 0;         // degrees; valid while the loop is closed
+  bool referenced = false;  // the spindle has been oriented since its position loop was closed
+  double angle = 0;         // degrees; valid while the position loop is closed
   int range = 0;            // gear range selected by M11 … M18; 0: none
-  int master = 0;           // number of the spindle that it is synchronised to; 0: none
+  int master = 0;           // number of the spindle to which this one is synchronised; 0: none
 };
 
-/// The part that even a plain motion may change; it is saved at the start of each block.
+/// The part of the memory that even a plain motion may change; saved at the start of each block.
 struct MotionMemory {
   bool rigid_tap = false;  // M29 is in force (spec/fanuc 10.4)
   Axes through{};          // intermediate point of the last G28, G30, programmed coordinates (spec/fanuc 6.6)
   bool has_through = false;
   bool in_thread = false;               // the previous motion was a thread too
-  double thread_lead = 0;               // mm
-  double surface_angle = 0;             // position of the rotary axis in G12.1, continued beyond 360 degrees
+  double thread_lead = 0;               // thread lead, mm; 0: none
+  double surface_angle = 0;             // position of the rotary axis in G12.1, degrees, counted on beyond 360
   AxisMask smoothed = 0;                // axes that G5.1 has named; 0: all linear axes
   SideStep side_step = SideStep::none;  // role of the next motion in the plane for cutter compensation
   bool compensates = false;             // a motion has been executed with cutter compensation since G41, G42
@@ -49,18 +49,18 @@ struct Volatile : MotionMemory {
   std::array<SpindleState, most_spindles + 1> spindles;
   int current_spindle = 1;  // the spindle that a word referred to last (11.2)
   int main_spindle = 1;
-  double surface_speed = 0;  // m/min
+  double surface_speed = 0;  // constant surface speed of G96, m/min
   int css_axis = 0;          // axis that the constant surface speed refers to, by its control-wide number
   double css_most = 0;       // highest speed by G92 S, rev/min; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
-  double tool_radius = 0;      // radius of D when it was last programmed (15.1)
+  double tool_radius = 0;      // tool radius of offset D at the time when D was programmed (15.1)
   std::optional<Vec2> way;     // vector I J K of G41, G42, G40 in this block
-  ContourCheck contour_check;  // the settings last sent to the room `path`
+  ContourCheck contour_check;  // the compensation settings last sent to the room `path`
   FiveAxisState five_axis;
 };
 
-inline constexpr std::size_t extended_systems = most_further_systems;  // G54.1 P1 …
+inline constexpr std::size_t extended_systems = most_further_systems;  // number of work systems of G54.1 P
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
 inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: the last rows in the tables of work offsets and rotations
 
@@ -83,29 +83,29 @@ struct Memory {
   std::uint8_t drilling_group = 0, motion_group = 0;  // modal groups of G80 and of G0
   std::int16_t slowing = -1;                          // row of G62 in ControlDef::codes
   std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
-  // of the block being executed
+  // data of the block being executed
   bool holds_vector = false;     // G38: the compensation vector is kept
-  bool uncompensated = false;    // its motions are executed without compensation: G53, G28, G30
+  bool uncompensated = false;    // motions of the block are executed without compensation: it has G53, G28 or G30
   int spindle_by_p = 0;          // S1500 P2: the number of the spindle; 0: not given
-  bool absolute_block = false;   // its axis words are absolute even with G91 (17.3)
-  bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
-  AxisMask rolled = 0;           // rotary axes of the block that roll over; `travel` is how far each of them moves
+  bool absolute_block = false;   // the block's axis words are absolute even with G91 (17.3)
+  bool cartesian_block = false;  // the block's axis words are Cartesian even with G16 (5.4)
+  AxisMask rolled = 0;           // rotary axes of the block that roll over; `travel` is the travel of each of them
   Axes travel{};
   AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number
   AxisMask taken_up = 0;      // axes without a word that the block's motion positions too, at their last programmed coordinates (25h)
   AxisMask by_direction = 0;  // rotary axes that the block's I J K position, at `directed` (25.14)
   Axes directed{};
   Vec3 normal_before;  // surface normal at the start of the block's motion (25.17)
-  // of the machine and its operator
-  std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates; lowest and highest
-  double spindle_part = 1;                                        // spindle override / 100
-  double singular = 0;                                            // degrees: tolerance of a singular direction (Setup::kinematics)
+  // data of the machine and its operator
+  std::array<std::pair<double, double>, max_axes> axis_limits{};  // lowest and highest end position of each axis, machine coordinates
+  double spindle_part = 1;                                        // spindle override as a fraction: 1 is 100 %
+  double singular = 0;                                            // tolerance of a singular direction, degrees (Setup::kinematics)
   Axes servo_lag{};                                               // following error of each axis by the set-up, mm
   std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
-  Axes probe_position{}, probe_length{};  // at the probe's signal: work coordinates; tool length as a vector on the main axes
+  Axes probe_position{}, probe_length{};  // work coordinates at the probe's signal; tool length then, as a vector on the main axes
   Axes probe_machine{};
-  Measurement measurement;  // of the probe motion in progress
-  // for the state file: what has changed since it was written
+  Measurement measurement;  // purpose of the probe motion in progress
+  // for the state file: what has changed since that file was written
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;
 };

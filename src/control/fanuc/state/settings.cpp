@@ -1,4 +1,4 @@
-// Converts the parameters of the control into Settings. Used by control/fanuc/fanuc.
+// Converts the control's parameters into Settings. Used by control/fanuc/fanuc.
 
 #include "control/fanuc/state/settings.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using macro_b::ParameterSource;
 
-/// Role of an axis by N0103. If the parameter is 0, an axis named X, Y or Z has its usual role (2.1: basic configuration).
+/// Returns the role of an axis by N0103. If the parameter is 0, an axis named X, Y or Z has its usual role (2.1: basic configuration).
 int role_of(const std::string& name, int parameter) {
   if (parameter != 0) return parameter;
   return name == "X" ? 1 : name == "Y" ? 2 : name == "Z" ? 3 : 0;
@@ -53,7 +53,7 @@ void read_spindles(Settings& s, const ParameterSource& p) {
   }
 }
 
-/// Settings that only Fanuc and Haas have.
+/// Reads the settings that only Fanuc and Haas have.
 void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.drills_across = p.value("drills_across", 0) != 0;
   s.scale_unit = !p.has("scale_in_thousandths") ? 1 : p.value("scale_in_thousandths", 0) != 0 ? 1e-3 : 1e-5;
@@ -76,7 +76,7 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
 }
 
 void read_interpretation(Settings& s, const ParameterSource& p) {
-  const bool free_at_zero = p.has("arc_difference");  // spec/fanuc 3.2: in parameter 3410, 0 means "not checked"
+  const bool free_at_zero = p.has("arc_difference");  // spec/fanuc 3.2: 0 in parameter 3410 means "not checked"
   const double difference = p.value(free_at_zero ? "arc_difference" : "1339", 0);
   s.radius_difference = s.radius_shortfall = difference > 0 ? difference : 0.01;
   if (free_at_zero && !(difference > 0)) s.radius_difference = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Returns the state after a run in the form of a set-up (tests/golden/README.md, `state`).
+// Returns the state at the end of a run in the form of a set-up (tests/golden/README.md, `state`).
 
 #include <algorithm>
 

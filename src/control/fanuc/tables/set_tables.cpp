@@ -1,4 +1,5 @@
-// G10 (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1), and the data lines up to G11.
+// G10: sets offsets, work offsets and parameters (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1), and opens the data lines up to
+// G11.
 
 #include <cmath>
 
@@ -10,14 +11,15 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
+constexpr char rotation_letters[] = {'I', 'J', 'K'};  // words for the rotation angles in the planes G17, G18, G19
 
-/// Sets an offset of G10 L2, L20, L21. Values replace the old ones; in G91 or with the operator I they are added.
+/// Sets a work offset by G10 L2, L20, L21. Values replace the old ones; in G91 or with the operator I they are added.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;  // spec/haas 5.4
+  // On a control without a common offset, its number sets the shift of G52 (spec/haas 5.4).
+  Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;                          // on an alarm the table is unchanged
+  Axes zero = table;                          // a copy: on an alarm the table is unchanged
   const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: they are refused
   for (const char letter : rotation_letters)
     if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
@@ -45,7 +47,7 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   return {};
 }
 
-/// Returns the field of the offset table that L names, or nullptr (15.2).
+/// Returns the number in the offset table that L selects, or nullptr (15.2).
 double* offset_register(ToolOffset& offset, std::uint32_t l) {
   switch (l) {
     case 10: return &offset.length;
@@ -74,7 +76,8 @@ Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   return {};
 }
 
-/// L200 wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: a field whose word is missing keeps its value.
+/// G10 L200 sets wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: without its word, a value remains
+/// unchanged.
 Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, most_offsets(m));
@@ -98,7 +101,7 @@ Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   return {};
 }
 
-/// L52, L75, L76, L77: the lines up to G11 are data lines.
+/// Executes G10 L52, L75, L76, L77: the lines that follow, up to G11, are data lines.
 Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
@@ -142,7 +145,7 @@ Status data_line(Emitter& m) {
   return fanuc_of(m).tool_line(m);
 }
 
-/// At most one code of each exclusive group, and one spindle code (13.1, 11.2).
+/// Allows at most one code of each exclusive group, and one spindle code (13.1, 11.2).
 Status check_m_codes(const BlockContext& m) {
   const Settings& s = fanuc_of(m).settings;
   const auto is_spindle = [&](int code) {

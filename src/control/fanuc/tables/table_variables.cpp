@@ -23,8 +23,8 @@ int axis_of(const BlockContext& m, std::uint32_t number) {
   return -1;
 }
 
-/// Converts a position from mm to the value that the program reads: the unit in force, a diameter in diameter programming.
-/// kept() is the inverse.
+/// Converts a position from mm to the value that the program reads: in the unit in force, as a diameter in diameter programming. kept()
+/// does the inverse.
 double shown(const BlockContext& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
@@ -43,7 +43,7 @@ Vec3 main_axes_of(const PartSpace& space, const Axes& axes) {
   return {of(0), of(1), of(2)};
 }
 
-/// Returns the component of a vector along an axis; nullopt if the axis is not the main axis X, Y or Z.
+/// Returns the component of a vector along an axis; nullopt if the axis is not one of the main axes X, Y, Z.
 std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v) {
   const double values[] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i)
@@ -51,8 +51,8 @@ std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v
   return std::nullopt;
 }
 
-/// Returns a tool position as system variables report it (25.19): in the work system or in the programming frame, with the tool
-/// length or without it.
+/// Returns a tool position as system variables report it (25.19): in the work system or in the programming frame, with or without the
+/// tool length.
 double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
   const bool with_length = !fanuc_of(m).settings.without_length;
   const PartSpace* const space = space_of(m);
@@ -76,11 +76,11 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
     case VariableKind::work_position: return shown(m, axis, told(m, a, m.position.work, length_in_force(m), in_frame));
     case VariableKind::probe_position: return shown(m, axis, told(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
-    default: return 0;  // servo lag, distance to go, handwheel shift: the virtual machine has none
+    default: return 0;  // servo lag, distance to go, handwheel shift: always 0 on the virtual machine
   }
 }
 
-/// Returns the field of the offset table, or nullptr if it does not exist.
+/// Returns the number in the offset table that a variable refers to, or nullptr if the table has no such row.
 double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   if (number >= m.tables.offsets.size()) return nullptr;
   ToolOffset& o = m.tables.offsets[number];
@@ -100,7 +100,7 @@ double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   }
 }
 
-/// Returns the size in mm of one unit of an offset variable; half of it where the variable is a diameter (spec/haas 2.4).
+/// Returns the size in mm of one unit of an offset variable, half of it for a diameter (spec/haas 2.4).
 double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
@@ -126,8 +126,8 @@ bool is_zero(VariableKind kind) {
 
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-/// #5501 … (25.4): the dynamic offset in force, for the present position of the rotary table. For rotary axes it is the
-/// value in the offset table.
+/// Returns #5501 … (25.4): the dynamic offset in force for the present position of the rotary table; for rotary axes, the value in the
+/// offset table.
 double dynamic_value(const BlockContext& m, int axis) {
   const PartSpace* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
@@ -135,7 +135,8 @@ double dynamic_value(const BlockContext& m, int axis) {
   return component(*space, a, space->zero_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
 }
 
-/// #151001 … report in the frame that #5061 … do not use (work system or programming frame); #151101 … report machine positions (25.19).
+/// Returns the probe position. #151001 … report it in the frame (work system or programming frame) that #5061 … do not use; #151101 …
+/// report machine positions (25.19).
 double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -185,7 +186,7 @@ Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value
   }
   if (!is_rotation(kind) && !is_zero(kind)) return false;
   const int axis = axis_of(m, f.index);
-  if (is_zero(kind) && axis < 0) return true;  // another channel's axis
+  if (is_zero(kind) && axis < 0) return true;  // an axis of another channel: the value is ignored
   if (!(std::fabs(value) <= farthest)) return fail(alarm(AlarmId::value_limit, where, value));
   (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : kept(m, axis, value);
   tables_changed = true;

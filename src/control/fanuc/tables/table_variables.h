@@ -9,7 +9,7 @@ class BlockContext;
 
 namespace kadr::fanuc {
 
-/// Returns the tool length that is compensated now, on each axis, mm.
+/// Returns the tool length compensation in force on each axis, mm.
 Axes length_in_force(const BlockContext& m);
 
 }  // namespace kadr::fanuc

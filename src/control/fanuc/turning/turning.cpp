@@ -16,7 +16,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Distances in a first or second block, by axis of the plane. They are always radii, whichever letter names the axis.
+/// Distances that a first or second block gives, by axis of the plane. They are always radii, whichever letter names the axis.
 struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
@@ -39,7 +39,7 @@ Status out_of_range(const BlockContext& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
-/// Reads R of a first block. It may not be negative; without R the old value remains.
+/// Reads R of a first block. R may not be negative; without R the old value remains.
 Status take_r(const BlockContext& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
@@ -47,7 +47,7 @@ Status take_r(const BlockContext& m, double& to) {
   return {};
 }
 
-/// G71.7 W5 R1, G72.7 V5 R1: depth of a pass along the infeed axis (19.A 4), and the retract.
+/// G71.7 W5 R1, G72.7 V5 R1: reads the depth of a pass along the infeed axis (19.A 4), and the retract.
 Status first_of_rough(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
@@ -64,7 +64,7 @@ Status first_of_rough(BlockContext& m, const Call& call) {
   return take_r(m, kept.back);
 }
 
-/// G73.7 U3 W3 R4: offset of the first pass, number of passes.
+/// G73.7 U3 W3 R4: reads the offset of the first pass and the number of passes.
 Status first_of_pattern(BlockContext& m) {
   constexpr double most_passes = 9999;
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -79,7 +79,8 @@ Status first_of_pattern(BlockContext& m) {
   return {};
 }
 
-/// G76.7 Pmmrraa QΔmin Rd: finishing passes, chamfer, tool angle; least depth of a pass; finishing allowance.
+/// G76.7 Pmmrraa QΔmin Rd: reads the number of finishing passes mm, chamfer rr, tool angle aa; least depth of a pass; finishing
+/// allowance.
 Status first_of_thread(BlockContext& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -101,7 +102,7 @@ Status first_of_thread(BlockContext& m) {
   return take_r(m, kept.allowance);
 }
 
-/// True for the first block of a compound cycle. The second block names the contour, the target or the pecks.
+/// True for the first block of a compound cycle. The second block has words for the contour, the target or the pecks.
 bool is_first_line(const BlockContext& m, int code) {
   switch (code) {
     case 70.7_g: return false;
@@ -144,7 +145,7 @@ Status possible(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Reads the words of a simple cycle. A word that is not given keeps its value from the block before.
+/// Reads the words of a simple cycle. A word that is not given keeps its value from an earlier block.
 Status take_simple(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const auto target = plane_target(m);
@@ -161,7 +162,7 @@ Status take_simple(BlockContext& m, const Call& call) {
   return {};
 }
 
-/// G77.7 cuts along the first axis, G79.7 along the second: infeed, cut, out, back to the start.
+/// G77.7 cuts along the first axis, G79.7 along the second: infeed, cut, out, and back to the start point.
 Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
@@ -173,7 +174,7 @@ Status cut_once(Emitter& m, const Call& call) {
   return go(m, MotionKind::rapid, s);
 }
 
-/// G78.7. The manual does not give the length of the run-out: INFERRED none.
+/// G78.7: cuts one thread pass. The manual does not give the length of the run-out: INFERRED none.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
@@ -182,7 +183,7 @@ Status simple_thread(Emitter& m, const Call& call) {
   return thread_pass(m, {{s.x, t.y + kept.taper}, t, s, *lead, kept.start_angle, 0});
 }
 
-/// G70.7: executes the blocks of the contour as they are written (19.A 6).
+/// G70.7: executes the blocks of the contour as they are programmed (19.A 6).
 class FinishingRun final : public RunningValue<FinishingRun> {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
@@ -216,7 +217,7 @@ Status finish(Interpreter& m, const Call& call) {
 
 Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = fanuc_of(m).finishing;
-  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
+  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();  // M99 or a restart has left the contour
   if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
   const Finishing ended = all.back();
   all.pop_back();
@@ -231,7 +232,7 @@ Result<bool> end_contour(Interpreter& m) {
 
 namespace kadr::functions {
 
-/// G70.7 … G76.7 (19.2). arg: the code in tenths (707).
+/// G70.7 … G76.7 (19.2). call.row->arg is the code in tenths (707).
 Status turning_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(fanuc::possible(m, call));
   if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);

@@ -1,7 +1,7 @@
 #pragma once
-// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual gives only their names and one example. What is built here is section 19.B,
-// which is INFERRED as a whole. Depths, allowances, tapers and R of a diameter axis are radii (5.3). A compound cycle has two blocks: the
-// first one sets its data, the second one executes it.
+// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual gives only their names and one example. The code follows section 19.B, which is
+// INFERRED as a whole. Depths, allowances, tapers and R of a diameter axis are radii (5.3). A compound cycle has two blocks: the first
+// block sets its data, the second block executes the cycle.
 
 #include <array>
 #include <cstddef>
@@ -22,29 +22,30 @@ struct CodeRow;
 
 namespace kadr::fanuc {
 
-/// Checks whether the last block of the contour of G70.7 has been executed. If so, moves back to the start and continues after G70.7.
+/// Checks whether the last block of the contour of G70.7 has been executed. If so, moves the tool back to the start point and continues
+/// the program after G70.7.
 ///   returns  true if the contour has ended
 Result<bool> end_contour(Interpreter& m);
 
-// ---- for the files of the cycles
+// ---- used by the files of the single cycles
 
-/// Second blocks of the compound cycles.
+/// Execute the second blocks of the compound cycles.
 Status finish(Interpreter& m, const Call& call);
 Status rough(Interpreter& m, const Call& call, Vec2 allowance);
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
 Status groove(Emitter& m, const Call& call);
 Status compound_thread(Emitter& m, const Call& call);
 
-/// One pass of a thread: at rapid to `from`, along the thread to `to`, out, and back to the start.
+/// One pass of a thread: at rapid from `start` to `from`, along the thread to `to`, out of the thread, and back to `start`.
 struct ThreadPass {
   Vec2 from, to;
-  Vec2 start;          // the point where the pass starts and ends
-  double lead = 0;     // mm
+  Vec2 start;          // point where the whole pass starts and ends
+  double lead = 0;     // thread lead, mm
   double angle = 0;    // spindle angle at the start of the thread, degrees
   double chamfer = 0;  // length of the run-out at 45° at the end of the thread, mm along its axis
 };
 Status thread_pass(Emitter& m, const ThreadPass& pass);
-/// Returns the lead by F or E in mm; without them the last lead. alarms thread_definition, not_together (G96)
+/// Returns the thread lead by F or E in mm; without these words the last lead. alarms thread_definition, not_together (G96)
 Result<double> thread_lead_of(BlockContext& m, const Call& call);
 
 }  // namespace kadr::fanuc

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t most_pieces = 10'000;
 
-/// Lets the interpreter read blocks without executing them, and restores its state at the end. Transformations are off: the cycle works
-/// on the contour as programmed, and its motions are transformed like any others (16, INFERRED).
+/// Lets the interpreter read blocks without executing them, and restores its state at the end. Transformations are off meanwhile: the
+/// cycle computes with the contour as programmed, and its own motions are transformed like any others (16, INFERRED).
 class DryRun {
  public:
   explicit DryRun(Emitter& m)
@@ -37,7 +37,7 @@ class DryRun {
     m.transform = Transform();
     m.position.work = m.position.programmed;
     m.block_axes_taken = false;
-    m.modal.feed_known = true;  // F of the contour applies to finishing only
+    m.modal.feed_known = true;  // F words of the contour apply to finishing only
     m.modal.feed = 1;
   }
   ~DryRun() {
@@ -102,7 +102,7 @@ class Reader {
     return address == comma_chamfer || address == comma_rounding || address == comma_angle || address == comma_vector;
   }
 
-  /// An alarm in a block of the contour is reported at the cycle's block.
+  /// Reports an alarm in a block of the contour at the cycle's block.
   Status unread(Alarm alarm) const {
     const bool comma = alarm.id == AlarmId::address_unknown && alarm.args[0].text().size() == 1 && has_comma(alarm.args[0].text()[0]);
     if (comma) return without(",C ,R ,A");
@@ -110,7 +110,7 @@ class Reader {
     return fail(alarm);
   }
 
-  /// Computes ,C ,R and all else that needs the next block (17), as for executed motions.
+  /// Computes ,C ,R and everything else that needs the next block (17), as for executed motions.
   Status corners() {
     const auto waits = [](const Action& action) {
       const Motion& motion = std::get<Motion>(action.what);
@@ -148,7 +148,7 @@ class Reader {
 
   Status word(const Word& w, const CodeRow*& motion) {
     if ((m_.letters.codes & letter_bit(w.address)) != 0) return code(w, motion);
-    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q selects an intersection (17.3)
+    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q is allowed: it selects an intersection (17.3)
     if ((of_others & letter_bit(w.address)) != 0) return shape();
     return {};  // F, S, T, D apply to finishing only
   }
@@ -189,7 +189,7 @@ class Reader {
     return ignored ? Status() : shape();
   }
 
-  /// G41, G42 allow over-determined blocks (17.3). Nothing is compensated: INFERRED, as on a Fanuc (19.B).
+  /// Executes G41, G42: they only permit over-determined blocks (17.3). Nothing is compensated: INFERRED, as on a Fanuc (19.B).
   void side(const CodeRow& row) {
     m_.modal.radius_side = row.arg == 0 ? std::int8_t{0} : row.arg == 1 ? std::int8_t{-1} : std::int8_t{1};
     if (row.arg != 0 && uncompensated_.empty() && radius() != 0) uncompensated_ = row.code;
@@ -247,7 +247,7 @@ Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
   reader.seek(*last);
   Block block;
-  (void)reader.next(block);  // a fault in the block is reported when it is executed
+  (void)reader.next(block);  // a fault in the block is reported when that block is executed
   return ContourPlace{*first, *last, reader.position()};
 }
 
@@ -259,7 +259,7 @@ Result<Contour> read_contour(Interpreter& m, const Call& call) {
   Contour contour;
   KADR_TRY(Reader(m, call).run(*place, contour));
   const auto is_arc = [](const ContourPiece& piece) { return piece.is_arc(); };
-  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))  // 16.2: such arcs become ellipses
+  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))  // 16.2: arcs become ellipses
     return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
   contour.behind = place->behind;
@@ -276,7 +276,7 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
     }
     const bool ccw = piece.kind == MotionKind::arc_ccw;
     const double sweep = 360 * piece.turns;
-    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // counted in the direction of the motion
+    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // start angle, counted in the direction of the motion
     double done = 0;
     for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {
       const double part = quarter - begin < sweep ? (quarter - begin) / sweep : 1;

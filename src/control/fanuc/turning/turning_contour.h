@@ -14,25 +14,25 @@ struct ContourPiece {
   MotionKind kind = MotionKind::rapid;
   Vec2 from, to;
   Vec2 center;
-  double turns = 0;         // of an arc: swept angle / 360, positive
-  std::uint32_t block = 0;  // N of the block it comes from
+  double turns = 0;         // arcs only: swept angle / 360, positive
+  std::uint32_t block = 0;  // block number N of the block that programs this motion
 
   bool is_arc() const { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
-  /// Returns the point at a fraction 0 … 1 of its length or angle.
+  /// Returns the point at a fraction 0 … 1 of the line's length or of the arc's angle.
   Vec2 at(double part) const;
 };
 
 struct Contour {
-  std::vector<ContourPiece> pieces;  // in order; the first one starts at the tool's position
-  Position behind;                   // position just after its last block
-  std::string_view uncompensated;    // G41 or G42 in the contour that the cycle does not execute; empty: none
-  bool follows = false;              // the contour comes after the cycle's block: the program continues at `behind`
+  std::vector<ContourPiece> pieces;  // in program order; the first one starts at the tool's position
+  Position behind;                   // position in the program just after the contour's last block
+  std::string_view uncompensated;    // G41 or G42 if the contour has one, which the cycle ignores; empty: none
+  bool follows = false;              // the contour comes after the cycle's block: the program then continues at `behind`
 };
 
 /// The positions of blocks P … Q in the file being read.
 struct ContourPlace {
   Position first, last;
-  Position behind;  // just after the last block
+  Position behind;  // just after block Q
 };
 /// Finds the contour by the words P and Q of the current block. alarms  word_missing, contour_block_missing, contour_order
 Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
@@ -42,10 +42,10 @@ Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
 ///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
 Result<Contour> read_contour(Interpreter& m, const Call& call);
 
-/// Splits arcs at the points where one of the axes reverses, so that in each piece both axes move in one direction only.
+/// Splits arcs where one of the axes reverses, so that both axes move in one direction only along each line or arc.
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
-/// Adds one motion of the contour, shifted. A rapid line of the program stays at rapid; everything else uses the feed in force.
+/// Adds one motion of the contour, moved by `shift`. A rapid line of the program stays rapid; any other motion uses the feed in force.
 Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift);
 
 }  // namespace kadr::fanuc

@@ -17,10 +17,10 @@ constexpr double most_steps = 1e6;
 
 class GrooveRun final : public RunningValue<GrooveRun> {
  public:
-  /// deep: the axis of the pecks; across: the axis of the positions. Programmed coordinates, mm.
+  /// In each point, x is the coordinate along the pecks, y the coordinate along which the positions follow one another; programmed, mm.
   struct Job {
-    bool deep_first = true;  // G74.7: the pecks are along the first axis
-    Vec2 start;              // x: deep, y: across
+    bool deep_first = true;  // G74.7: the pecks are along the first axis of the plane
+    Vec2 start;              // x: along the pecks, y: across them
     Vec2 target;
     double peck = 0, step = 0;
     double back = 0, relief = 0;
@@ -40,12 +40,12 @@ class GrooveRun final : public RunningValue<GrooveRun> {
   }
 
  private:
-  /// Goes from a towards b by at most `way`.
+  /// Returns the coordinate that is reached from a towards b by at most `way`.
   static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
 
   Status to(Emitter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
-  /// Moves off the wall, out of the groove and to the next position; after the last one back to the start.
+  /// Moves away from the wall, out of the groove and to the next position; after the last position back to the start.
   Status leave(Emitter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
@@ -63,7 +63,7 @@ class GrooveRun final : public RunningValue<GrooveRun> {
   bool over_ = false;
 };
 
-/// Reads a peck or step: P belongs to the second axis of the plane, Q to the first.
+/// Reads the length of a peck, or the step between positions: P is along the second axis of the plane, Q along the first.
 Result<double> distance(const Emitter& m, const Call& call, char letter) {
   if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
@@ -94,7 +94,7 @@ Status groove(Emitter& m, const Call& call) {
     job.target.y = job.start.y;
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
-  if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: with a single position there is no free side to move to
+  if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: with one position there is no free side
   job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
   if (std::fabs(job.target.x - job.start.x) / job.peck > most_steps)

@@ -16,16 +16,16 @@ struct Word;
 
 namespace kadr::fanuc {
 
-/// Returns the tool's position in the plane, programmed coordinates.
+/// Returns the tool's position in the plane, in programmed coordinates, mm.
 Vec2 plane_point(const BlockContext& m);
-/// Adds a straight motion in the plane, on the axes that change.
+/// Adds a straight motion in the plane to `to`, with words for the axes that change.
 Status go(Emitter& m, MotionKind kind, Vec2 to);
-/// Ends a pass: stops in single-block operation (19.B, INFERRED).
+/// Ends a pass of the cycle. In single-block operation the machine then stops (19.B, INFERRED).
 void end_pass(Emitter& m);
 
 /// Returns 0 or 1 for an axis word of the plane's first or second axis; 2 if the axis is not in the plane.
 std::size_t place_in_plane(const BlockContext& m, const Word& w);
-/// The target by the cycle's axis words in the plane, which are Cartesian. `given`: which of the two axes have a word in the block.
+/// The target that the cycle's axis words give in the plane, Cartesian. `given`: which of the two axes have a word in the block.
 ///   alarms  illegal_address: an axis that is not in the plane
 struct PlaneTarget {
   Vec2 to;

@@ -17,14 +17,14 @@ namespace {
 constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
-/// Continues the program after the contour.
+/// Continues the program after the contour, if the contour comes after the cycle's block.
 Status jump_behind(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
 }
 
-/// The contour seen from the start point: u is the direction of the passes, depth the direction into the material. The finishing
-/// allowance shifts the whole contour, so it does not matter here.
+/// The contour in coordinates relative to the start point: u is the coordinate along the passes, depth the coordinate into the material.
+/// The finishing allowance shifts the whole contour, so the class does not need it.
 ///
 ///   start u ───────────►
 ///     │  ══════════► pass at depth d, up to where the contour rises above d
@@ -32,13 +32,13 @@ Status jump_behind(Interpreter& m, const Contour& contour) {
 ///   depth   ─────╯ contour
 class Profile {
  public:
-  /// A pass along u. `open`: it starts at the u of the start point.
+  /// A pass along u. `open`: the pass starts at the u of the start point.
   struct Cut {
     double from, to;
     bool open;
   };
 
-  /// alarms  contour_shape: not monotone, or the first block is not a line or has no motion along the infeed axis
+  ///     alarms  contour_shape: the contour is not monotone, or its first block is not a line or has no motion along the infeed axis
   static Result<Profile> of(const std::vector<ContourPiece>& contour, bool facing, Span where) {
     Profile p;
     p.facing_ = facing;
@@ -57,7 +57,7 @@ class Profile {
       if (direction == 0 && std::fabs(way) > tol::level) direction = way;
       if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // the end may be above the start
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // only the end may be above the start
       p.deepest_ = std::max(p.deepest_, depth);
     }
     if (direction == 0) return shape(contour.back());
@@ -65,9 +65,9 @@ class Profile {
     return p;
   }
 
-  /// Converts a point of the plane to (u, v). The inverse is the same exchange of axes.
+  /// Converts a point of the plane to (u, v), or back: facing cycles exchange the two axes.
   Vec2 uv(Vec2 p) const { return facing_ ? Vec2{p.y, p.x} : p; }
-  /// Returns the point of the plane at a given u and depth.
+  /// Returns the point of the plane with this u and depth.
   Vec2 at(double u, double depth) const { return uv({u, start_.y + sign_ * depth}); }
 
   double start() const { return start_.x; }
@@ -98,7 +98,7 @@ class Profile {
  private:
   double depth(Vec2 p) const { return sign_ * (uv(p).y - start_.y); }
 
-  /// Returns u where a monotone piece passes this depth, by bisection.
+  /// Returns the u at which a monotone line or arc passes this depth; found by bisection.
   double crossing(const ContourPiece& piece, double depth) const {
     const bool rises = this->depth(piece.to) < this->depth(piece.from);
     double low = 0, high = 1;
@@ -178,7 +178,7 @@ class RoughRun final : public RunningValue<RoughRun> {
   std::size_t cut_ = 0, piece_ = 0;
 };
 
-/// Cuts the whole contour `passes` times, each time nearer to it.
+/// Cuts the whole contour `passes` times. The first pass is offset by `relief`, the last pass is on the contour plus the allowance.
 class PatternRun final : public RunningValue<PatternRun> {
  public:
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
@@ -213,7 +213,7 @@ class PatternRun final : public RunningValue<PatternRun> {
 
 }  // namespace
 
-/// arg 717: infeed along the second axis of the plane, 727: along the first (19.A 4).
+/// G71.7, G72.7. call.row->arg 717: infeed along the second axis of the plane; 727: infeed along the first (19.A 4).
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;

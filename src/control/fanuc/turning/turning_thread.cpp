@@ -1,4 +1,4 @@
-// Thread cycle G76.7, and the parts that G78.7 shares with it (spec/nct/19.B).
+// Thread cycle G76.7, and the functions for thread passes that G78.7 shares with it (spec/nct/19.B).
 
 #include <algorithm>
 #include <cmath>
@@ -29,17 +29,17 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   return {};
 }
 
-/// The passes of a compound thread. Depths are Δ1·√n with steps of at least `least`, up to the height less the allowance; then the
-/// finishing passes follow.
+/// Runs the passes of a compound thread. The depth of pass n is Δ1·√n, at least `least` deeper than the pass before, up to the thread's
+/// height less the finishing allowance; then the finishing passes follow.
 class ThreadRun final : public RunningValue<ThreadRun> {
  public:
   struct Job {
-    Vec2 start, target;  // the target is at the root of the thread
-    double taper = 0;    // along the second axis: start minus end
+    Vec2 start, target;  // the target is at the root of the thread, at its end
+    double taper = 0;    // difference of start and end along the second axis, mm
     double height = 0;   // height of the thread, mm
-    double first = 0;    // depth of the first pass
-    double lead = 0;     // mm
-    double chamfer = 0;  // mm
+    double first = 0;    // depth of the first pass (Δ1), mm
+    double lead = 0;     // thread lead, mm
+    double chamfer = 0;  // length of the run-out, mm
     TurningMemory data;
   };
   explicit ThreadRun(const Job& job) : job_(job) {}
@@ -60,7 +60,7 @@ class ThreadRun final : public RunningValue<ThreadRun> {
   }
 
  private:
-  /// A pass at `depth_` below the crest. Its start moves back along the first axis so that only one flank cuts.
+  /// Returns a pass at `depth_` below the crest. Its start point is moved back along the first axis so that only one flank cuts.
   ThreadPass pass() const {
     const Vec2& s = job_.start;
     const Vec2& t = job_.target;
@@ -110,7 +110,7 @@ Result<double> thread_lead_of(BlockContext& m, const Call& call) {
   return lead;
 }
 
-/// G76.7 X_ Z_ R_ P_ Q_ F_.
+/// G76.7 X_ Z_ R_ P_ Q_ F_: starts the thread passes.
 Status compound_thread(Emitter& m, const Call& call) {
   constexpr double most_passes = 1e6;
   ThreadRun::Job job;

@@ -14,53 +14,58 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Computes the end point from the block's axis words: G90/G91, operator I, U V W, diameter, polar data, roll-over (5.1–5.6).
+/// Computes the end point from the block's axis words: G90/G91, operator I (incremental), U V W, diameter, polar data, roll-over
+/// (5.1–5.6).
 Status target(const BlockContext& m, Axes& to, AxisMask& named);
 /// Returns the value of an axis word in mm or degrees; a diameter is halved.
 double coordinate(const BlockContext& m, const Word& w, std::size_t axis);
 /// True if the axis is in diameter programming (5.3).
 bool is_diameter(const BlockContext& m, std::size_t axis);
-/// True if the word is an increment: by G91, the operator I, or an address for increments.
+/// True if the word is an increment: because of G91, the operator I, or an address that is always incremental.
 bool is_increment(const BlockContext& m, const Word& w);
-/// Recomputes origin, length, shifts and basic rotation (10, position chain).
+/// Recomputes origin, length, shifts and basic rotation of the frames in force (chapter 10, position chain).
 void refresh_frames(Emitter& m);
 Axes shift_of_origin(const BlockContext& m);
-/// Returns c in [0, period).
+/// Returns c reduced to [0, period).
 double rolled_position(double c, double period);
-/// Returns the signed travel of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
+/// Returns the signed travel of a rotary axis that rolls over (5.6), from position c in [0, period) to the programmed value.
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment);
-/// Puts positions of axes that roll over into [0, R) (5.6). Machine positions must change by a motion only, since the
-/// machine follows those.
+/// Reduces positions of axes that roll over to [0, period) (5.6). Machine positions must change only by a motion, since the machine
+/// follows the motions.
 void roll_positions(const BlockContext& m, Axes& positions);
-/// Completes a motion that was added: travel of axes that roll over, feed of mixed axes, exact stop, cutter compensation.
+/// Completes a motion that was just added: travel of axes that roll over, feed of linear and rotary axes together, exact stop, cutter
+/// compensation.
 void note_motion(Emitter& m, Motion& motion);
-/// Returns the feed of a motion in inch mode. Degrees are not converted, so the path length counts in inches and degrees (4.2, 6.2.1).
+/// Returns the feed of a motion in inch mode. Degrees are not converted to inches: the path length is counted in inches and degrees (4.2,
+/// 6.2.1).
 double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from);
 /// Adds a straight motion in the virtual plane (G12.1) or on the cylinder (G7.1).
 Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named);
 /// Returns the number of an H or D word. The number in N2923 means the offset of the tool in the spindle.
 Result<std::uint32_t> offset_number(const BlockContext& m, char letter);
-/// flat_point(): a point in the plane of the surface, mm. surface_work(): the real axes for a programmed point. finish_surface(): adds to
-/// a motion the data of the surface.
+/// flat_point() returns a point in the plane of the surface, mm. surface_work() returns the real axis positions for a programmed point.
+/// finish_surface() adds the data of the surface to a motion.
 Vec2 flat_point(const BlockContext& m, const Axes& point);
 Axes surface_work(const BlockContext& m, const Axes& programmed);
-/// Like surface_work(), for a transformed point in polar interpolation; of all equal angles the one nearest to `near` degrees.
+/// Like surface_work(), for a transformed point in polar interpolation. Of the angles that differ by full revolutions, it uses the one
+/// nearest to `near` degrees.
 Axes polar_work(const BlockContext& m, const Axes& point, double near);
 /// An arc in the plane of polar interpolation. `turns`: counter-clockwise positive.
 struct FlatArc {
   Vec2 from, to, center;
   double turns = 0;
 };
-/// Returns the angle in degrees by which the direction from the pole turns along the arc, full revolutions included (4.5).
+/// Returns the angle in degrees by which the line from the pole to the tool rotates along the arc, full revolutions included (4.5).
 double swept_about_pole(const FlatArc& arc);
 /// Returns a programmed point after mirroring, scaling and rotation (16.0).
 Axes transformed(const BlockContext& m, const Axes& programmed);
-/// Returns the tool's position after the transformations: work coordinates, in polar interpolation the virtual ones.
+/// Returns the tool's position after mirroring, scaling and rotation: work coordinates; in polar interpolation, coordinates of the
+/// virtual plane.
 Axes before_transform(const BlockContext& m);
 void finish_surface(BlockContext& m, Motion& motion, const Axes& from);
-/// Returns the detail of a motion, to be filled in.
+/// Gives the motion a detail of its own and returns it, to be filled in.
 MotionDetail& detail_of(BlockContext& m, Motion& motion);
-/// Returns the first axis of this role (1, 2, 3 = X, Y, Z), or -1.
+/// Returns the first axis of the channel with this role (1, 2, 3 = X, Y, Z), or -1.
 int main_axis(const BlockContext& m, int role);
 /// Returns the names of the plane's axes, such as "XY".
 std::string plane_name(const BlockContext& m);

@@ -1,5 +1,6 @@
 #pragma once
-// Data lines between G10 L52, L75, L76, L77 and G11, which are not blocks (spec/nct/24 24.1, 12 12.4); exclusive M codes (13.1, 11.2).
+// Data lines between G10 L52, L75, L76, L77 and G11, which are not executed as blocks (spec/nct/24 24.1, 12 12.4); exclusive M codes
+// (13.1, 11.2).
 
 #include "base/result.h"
 

@@ -18,7 +18,7 @@ std::uint32_t fanuc::most_offsets(const BlockContext& m) {
 }
 
 Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
-  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // spec/fanuc 7.1: PS0030
+  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // PS0030 (spec/fanuc 7.1)
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, fanuc::most_offsets(m));
   if (!number) return number;
@@ -27,7 +27,7 @@ Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
 
 namespace {
 
-/// Returns the axes that the length acts on (15.3): those of the block, Z, or the normal of the plane.
+/// Returns the axes that the tool length acts on (15.3): those of the block, Z, or the normal of the plane.
 AxisMask length_axes(const BlockContext& m) {
   const int mode = fanuc_of(m).settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
@@ -44,11 +44,11 @@ AxisMask length_axes(const BlockContext& m) {
   return axes;
 }
 
-/// Returns the shift of an axis by a length of the table. For an axis in diameter programming the length is a diameter (5.3, 15.3). This
-/// is decided when the length is put into force: the table does not know its axis, and G10.9 does not move the machine.
+/// Returns the shift of an axis by a length of the offset table. For an axis in diameter programming the length is a diameter (5.3,
+/// 15.3). This is decided when the length is put into force: the table does not state an axis, and G10.9 does not move the machine.
 double shift_by(const BlockContext& m, std::size_t axis, double length) { return fanuc::is_diameter(m, axis) ? length / 2 : length; }
 
-/// G43.7 (15.4): the sums of the turning offset table act on X, Y, Z at once.
+/// G43.7 (15.4): puts the sums of geometry and wear of the turning offset table into force on X, Y, Z at once.
 void register_turning(BlockContext& m, std::uint32_t number) {
   const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
   if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
@@ -70,7 +70,7 @@ void register_length(BlockContext& m, std::uint32_t number) {
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
 }
 
-/// spec/haas 10, setting 15: H must be the number of the tool in the spindle; H0 ends the compensation.
+/// Checks that H is the number of the tool in the spindle, if setting 15 requires it (spec/haas 10); H0 ends the compensation.
 Status of_tool(const BlockContext& m, std::uint32_t number) {
   const std::uint32_t tool = m.modal.tool;
   if (!fanuc_of(m).settings.length_of_tool || number == 0 || number == tool) return {};
@@ -88,13 +88,13 @@ bool fanuc::only_shifts_length(const BlockContext& m) {
 
 namespace functions {
 
-/// arg: 1 G43, 2 G44, 0 G49, 437 G43.7.
+/// G43, G44, G49, G43.7: call.row->arg is 1 for G43, 2 for G44, 0 for G49, 437 for G43.7.
 Status length_comp(Emitter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   if (call.row->arg == 0) KADR_TRY(fanuc::may_end_lead(m, call));
-  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the milling offsets act again; they have no X and Y
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: milling offsets have no X, Y
   m.modal.turning_lengths = turning;
   fanuc::end_lead(m);
   if (call.row->arg == 0) {
@@ -120,7 +120,7 @@ Status length_comp(Emitter& m, const Call& call) {
   return {};
 }
 
-/// H: while G43 or G44 is in force the new length acts at once; otherwise only the number is kept.
+/// Executes H: while G43 or G44 is in force, the new length acts at once; otherwise only the number is stored.
 Status length_number(Emitter& m, const Call& call) {
   if (m.has_code({Function::length_comp, Function::tool_lead, Function::tool_orientation})) return {};
   const auto number = fanuc::offset_number(m, 'H');
@@ -147,7 +147,8 @@ Status radius_number(Emitter& m, const Call&) {
   return {};
 }
 
-/// arg: 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane starts or ends compensation; I, J, K give it a direction.
+/// G40, G41, G42 (15.5.1, 15.5.3): call.row->arg is 0, 1, 2. The next motion in the plane starts or ends compensation; I, J, K give its
+/// direction vector.
 Status radius_side(Emitter& m, const Call& call) {
   fanuc::Volatile& state = fanuc_of(m).state;
   if (call.row->arg != 0 && m.modal.plane != Plane::xy && m.def.gives(AlarmId::compensation_plane))
@@ -171,15 +172,15 @@ Status radius_side(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G38 (15.5.5): the line of its block ends with the same compensation vector that it starts with.
+/// G38 (15.5.5): the line of this block ends with the compensation vector with which the line starts.
 Status vector_hold(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   fanuc_of(m).holds_vector = true;
   return {};
 }
 
-/// G39 (15.5.6): an arc about the programmed point, to the start of the next motion or to the direction I, J, K. Its
-/// block has no other motion.
+/// G39 (15.5.6): adds an arc about the programmed point, to the start of the next motion or to the direction I, J, K. The block has no
+/// other motion.
 Status vector_corner(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));

@@ -1,4 +1,4 @@
-// Functions that do nothing here, and the alarm for functions that are not implemented.
+// Functions that need no action here, and the alarm for functions that are not implemented.
 
 #include "control/functions/functions.h"
 

@@ -1,4 +1,4 @@
-// Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). Used by the rest of control; tested by
+// Axes that follow a master axis: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). Used by the rest of control; tested by
 // tests/control/nct/coupling_test.cpp.
 
 #include "control/nct/axes/coupling.h"
@@ -23,10 +23,10 @@ double master_number(const BlockContext& m, std::size_t axis) {
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
-/// Returns the axis whose number is in N2101 of this axis, if it is another axis of the channel.
+/// Returns the master of the axis: the axis that N2101 names, if it is another axis of the channel.
 std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
-/// True if it has a master in this channel or in another one.
+/// True if the axis has a master in this channel or in another channel.
 bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
 
 bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
@@ -34,7 +34,7 @@ bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
-/// True if `axis` follows `master`, directly or through other followers. A master must not follow its own follower.
+/// True if `axis` follows `master`, directly or through other followers; `master` must then not follow `axis`.
 bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
   for (auto follower = couplings.followers.rbegin(); follower != couplings.followers.rend(); ++follower)
     if (follower->axis == axis) axis = follower->master;
@@ -63,7 +63,7 @@ void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
   follow_from_here(m);
 }
 
-/// Computes the signed travel of a follower whose master rolls over, and the follower's new position.
+/// Computes the signed travel of a follower whose master rolls over, and the new position of the follower.
 void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
@@ -163,7 +163,7 @@ void Nct::drop_far(Emitter& m, const FarAxis& axis) {
                  : warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[axis.axis])));
 }
 
-/// The axes of this channel that follow it move too.
+/// Sets the position of an axis whose master is in another channel; the axes of this channel that follow it move too.
 void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
   Axes& now = m.position.machine;
   now[axis] = machine;

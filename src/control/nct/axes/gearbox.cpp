@@ -18,7 +18,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
   return fail(alarm(AlarmId::coupling_parameter, call.where, number));
 }
 
-/// Returns the index in the channel of the axis that a parameter names.
+/// Returns the index in the channel of the axis that this parameter names.
 Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char* parameter) {
   const auto& store = macro_b_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
@@ -27,7 +27,8 @@ Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char*
   return wrong_parameter(call, std::strtod(parameter, nullptr));
 }
 
-/// Returns the spindle of N1801: by its name in the set-up; else "S2" is spindle 2 and "S" the main spindle (INFERRED).
+/// Returns the number of the spindle that N1801 names: by its name in the set-up; else "S2" is spindle 2 and "S" the main spindle
+/// (INFERRED).
 Result<int> master_of(const BlockContext& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : fanuc_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
@@ -38,7 +39,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
   return wrong_parameter(call, parameter);
 }
 
-/// Reads T and L and returns their ratio. L0 is illegal (INFERRED).
+/// Reads T (teeth) and L (starts) and returns the ratio L / T. L0 is illegal (INFERRED).
 Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, most_teeth);
@@ -55,8 +56,8 @@ Status within(const BlockContext& m, char letter, double least, double most) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, value));
 }
 
-/// Returns the rotation of the table in degrees per mm along the gear's axis (20.1.3). INFERRED: it follows from the geometry of the
-/// gear, and its sign is the sign of P.
+/// Returns the rotation of the table in degrees per mm of travel along the gear's axis (20.1.3). INFERRED: the value follows from the
+/// geometry of the gear; its sign is the sign of P.
 Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
   for (const char letter : {'Q', 'P'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
@@ -71,7 +72,8 @@ Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
 
 namespace functions {
 
-/// G81.8 T L R Q P: couples, or replaces the coupling in force. G81.8 Q P: only changes the helix compensation, while coupled.
+/// G81.8 T L R Q P: couples table and spindle, or replaces their coupling. G81.8 Q P, while they are coupled: changes the helix
+/// compensation only.
 Status gear_on(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
@@ -106,14 +108,14 @@ Status gear_on(Emitter& m, const Call& call) {
   couple.ratio = gear.ratio;
   couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
-  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1 counts revolutions of the workpiece
+  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1: feed counts workpiece revolutions
   nct.state.gear = gear;
   nct.stops_reading = true;
   m.emit(couple);
   return {};
 }
 
-/// G80.8: the table stops, the spindle continues to turn.
+/// G80.8: the table stops; the spindle continues to turn.
 Status gear_off(Emitter& m, const Call&) {
   nct::disengage(m);
   return {};
@@ -123,8 +125,8 @@ Status gear_off(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// Retracts the axes by N1804 on a straight line, each at N1805 (0: at rapid). INFERRED: of several feeds, the one that keeps every axis
-/// within its own; at rapid if no axis has a feed.
+/// Retracts the axes by the distances in N1804 on a straight line, with the feeds in N1805 (0: at rapid). INFERRED: if feeds differ, the
+/// motion keeps every axis within its own feed; it is a rapid motion if no axis has a feed.
 Status withdraw(Emitter& m) {
   const auto& store = macro_b_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};

@@ -11,13 +11,14 @@
 namespace kadr::nct {
 namespace {
 
-// Bits of the tool info in the manual's order (12.3.1). When clear they are named I C N E U, when set V T L D S.
+// Bits of the tool info in the manual's order (12.3.1). The manual's letters are I C N E U for bits that are 0, V T L D S for bits that
+// are 1.
 constexpr std::uint32_t valid = 1, by_time = 2, large = 4, searchable = 16;
 constexpr int info_digits = 5, user_digits = 8;
 
 constexpr std::uint32_t not_performed = 0, not_used = 1, used = 2, expired = 3;
 
-constexpr int pockets_in_place_call = 10'000;  // Tiiiikkkk
+constexpr int pockets_in_place_call = 10'000;  // T by pocket is magazine (iiii), pocket (kkkk): Tiiiikkkk
 constexpr int most_forms = 20;
 constexpr double most_dword = 99'999'999;
 
@@ -26,7 +27,7 @@ bool has_one_pocket(int magazine) { return magazine >= 10 && magazine % 10 <= 1;
 bool is_spindle(int magazine) { return magazine >= 10 && magazine % 10 == 0; }
 bool is_multi(int magazine) { return magazine >= 1 && magazine <= 4; }
 
-/// Converts a number of the set-up, which may have any value, to a whole number.
+/// Converts a number of the set-up, which may have any value, to a whole number from 0 to 1e9.
 int whole_of(double number) { return static_cast<int>(std::clamp(number, 0.0, 1e9)); }
 std::uint32_t type_of(const ToolRow& row) { return static_cast<std::uint32_t>(whole_of(row.type)); }
 
@@ -97,7 +98,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   InSpindle& state = spindles_.edit(spindle);
   ToolCall now = *state.prepared;
   state.prepared.reset();
-  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false for a T that came before the tables were filled
+  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false if T was programmed before the tables had data
   if (enabled() && resolved) exchange(state, now, spindle);
   state.tool = now.tool;
   const ToolRow* there = row(now.data);
@@ -108,14 +109,14 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
 /// Moves the tools in the pocket table, and sets the pocket that `now` came from.
 void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   std::optional<Pocket> from;
-  if (now.data != 0) from = place_of(now.data);                         // it may have been moved since T
+  if (now.data != 0) from = place_of(now.data);                         // the tool may have been moved since T
   else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // T named an empty pocket
   std::tie(now.magazine, now.pocket) = from.value_or(Pocket{});
   const ToolRow* loaded = row(now.data);
   if (loaded != nullptr && loaded->type != 0) now.tool = type_of(*loaded);
 
   const int old = spindle_row(spindle);
-  if (old == now.data) return;  // it is in the spindle already, or both are empty
+  if (old == now.data) return;  // the tool is already in the spindle, or there is none
   if (now.data != 0 && from) places_.edit(*from) = 0;
   places_.edit(only_pocket(spindle)) = now.data;
   if (old != 0) put_away(old, from, state.home);
@@ -234,7 +235,7 @@ tl::unexpected<Alarm> out_of_range(const DataWord& word) {
   return fail(alarm(AlarmId::value_out_of_range, word.where, word.letter, word.value));
 }
 
-/// Returns a whole number in [least, most].
+/// Checks that the word is a whole number from `least` to `most`, and returns it.
 Result<int> whole(const DataWord& word, double least, double most) {
   if (!(word.value >= least && word.value <= most) || word.value != std::floor(word.value)) return out_of_range(word);
   return static_cast<int>(word.value);
@@ -250,7 +251,7 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
   return needed(block, letter, code).and_then([&](const DataWord* word) { return whole(*word, 0, most); });
 }
 
-/// Reads decimal digits as binary digits: Q10001 is 17. Leading zeros may be omitted.
+/// Reads a word's decimal digits as binary digits: Q10001 is 17. Leading zeros may be omitted.
 Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
@@ -266,10 +267,11 @@ Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
   return value;
 }
 
-/// Columns of the tool table that are whole numbers (12.4.1). L is not called "integer" there, but its column is a DWORD (12.3.1).
+/// Columns of the tool table that are whole numbers (12.4.1). The manual does not call L an integer there, but its column is a DWORD
+/// (12.3.1).
 struct Item {
   char letter;
-  double most;  // 0: N1400
+  double most;  // greatest value; 0: the value of N1400
   double ToolRow::*number;
   std::uint32_t ToolRow::*code;
 };

@@ -1,7 +1,8 @@
 #pragma once
-// Tool management (nct 12): the tables of tools, pockets and forms, tool call and change, tool life, data input by G10. ToolManagement
-// holds the tables; DataInput fills them between G10 L75/L76/L77 and G11. Magazine numbers: 1…4 are magazines with many pockets; 10, 20,
-// … are the spindles and 11, 21, … their stand-by places, with one pocket each.
+// Tool management (nct 12): the tables of tools, pockets and forms (a form states the space that a tool needs), tool call and
+// change, tool life, data input by G10. ToolManagement has the tables; DataInput fills them between G10 L75/L76/L77 and G11. Magazine
+// numbers: 1…4 are magazines with many pockets; 10, 20, … are the spindles and 11, 21, … their stand-by magazines, with one
+// pocket each.
 
 #include <algorithm>
 #include <cstdint>
@@ -19,9 +20,9 @@
 
 namespace kadr::nct {
 
-using Pocket = std::pair<int, int>;  // magazine, pocket
+using Pocket = std::pair<int, int>;  // magazine number, pocket number
 
-/// A table that remembers its rows as they were at the start of the block, and which rows have changed since the last take_changed().
+/// A table that can restore its rows to their values at the start of the block, and lists the rows changed since the last take_changed().
 template <class Key, class Row>
 class JournaledTable {
  public:
@@ -33,7 +34,7 @@ class JournaledTable {
     const auto found = rows_.find(key);
     return found == rows_.end() ? nullptr : &found->second;
   }
-  /// Returns the row for writing; creates it if it does not exist.
+  /// Returns the row for writing; creates the row if it does not exist.
   Row& edit(const Key& key) {
     keep(key);
     return rows_[key];
@@ -64,10 +65,10 @@ class JournaledTable {
     }
     version_ = other.version_;
   }
-  /// Increases with each change.
+  /// Returns a number that increases with each change of the table.
   std::uint64_t version() const { return version_; }
 
-  /// Connects the table to a journal: from then on the rows that a block writes can be restored. Without it nothing is restored.
+  /// Connects the table to a journal: from then on the rows that a block writes can be restored. Without a journal nothing is restored.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
  private:
@@ -86,7 +87,7 @@ class JournaledTable {
   void undo() {
     ++version_;
     for (const auto& [key, row] : old_) {
-      changed_.insert(key);  // a reader may have seen it meanwhile
+      changed_.insert(key);  // undoing counts as a change: a reader may have seen the row meanwhile
       if (row) rows_[key] = *row;
       else rows_.erase(key);
     }
@@ -95,7 +96,7 @@ class JournaledTable {
   }
 
   std::map<Key, Row> rows_;
-  std::vector<std::pair<Key, std::optional<Row>>> old_;  // rows of this block, each with its value before the block
+  std::vector<std::pair<Key, std::optional<Row>>> old_;  // rows written in this block, each with its value before the block
   std::set<Key> changed_;
   std::uint64_t version_ = 0;
   JournalLink journal_;
@@ -109,17 +110,17 @@ struct ToolLimits {
 
 /// What T and M6 emit for the machine.
 struct ToolCall {
-  std::uint32_t tool = 0;  // T as programmed, or the type number of the row
-  int data = 0;            // row of the tool table; 0: none
-  int magazine = 0;        // the tool's pocket, now or before the change; magazine 0: in no pocket
+  std::uint32_t tool = 0;  // T as programmed, or the type number of the tool's row
+  int data = 0;            // data number: the tool's row in the tool table; 0: none
+  int magazine = 0;        // magazine of the tool, now or before the change; 0: the tool is in no pocket
   int pocket = 0;
   friend bool operator==(const ToolCall&, const ToolCall&) = default;
 };
 
 /// Offset numbers of a tool; 0: none.
 struct OffsetNumbers {
-  int h = 0, d = 0;  // milling: length, radius
-  int g = 0, w = 0;  // turning: geometry, wear
+  int h = 0, d = 0;  // milling: numbers of length and radius offset
+  int g = 0, w = 0;  // turning: numbers of geometry and wear offset
 };
 
 enum class CallBy : std::uint8_t { type, place };
@@ -130,7 +131,7 @@ class ToolManagement {
   static constexpr int main_spindle = 10;
 
   ToolManagement() = default;
-  /// Reads the tables, and the tool in the main spindle if no table names it.
+  /// Reads the tables from the set-up, and the tool in the main spindle if no table lists that tool.
   explicit ToolManagement(const Setup& setup, ToolLimits limits = {});
 
   const ToolLimits& limits() const { return limits_; }
@@ -141,75 +142,78 @@ class ToolManagement {
   const PlaceTable& places() const { return places_.rows(); }
   const std::map<int, ToolForm>& forms() const { return forms_.rows(); }
 
-  /// True if there is a row or a pocket. Otherwise T and M6 only pass the tool number on.
+  /// True if a table has a row or a pocket. Otherwise T and M6 only pass the tool number to the machine.
   bool enabled() const { return !rows().empty() || !places().empty(); }
   const ToolRow* row(int data) const { return rows_.find(data); }
 
   /// Finds the tool that T with this type number means: among the valid rows with status 1 or 2, or with status 0 and bit S, the row with
-  /// the greatest counter; among equal ones the smallest data number. It need not be in a pocket.
+  /// the greatest counter; among equal rows the smallest data number. The tool need not be in a pocket.
   ///   returns  data number; 0: none
   ///   manual   12.3.1
   int search(std::uint32_t type) const;
 
-  /// Returns the first pocket (by magazine, then pocket number) that has this row.
+  /// Returns the first pocket (ordered by magazine, then by pocket number) that contains the tool of this row.
   std::optional<Pocket> place_of(int data) const;
 
-  /// T: finds the tool and prepares it for the next change of this spindle. A further T replaces it.
-  ///   tool     by type: type number; 0: no tool, the change empties the spindle (12.1, inferred). By place: magazine · 10000 + pocket
-  ///            (N2924, 12.5.2); neither status nor life matters
+  /// Executes T: finds the tool and prepares it for the next change of this spindle. A later T replaces the prepared tool.
+  ///   tool     CallBy::type: type number; 0: no tool, the change empties the spindle (12.1, inferred). CallBy::place: magazine · 10000 +
+  ///            pocket (N2924, 12.5.2); neither status nor life matters
   ///   returns  data, magazine and pocket, as far as the tables list them
-  ///   alarms   tool_not_found (T): no candidate; or the pocket table lists magazines, but not this one (inferred)
+  ///   alarms   tool_not_found (T): no row fits; or the pocket table lists magazines, but not this one (inferred)
   Result<ToolCall> call(std::uint32_t tool, CallBy by, int spindle = main_spindle);
 
-  /// M6 (or T, if T changes tools): moves the prepared tool into the spindle. If nothing is prepared, nothing changes and nothing counts.
-  /// The old tool goes into the pocket of the new one (random handling, 12.3 c); else into the pocket it came from; else into the first
-  /// empty pocket of a magazine; else it is in no pocket any more. Inferred. A tool that is in the spindle already stays there.
+  /// Executes M6 (or T, if T changes tools): moves the prepared tool into the spindle. If no tool is prepared, nothing changes and no use
+  /// is counted. The old tool goes into the pocket of the new one (random handling, 12.3 c); else into the pocket it came from; else into
+  /// the first empty pocket of a magazine; else it is in no pocket any more. Inferred. A prepared tool that is already in the spindle
+  /// stays there.
   ///   count    the change code counts as a use (N2901 TLC: 0 M6, 1 T). The tool now in the spindle is counted (inferred), if it has bits
   ///            V and C and status 1 or 2: status 1 becomes 2; it becomes 3 when the counter reaches the life
   ///   returns  tool and row now in the spindle, and the pocket it came from; `tool` is the row's type number, if it has one
   ///   manual   12.2, 12.3.1, 12.5
   ToolCall change(int spindle, CountUse count);
 
-  /// Adds cutting time, in s, to the tool in this spindle. It counts for bits V and T with status 1 or 2. The counter is in seconds
-  /// (inferred) and keeps fractions. The caller checks that override, rotation and feed meet the conditions of 12.3.1.
+  /// Adds cutting time, in s, to the life counter of the tool in this spindle. Time counts for tools with bits V and T and status 1 or 2.
+  /// The counter is in seconds (inferred) and keeps fractions. The caller checks that override, rotation and feed meet the conditions of
+  /// 12.3.1.
   void add_time(double seconds, int spindle = main_spindle);
 
   /// True if a tool with status 1 to 3 has `warn` or less of its life left (12.3.1).
   bool warning(int data) const;
 
-  /// Returns the row of the tool in a spindle or stand-by magazine; 0: empty or not listed.
+  /// Returns the data number of the tool in a spindle or stand-by magazine; 0: empty or not listed.
   int spindle_row(int magazine = main_spindle) const;
 
-  /// Returns #8401…#8450 for the tool in a spindle or stand-by magazine (12.5.3). If it is empty, #8401 is 0 and the others are vacant.
-  /// Also vacant: #8415…#8430, user data above N2903, and all but #8401 if the row is not in the table. Time is in whole seconds.
+  /// Returns #8401…#8450 for the tool in a spindle or stand-by magazine (12.5.3). If the magazine is empty, #8401 is 0 and the others are
+  /// vacant. Also vacant: #8415…#8430, user data above N2903, and all but #8401 if the row is not in the table. Time is in whole seconds.
   std::optional<double> spindle_data(int magazine, int variable) const;
 
-  /// Checks a value for #8400: it must be a spindle or stand-by magazine; which of them exist is not known here. Alarm
-  /// magazine_number (value).
+  /// Checks a value for #8400: it must be the number of a spindle or stand-by magazine; whether that magazine exists is not checked.
+  /// Alarm magazine_number (value).
   static Status check_magazine(double number);
 
-  /// Returns H, D, G, W of the tool in the spindle, for N2923 (12.5.1); all 0 if the spindle is empty (inferred).
+  /// Returns the offset numbers H, D, G, W of the tool in the spindle, for N2923 (12.5.1); all 0 if the spindle is empty (inferred).
   OffsetNumbers offset_numbers(int spindle = main_spindle) const;
 
-  /// Returns the tool's form. Only a row with bit L and a form number has one; any other tool occupies just its own pocket.
+  /// Returns the tool's form. Only a row with bit L and a form number has a form; any other tool occupies just its own pocket.
   ToolForm form_of(int data) const;
 
-  // Used by data input.
+  // Used by DataInput.
   ToolRow& edit_row(int data) { return rows_.edit(data); }
   void clear_row(int data) { rows_.erase(data); }
   void set_place(Pocket pocket, int data) { places_.edit(pocket) = data; }
   void set_form(int number, const ToolForm& form) { forms_.edit(number) = form; }
-  /// Returns the pocket of a magazine that has only one: as listed, else number 1.
+  /// Returns the pocket of a magazine with a single pocket: as the pocket table lists it, else pocket number 1.
   Pocket only_pocket(int magazine) const;
 
-  /// Connects the tables and the prepared tools to a journal, which restores them. This object must not be moved from then on.
+  /// Connects the tables and the prepared tools to a journal, which restores them after an alarm. From then on this object must not be
+  /// moved.
   void keep_in(Journal& journal) { rows_.keep_in(journal), places_.keep_in(journal), forms_.keep_in(journal), spindles_.keep_in(journal); }
 
   /// Copies the three tables, which all channels share (12.3). What is prepared for a spindle belongs to the channel.
   void take_tables(const ToolManagement& from) { rows_.take(from.rows_), places_.take(from.places_), forms_.take(from.forms_); }
   std::uint64_t tables_version() const { return rows_.version() + places_.version() + forms_.version(); }
 
-  /// Returns the keys written to since the last call, for the state file; a key without a row was deleted.
+  /// Returns the keys of rows written since the last call, for the state file; a key without a row means that the row was deleted.
   ///   law  every row that differs from its state at the last call is returned; after Journal::undo() others may be returned too
   std::vector<int> take_changed_rows() { return rows_.take_changed(); }
   std::vector<Pocket> take_changed_places() { return places_.take_changed(); }
@@ -218,8 +222,8 @@ class ToolManagement {
  private:
   struct InSpindle {
     std::optional<ToolCall> prepared;
-    std::uint32_t tool = 0;  // number of T, if no table lists the tool
-    Pocket home{};           // the pocket it came from
+    std::uint32_t tool = 0;  // tool number by T, if no table lists the tool
+    Pocket home{};           // the pocket that the tool came from
   };
   void exchange(InSpindle& state, ToolCall& now, int spindle);
   void put_away(int data, const std::optional<Pocket>& first, Pocket second);
@@ -232,8 +236,9 @@ class ToolManagement {
   JournaledTable<int, InSpindle> spindles_;
 };
 
-/// True if two tools in pockets of one chain, or of one row of a matrix, do not collide: right + left is at most twice the number of
-/// pockets between them (12.3.3; inferred: the space needed is counted from the border of the tool's own pocket, in half pockets).
+/// True if two tools in pockets of one chain, or of one row of a matrix, do not collide: the space that the left tool needs on its right
+/// plus the space that the right tool needs on its left is at most twice the number of pockets between them (12.3.3; inferred: space is
+/// counted in half pockets, from the border of the tool's own pocket).
 ///   law  symmetric in the two tools; false for the same pocket
 bool fits_beside(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b);
 
@@ -245,7 +250,7 @@ std::optional<DataKind> data_kind(double l, double p);
 struct DataWord {
   char letter;
   double value;
-  std::string_view digits;  // as written, for the binary values Q and R; empty: the digits of `value`
+  std::string_view digits;  // digits as written, for the binary values Q and R; empty: the digits of `value`
   Span where;
 };
 struct DataBlock {
@@ -258,12 +263,12 @@ class DataInput {
  public:
   void begin(DataKind kind) { kind_ = kind, row_ = 0; }
 
-  /// Executes one data block. On an alarm nothing has changed. An empty block does nothing.
+  /// Executes one data block. An empty block does nothing. After an alarm the tables are unchanged.
   ///   alarms   value_out_of_range (letter, value), also for a fraction or digits that are not binary (inferred)
   ///            word_missing (letter, "G10 L75")
   ///            data_block (letter): a word that is not allowed here, or occurs twice
-  ///   manual   12.4.1 … 12.4.5. Inferred: rows protected by info bit D can be changed by the program; items may be spread over several
-  ///            blocks; items of a form that are not given are 0
+  ///   manual   12.4.1 … 12.4.5. Inferred: the program can change rows protected by info bit D; the items of a row may be spread over
+  ///            several blocks; items of a form that are not given are 0
   Status block(const DataBlock& block, ToolManagement& tools);
 
  private:
@@ -272,7 +277,7 @@ class DataInput {
   Status user_item(const DataBlock& block, ToolManagement& tools) const;
 
   DataKind kind_ = DataKind::register_rows;
-  int row_ = 0;  // the row being filled; 0: none yet
+  int row_ = 0;  // data number of the row being filled; 0: none yet
 };
 
 }  // namespace kadr::nct
