@@ -1,4 +1,5 @@
-// LeastTime, the limits within the cells: their barrier with its gradient and Hessian, and where a step would break them.
+// LeastTime, the limits within the cells: computes the barrier function of the limits with its gradient and Hessian, and finds the cells
+// where a step would violate a limit.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr double most_of_slack = 0.95;  // the share of a slack that one step may use up
-constexpr double bend_of_time = 0.1;    // 0.75 in theory: less makes the steps longer far from the limits; near them the barrier prevails
-constexpr std::size_t group_size = 16;  // cells
+// factor of the second derivative of the time, 0.75 in theory; a smaller factor makes the steps longer far from the limits; near the
+// limits the barrier dominates
+constexpr double bend_of_time = 0.1;
+constexpr std::size_t group_size = 16;  // number of cells in a group
 
 constexpr auto& place_parts = LeastTime::place_parts;
 
@@ -28,13 +31,13 @@ constexpr AtPlaces at_places_of(const Function& f) {
 /// Weights of a cell's Bézier ordinates in the value of b at the sample positions: (1−t)², 2t(1−t), t².
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
-/// Weights in the derivative by t, the fraction of the cell.
+/// Weights of the ordinates in db/dt, where t is the fraction of the cell.
 constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
                                 at_places_of([](double t) { return 2 * t; })};
-/// Weights in the second derivative, the same at all sample positions.
+/// Weights of the ordinates in d²b/dt², the same at all sample positions.
 constexpr double bends[3] = {2, -4, 2};
 
-/// Gradient and Hessian of a function of b, b′ and b″, at each sample position separately.
+/// Gradient and Hessian of a function of (b, b′, b″), stored separately for each sample position.
 template <class Lanes>
 struct Sums {
   Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
@@ -44,19 +47,19 @@ struct Sums {
     const Lanes bend0 = bend * e0;
     h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
   }
-  /// Likewise with r = (e0, e1, e2).
+  /// Adds `bend` · r rᵀ, where r = (e0, e1, e2), to the Hessian.
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes bend2 = bend * e2;
     add(bend, e0, e1);
     h02 += bend2 * e0, h12 += bend2 * e1, h22 += bend2 * e2;
   }
-  /// Adds −log(1 − x²), where x = `scale` · (e0 b + e1 b′), an acceleration.
+  /// Adds the barrier −log(1 − x²) of an acceleration, where x = `scale` · (e0 b + e1 b′) is the share of its limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1);
   }
-  /// Likewise for a jerk, x = `scale` · (e0 b + e1 b′ + e2 b″).
+  /// Adds the barrier −log(1 − x²) of a jerk, where x = `scale` · (e0 b + e1 b′ + e2 b″) is the share of its limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1, by[2] += by_scale * e2;
@@ -108,7 +111,7 @@ struct Shape {
 
 }  // namespace
 
-/// A sum of logarithms that calls log() once for many factors.
+/// A sum of logarithms. It multiplies many factors and calls log() once for their product.
 class LeastTime::Logs {
  public:
   /// `factor` may be as small as 1e-200.
@@ -205,7 +208,7 @@ void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Thr
   hessian_.h2[first] += product(0, 2);
 }
 
-/// Computes gradient and Hessian of the barrier function at y_. Needs m_ as of y_.
+/// Computes the gradient and Hessian of the barrier function at y_. m_ must already correspond to y_.
 void LeastTime::derivatives(double mu) {
   for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -224,7 +227,7 @@ void LeastTime::derivatives(double mu) {
   });
 }
 
-/// Returns the changes of a cell's ordinates by step_.
+/// Returns by how much step_ changes the three ordinates of a cell.
 LeastTime::Three LeastTime::step_in(std::size_t cell) const {
   std::array<Three, 3> by;
   by_variables(cell, by);
@@ -266,9 +269,9 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
   return true;
 }
 
-/// Makes the step shorter only where it would break limits (to first order), not everywhere: stiffens the Hessian in the directions that
-/// break them.
-///   returns  false if the step breaks no limit
+/// Shortens the step only in cells where it would violate limits (to first order), by enlarging the Hessian in the directions that
+/// violate them.
+///   returns  false if the step violates no limit
 bool LeastTime::stiffen(double mu, bool first) {
   const std::size_t groups = (n_ + group_size - 1) / group_size;
   if (first) was_broken_.assign(groups, 1);

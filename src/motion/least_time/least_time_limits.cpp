@@ -1,5 +1,5 @@
-// LeastTime, what follows from a path's limits before any speed is known: the variables, the ordinates as linear forms of them, the
-// greatest value of each variable.
+// LeastTime, preparation before any speed is known: numbers the variables, expresses the ordinates as linear combinations of the
+// variables, and computes the greatest value of each variable.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 namespace kadr {
 namespace {}  // namespace
 
-/// A cell next to a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle ordinate is a third of b₁.
+/// A cell of length h next to a stop has b = b₁ (σ/h)^(4/3), where σ is the distance from the stop and b₁ the value of b at the other
+/// knot. There b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
 void LeastTime::number_variables() {
   const std::vector<double>& h = path_->h;
   variable_.assign(n_, 0);
