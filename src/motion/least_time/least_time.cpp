@@ -100,7 +100,7 @@ bool LeastTime::goes_on_crawling(double gently) {
 
 /// First guess: the earlier solution; after its end the speed at that end, reduced towards the final stop and the reversals to the speed
 /// that constant jerk reaches from rest at that distance.
-///   returns  false if the guess exceeds limits
+///   returns  false if the guess exceeds a limit
 bool LeastTime::goes_on_to_stop() {
   constexpr int most_tries = 16;
   const double slow = ends_.guess.back();

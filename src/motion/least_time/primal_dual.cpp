@@ -147,7 +147,7 @@ PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const 
 
 /// Lowers the speeds in a range, except near its ends.
 void PrimalDual::lower(const Range& range) {
-  // less: factor at full reduction; over: number of cells over which the reduction grows from the ends
+  // less: greatest reduction, as a share; over: number of cells over which the reduction grows from the ends of the range
   constexpr double less = 0.3, over = 48;
   const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
   for (std::size_t i = first + 1; i + 1 < end; ++i) {

@@ -182,7 +182,8 @@ void Playback::go_on_trying() {
   }
 }
 
-/// Returns the share that the operator requests; 1 where the operator's switches do not act.
+/// Returns the share that the operator requests. Where the override switch does not act, it is 1; where feed hold does not act, the last
+/// share above 0 replaces a request of 0.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
   if (wanted > 0) now_.last_override = wanted;
