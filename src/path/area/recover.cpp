@@ -145,7 +145,8 @@ std::vector<std::uint32_t> Carriers::on(Vec2 a, Vec2 b) const {
 std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) const {
   const std::size_t count = corners.size(), chords = closed ? count : count - 1;
   std::size_t start = 0;
-  double sharpest = 2;  // cosine-like measure of the sharpest corner, where the search starts because no run continues over it
+  // cosine of the change of direction at the sharpest corner; the search starts there because no run continues over it
+  double sharpest = 2;
   for (std::size_t i = 0; closed && i < count; ++i) {
     const Vec2 in = corners[i] - corners[(i + count - 1) % count], out = corners[(i + 1) % count] - corners[i];
     const double cosine = dot(in, out) / std::max(length(in) * length(out), 1e-300);

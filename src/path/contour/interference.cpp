@@ -17,8 +17,8 @@ bool opposed(Vec2 programmed, Vec2 compensated) {
   return dot(programmed, compensated) < -tol::same_point * std::max(length(programmed), tol::same_point);
 }
 
-/// Returns true if the tool path along an arc has a radius of 0 or less, or runs in the opposite sense of rotation (INFERRED: for arcs
-/// above half a circle the chords are not compared).
+/// Returns true if the tool is too large for an arc, or the tool path along the arc runs in the opposite sense of rotation (INFERRED: for
+/// arcs above half a circle the chords are not compared).
 bool arc_turns_round(const ContourElement& arc, const CompensatedBlock& block, Vec2 end_vector) {
   const double inside = block.side * arc.sense() * block.radius;
   if (std::min(arc.start_radius, arc.end_radius) < inside - tol::same_point) return true;
@@ -78,7 +78,8 @@ std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   return ContourJoin{j + 1, single(*meet), point + *meet - next.element->from};
 }
 
-/// Returns true if the block after the join would go backwards. False if the end of that block is unknown.
+/// Returns true if the block after the join would go backwards. False if the end of that block is unknown, or if the block ends
+/// compensation.
 bool turns_next(Window window, const ContourJoin& join) {
   CompensatedBlock next = window[join.next];
   if (!next.plain || next.end == nullptr || next.end->count == 0) return false;
