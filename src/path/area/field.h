@@ -24,7 +24,7 @@ struct Field {
 /// Returns the fields of a zone; an empty list if the tool does not fit anywhere.
 std::vector<Field> fields_of(const Zone& zone, const Job& job);
 
-/// Returns true if the path stays within field.roomy.
+/// Returns true if the path stays within field.roomy, the area in which the tool's centre must stay.
 bool holds(const Field& field, const Edges& path);
 
 /// Returns true if the disk of the tool at `p` touches no material.

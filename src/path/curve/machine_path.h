@@ -50,7 +50,7 @@ class MachinePath {
     return first_not(clear, 0, 1, most_halvings);
   }
 
-  /// Returns a box that certainly contains the whole path, without sampling.
+  /// Returns a box that certainly contains the whole path, but may be larger than necessary; computed without sampling.
   Extents rough_extents() const;
 
   static constexpr double closeness = 1e-7;  // mm, degrees: a tenth of tol::same_point

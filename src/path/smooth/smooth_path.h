@@ -56,7 +56,7 @@ class SmoothPath {
   double turn(std::size_t vertex) const { return turn_[vertex]; }
   /// True if the path reverses at the vertex. Such a vertex has no rounding, and no other rounding extends beyond it.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
-  /// Distance from a vertex where the axes stop for an instant (an end of the path, or a reversal) to the nearest other such vertex, mm.
+  /// Distance from the vertex to the nearest other vertex at which the axes stop for an instant (an end of the path, or a reversal), mm.
   /// Exact below `widest`; valid for settled vertices.
   double room(std::size_t vertex) const { return room_[vertex]; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
@@ -139,12 +139,12 @@ class SmoothPath {
   std::vector<double> width_;      // width of the rounding at each vertex
   std::vector<double> in_chain_;   // the vertex' own limit of the chain's width; 0: not computed yet
   std::vector<double> tolerance_;  // corner tolerance of each vertex
-  std::vector<double> room_;       // room() of each vertex; unused where the axes do not stop
+  std::vector<double> room_;       // room() of each vertex
   std::vector<double> direction_;  // unit vector of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
   std::vector<char> on_curve_, paced_, is_chained_;  // flags of each vertex
-  struct Rounding {                                  // the single rounding of a vertex
+  struct Rounding {                                  // the rounding of one vertex
     double inverse = 0;                              // 1 / width
     const SoftCorner* shape = nullptr;
   };

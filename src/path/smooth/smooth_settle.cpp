@@ -24,7 +24,7 @@ constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
 
-/// Computes room_: for each vertex where the axes stop for an instant, the distance to the nearest other such vertex.
+/// Computes room_: for each vertex, the distance to the nearest other vertex at which the axes stop for an instant.
 void SmoothPath::find_ends(std::size_t first, bool last) {
   const std::size_t vertices = at_.size();
   double edge = 0;  // path length of the last stop, beyond which no rounding extends
