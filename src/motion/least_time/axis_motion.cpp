@@ -327,7 +327,7 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
-  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // at the corners between the chords of a curve
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // tolerance of the corners between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
   const SpindleTurning any;  // a dry run does not depend on the spindle speed

@@ -28,7 +28,7 @@ struct Spent {
   enum class On : std::uint8_t { cutting, rapid, dwell, tool_change };
   On on = On::cutting;
   std::uint32_t line = 0;
-  std::uint16_t file = 0;  // Origin::file
+  std::uint16_t file = 0;  // program file of `line`, numbered as in Origin::file
   std::uint64_t tag() const { return std::uint64_t{line} << 32 | std::uint64_t{file} << 16 | static_cast<std::uint64_t>(on); }
   static Spent of(std::uint64_t tag) {
     return {static_cast<On>(tag & 0xFF), static_cast<std::uint32_t>(tag >> 32), static_cast<std::uint16_t>(tag >> 16 & 0xFFFF)};
@@ -37,7 +37,7 @@ struct Spent {
 
 /// Faults of the finished plan: segments without a solution, and positions where the path exceeds its tolerance.
 struct PlanFaults {
-  std::size_t unsolved = 0;  // segments for which no speed was found (TimedCells::unsolved)
+  std::size_t unsolved = 0;  // number of segments for which no speed was found (TimedCells::unsolved)
   double unsolved_way = 0;   // mm, total length of those segments
   Spent unsolved_at;         // activity and program line of the first such segment
   double beyond = 0;         // greatest excess of the path's deviation over the tolerance, as a share of the tolerance
@@ -86,7 +86,7 @@ class AxisMotion {
   const PlanFaults& faults() const { return now_.faults; }
   /// The segment that the planner refused to emit because of a planner error: its length, and the activity and program line there.
   struct Refused {
-    double way = 0;  // mm
+    double way = 0;  // length of the refused segment, mm
     Spent at;
   };
   Refused refused() const;
@@ -108,7 +108,7 @@ class AxisMotion {
     explicit Memory(const MotionLimits& limits) : threads(limits) {}
     std::deque<Record> records;
     std::uint64_t motions = 0;
-    bool exact = true;  // true if the last motion ended with an exact stop: no rounding after it
+    bool exact = true;  // true if the last motion ended with an exact stop, so that the corner after it is not rounded
     LedPiece led;       // the straight piece planned last, if tool centre point control was active in it
     SpindleClock spindle;
     Smoothing smoothing;
@@ -151,12 +151,12 @@ class AxisMotion {
 
   AxisRoles roles_;
   double tolerance_;
-  double dry_feed_ = 0;  // mm/min; 0: as programmed
-  Axes rapid_{};         // mm/min or degrees/min
+  double dry_feed_ = 0;  // feed of a dry run, mm/min; 0: feeds as programmed
+  Axes rapid_{};         // rapid rates of the axes, mm/min or degrees/min
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  Smoothing::Line line_;  // emits to the planner
+  Smoothing::Line line_;  // passes the lines that Smoothing emits to the planner
   StopToken stop_;
 };
 

@@ -70,7 +70,7 @@ class CellCutter {
 
   std::size_t axes_;
   MotionLimits limits_;
-  SmoothPath* path_ = nullptr;  // set during cut()
+  SmoothPath* path_ = nullptr;  // the path being cut; set during cut() only
   Knot knot_;                   // end of the last cell (a knot is the boundary of two cells)
   bool has_knot_ = false;
   double cut_ = 0;          // path length at the last knot, mm

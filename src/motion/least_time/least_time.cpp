@@ -131,7 +131,7 @@ bool LeastTime::goes_on_to_stop() {
 
 /// Finds a start that obeys all limits: an earlier solution continued at a crawl, or a speed so low that all limits are far away.
 bool LeastTime::first_guess() {
-  for (const double gently : {1., 30., 100., 300.})  // 1: the full slowing from the first new cell on
+  for (const double gently : {1., 30., 100., 300.})  // 1: the full decrease starts at the first new cell
     if (!ends_.guess.empty() && goes_on_crawling(gently)) return true;
   if (!ends_.guess.empty() && ends_.to_stop && goes_on_to_stop()) return true;
   if (!ends_.from_stop) return false;
@@ -153,7 +153,7 @@ bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken sto
   // μ is reduced when the decrease predicted for the next step is below this share of the time that μ costs
   constexpr double near_enough = 0.3;
   constexpr int most_rounds = 4;   // number of attempts to shorten a step in the cells where it violates limits
-  constexpr int most_steps = 150;  // 25 to 45 suffice
+  constexpr int most_steps = 150;  // bound of the Newton steps; 25 to 45 suffice
   path_ = &path;
   ends_ = ends;
   prepare();

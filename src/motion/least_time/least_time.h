@@ -106,12 +106,12 @@ class LeastTime {
   std::size_t variables_ = 0;
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
-  bool first_given_ = false;  // the speed of the first cell is fixed by the start
+  bool first_given_ = false;  // true if the speed at the start of the path determines the speed of the first cell
   std::vector<Moving> moving_;
-  std::vector<std::array<Mix, 2>> mixes_;  // for the first and the last ordinate of each cell
+  std::vector<std::array<Mix, 2>> mixes_;  // the first and the last ordinate of each cell as combinations of variables
   std::vector<double> cap_;
   std::vector<double> m_;                            // middle ordinates of b, one per cell
-  std::vector<double> y_, trial_, step_, gradient_;  // one per variable
+  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable
   Diagonals hessian_, factors_;                      // factors_: the decomposition L D Lᵀ of the Hessian
   std::vector<char> broken_, was_broken_;            // one flag per group of cells: the step violates a limit in the group
   Height height_{};                                  // objective at y_

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
+constexpr double straight_on = 1e-12;  // |Δu| (change of direction) below which two pieces count as collinear; covers rounding errors
 // mm: most that rounding may move the axes, even if the tip would stay within its tolerance; the tolerance itself applies if it is larger
 constexpr double most_off = 0.1;
 constexpr double most_swing = 0.05;  // degrees: most that rounding may move a rotary axis
@@ -56,7 +56,8 @@ double led_tolerance(const LedPiece& before, const LedPiece& behind, double tole
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
     const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
-    const double beside = change - (one + other) / 2 * along;  // how much more the axis rotates than the tip's position requires
+    // change of the axis' rotation rate that does not follow from the tip's position
+    const double beside = change - (one + other) / 2 * along;
     off_direction += beside * beside;
   }
   turn = std::sqrt(turn);

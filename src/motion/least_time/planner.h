@@ -74,8 +74,8 @@ class Planner {
   struct Path {
     explicit Path(std::size_t axes) : smooth(axes), at(axes) {}
     SmoothPath smooth;
-    std::vector<double> at;   // the end of the last piece
-    std::vector<double> way;  // direction of the last piece, a unit vector; empty: none yet
+    std::vector<double> at;   // axis positions at the end of the last piece
+    std::vector<double> way;  // direction of the last piece, a unit vector; empty: there is no piece yet
     std::size_t fresh = 0;    // number of pieces since the last plan
     double fresh_s = 0;       // time of the `fresh` pieces at the commanded feeds, s
     PlanEnd ended = PlanEnd::none;

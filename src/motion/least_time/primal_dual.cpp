@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double first_mu = 0.5, last_mu = 3e-3;  // μ of all limits together, as a share of the time
+constexpr double first_mu = 0.5, last_mu = 3e-3;  // first and last value of μ, summed over all limits, as a share of the time
 constexpr double smaller = 0.2;                   // factor by which μ is reduced from step to step
 constexpr int steps_of_all = 6;
 constexpr std::size_t beside = 4;  // blocks on each side that continue together with a block that has not converged

@@ -60,8 +60,8 @@ class PrimalDual {
   /// The numbers stored for each cell. Each is a table row of a block, with one number for each of its eight cells.
   enum Row : std::size_t {
     length,
-    inverse,     // 1 / length
-    limited,     // 1: the limits of the cell count; 0: next to a stop, or a dummy cell
+    inverse,     // 1 / length of the cell
+    limited,     // 1: the acceleration and jerk limits of the cell are used; 0: they are not, for a cell next to a stop or a dummy cell
     before,      // factor of the previous cell's middle ordinate in the ordinate at the start of this cell
     own_before,  // factor of this cell's middle ordinate in the ordinate at its start
     given,       // constant part of the ordinate at the start
@@ -148,9 +148,10 @@ class PrimalDual {
   std::size_t n_ = 0;           // number of cells
   std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
   std::vector<Moving> moving_;
-  std::vector<double> cells_;                // the table rows (Row) of all blocks
-  std::vector<float> limits_;                // per_axis table rows of each block and moving axis
-  std::vector<double> m_, step_, gradient_;  // one per cell, with padding before and after
+  std::vector<double> cells_;  // the table rows (Row) of all blocks
+  std::vector<float> limits_;  // per_axis table rows of each block and moving axis
+  // middle ordinates, their steps, the gradient: one entry per cell, with dummy entries before and after
+  std::vector<double> m_, step_, gradient_;
   // each cell's contribution to the matrix, one element for each pair of the previous, own and next middle ordinates
   std::array<std::vector<double>, 6> products_;
   std::array<std::vector<double>, 3> slopes_;  // each cell's contribution to the gradient, for the previous, own and next middle ordinate

@@ -11,13 +11,14 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-constexpr double least_b = 1e-6;                    // lower bound of b as a share of the middle ordinate, because b is 0 at a reversal
-constexpr double least_slack = 1e-5;                // lower bound of a slack, as a share of the limit
-constexpr double greatest_dual = 1e3;               // upper bound of a dual variable, s per limit
-constexpr double least_dual = 0.05;                 // lower bound of a dual variable, as a share of μ
-constexpr double kept = 0.2;                        // a step leaves at least this share of a slack or dual variable
-constexpr double first_slack = 0.2;                 // the least initial slack
-constexpr double second_derivative_of_time = 0.75;  // d²/dm² of m^(−1/2)
+constexpr double least_b = 1e-6;       // lower bound of b as a share of the middle ordinate, because b is 0 at a reversal
+constexpr double least_slack = 1e-5;   // lower bound of a slack, as a share of the limit
+constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s per limit
+constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a share of μ
+constexpr double kept = 0.2;           // a step leaves at least this share of a slack or dual variable
+constexpr double first_slack = 0.2;    // the least initial slack
+// factor in the second derivative of m^(−1/2), to which the time of a cell is proportional
+constexpr double second_derivative_of_time = 0.75;
 
 }  // namespace
 
@@ -44,7 +45,7 @@ struct PrimalDual::BlockSpeed {
 template <class Lanes>
 struct PrimalDual::Pairs {
   float* rows;
-  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // by: 1/slack
+  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // by_up, by_down: 1/slack
 
   KADR_LANES explicit Pairs(float* from)
       : rows(from), slack_up(from), slack_down(from + lanes), dual_up(from + 2 * lanes), dual_down(from + 3 * lanes) {

@@ -34,7 +34,7 @@ class Smoothing {
  public:
   struct Piece {
     Axes from{}, to{};
-    double feed = 0;  // mm/s
+    double feed = 0;  // programmed feed, mm/s
     // tolerance of the corner at the piece's start if the corner is not smoothed, mm; 0: the path goes exactly through the corner
     double tolerance = 0;
     std::uint64_t tag = 0;
@@ -55,7 +55,7 @@ class Smoothing {
   struct Held {
     Piece piece;
     Axes way;             // direction of the piece, a unit vector
-    double length;        // mm
+    double length;        // length of the piece, mm
     bool fits;            // the length of the piece allows smoothing
     bool sharp = false;   // the corner at the start of the piece is too sharp to smooth
     bool curved = false;  // the curve starts in the direction `start`, because the previous piece was smoothed

@@ -110,7 +110,8 @@ void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves
   }
   for (std::size_t k = moves ? over + 1 : over; k < knots_.size() && knots_[k].time - weight.time() / 2 < middle; ++k) {
     Spread spread = spread_at(from - knots_[k].time, weight.longer, weight.shorter);
-    spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];  // constant over the whole interval
+    // the third derivative is constant over the whole interval
+    spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];
     for (std::size_t a = 0; a < axes; ++a) add(a, step(k, a), spread);
   }
 }

@@ -33,9 +33,9 @@ struct TimeLaw {
 
 /// How the path bends in a cell.
 enum class Bend : std::uint8_t {
-  none,    // straight
-  corner,  // within the rounding of a corner
-  curve,   // within the rounding between two chords of a curve
+  none,    // the path is straight
+  corner,  // the cell lies in the rounding of a programmed corner
+  curve,   // the cell lies in the rounding between two chords of a curve
 };
 
 /// Which of the operator's switches act in a cell.
@@ -46,7 +46,7 @@ struct Switches {
 /// The piece of path that a cell was cut from.
 struct CellSource {
   std::uint64_t tag = 0;  // tag of the piece in which the cell starts; the caller defines its meaning
-  double feed = 0;        // mm/s, the greatest commanded speed; 0: the axes are at rest
+  double feed = 0;        // the greatest commanded path speed, mm/s; 0: the axes are at rest
   Bend bend = Bend::none;
   std::uint64_t motion = 0;  // number of the motion in which the cell starts, counted by AxisMotion; 0: unknown
   Switches switches{};
@@ -71,7 +71,8 @@ struct TimedCells {
   std::size_t axes = 0;
   std::vector<TimeLaw> laws;
   std::vector<CellSource> sources;
-  std::vector<double> path;            // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  // coefficients c_i of x(s) = Σ c_i s^i for each cell and axis; index of c_0: (cell * axes + axis) * terms
+  std::vector<double> path;
   std::vector<SpindleTurn> spindle{};  // one per cell; empty: not set yet
   bool unsolved = false;               // no speed was found for these cells: the axes stop after each of them
 

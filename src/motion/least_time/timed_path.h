@@ -27,7 +27,8 @@ struct TimedPath {
   std::vector<double> h;                   // length of each cell, mm
   std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
   std::vector<char> turns;                 // 1: the path reverses after this cell
-  std::vector<double> shapes;              // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  // coefficients c_i of x(s) = Σ c_i s^i for each cell and axis; index of c_0: (cell * axes + axis) * terms
+  std::vector<double> shapes;
 
   static constexpr std::size_t terms = 6;
 

@@ -203,7 +203,7 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
 
 double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
   const Axes turn = change(before.end, after.start);
-  const double by_speed = 1 / slowest(rules.acceleration, turn);  // t/v
+  const double by_speed = 1 / slowest(rules.acceleration, turn);  // duration t of the change of direction, divided by the speed v
   if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
   return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
 }
@@ -225,7 +225,7 @@ bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathSha
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
   const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
-  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // positive: counter-clockwise
+  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // change of direction, degrees, counter-clockwise positive
   const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
   return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;
 }

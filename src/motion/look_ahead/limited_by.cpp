@@ -67,7 +67,7 @@ LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, co
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
   // curvature is reported as the cause if it causes a fifth or more: the speed then changes because of the curvature
   constexpr double felt = 0.25;
-  constexpr double same = 1e-6;  // relative: the feed is a length divided by its time
+  constexpr double same = 1e-6;  // relative difference of equal speeds, because the feed is calculated as length / time
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};
   Nearness speed, acceleration, jerk;

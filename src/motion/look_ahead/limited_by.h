@@ -19,7 +19,7 @@ inline constexpr std::size_t limit_count = 7;
 
 struct LimitedBy {
   Limit limit = Limit::feed;
-  std::uint8_t axis = 0;  // unused for feed and pause
+  std::uint8_t axis = 0;  // index of the axis that is at its limit; unused for Limit::feed and Limit::pause
 };
 
 /// How near the axes are to their limits at one position of a cell.

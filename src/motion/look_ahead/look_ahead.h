@@ -53,7 +53,7 @@ class LookAhead {
   struct Open {
     Held* held;
     PathShape shape;
-    double commanded;       // mm/s
+    double commanded;       // commanded speed, mm/s
     double enter = 0;       // the highest speed allowed at the motion's start, mm/s
     double slow_until = 0;  // end of the slow zone after an inner corner, mm from the motion's start (nct 6.3.5)
     Axes bend{};            // du/ds at the motion's start (control_speed.h)
@@ -95,7 +95,7 @@ class LookAhead {
 
   AxisRoles roles_;
   SpeedRules rules_;
-  Axes rapid_rates_{};  // mm or degrees per s
+  Axes rapid_rates_{};  // rapid rates of the axes, mm/s or degrees/s
   Sink sink_;
   std::deque<Held> held_;          // in program order; actions after a motion follow that motion
   std::vector<PathPiece> pieces_;  // path pieces of the stored motions, except the open motion

@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr int most_steps = 100;        // bound of the steps of a search; bisection reaches rounding errors after some 60 steps
-constexpr double near_enough = 1e-14;  // relative: a few rounding errors
+constexpr double near_enough = 1e-14;  // relative accuracy of a search: a few rounding errors
 
 /// Solves x³ + 2·b·x = q for x ≥ 0; b and q must not be negative. Newton's method, started above the solution, decreases monotonically
 /// because the left side is convex.
@@ -45,7 +45,7 @@ double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
   if (t == 0) return std::sqrt(from * from + 2 * a * length);
-  const double b = from + a * t / 2;  // D² + 2·b·D = 2·a·(L − v·T)
+  const double b = from + a * t / 2;  // of the quadratic equation D² + 2·b·D = 2·a·(L − v·T) for the change of speed D
   const double rest = 2 * a * (length - from * t);
   if (rest > 0) {
     const double change = rest / (b + std::sqrt(b * b + rest));

@@ -14,7 +14,7 @@ namespace kadr {
 /// The acceleration with which a path may change its speed.
 struct Acceleration {
   double most = std::numeric_limits<double>::infinity();  // mm/s²; infinite: the speed changes instantly
-  double build_up = 0;                                    // s until `most` is reached; 0: linear
+  double build_up = 0;                                    // time until `most` is reached, s; 0: linear ramp
   // N0421 #1 JRK; INFERRED: the acceleration follows half a cosine, with the same time and distance
   bool jerk_free = false;
 };
@@ -57,7 +57,7 @@ class Ramp {
 
   double from_, to_;
   double peak_ = 0;      // the greatest acceleration of the ramp, mm/s²
-  double build_up_ = 0;  // s until the peak is reached
+  double build_up_ = 0;  // time until the acceleration `peak_` is reached, s
   bool jerk_free_;
   double seconds_, length_;
 };

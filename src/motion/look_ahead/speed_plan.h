@@ -17,14 +17,14 @@
 namespace kadr {
 
 struct PathPiece {
-  double length = 0;  // above 0
-  double most = 0;    // the highest speed in it, above 0
+  double length = 0;  // length of the piece, above 0
+  double most = 0;    // limit: the highest speed allowed in the piece, above 0
   double enter = 0;   // the highest speed at its start; the limits of the previous piece apply in addition
   Acceleration acceleration{};
   // results
   double seconds = 0;
-  double top = 0;      // the highest speed in it
-  double end = 0;      // the speed at its end
+  double top = 0;      // result: the highest speed in the piece
+  double end = 0;      // result: the speed at the end of the piece
   bool steady = true;  // the speed does not fall at the end of this piece, so a plan that starts there can stop within the remaining path
 };
 
@@ -48,7 +48,7 @@ class SpeedPlan {
   std::span<PathPiece> pieces_;
   // at each node (a joint of two pieces, or an end of the path): at first the limit, at the end the planned speed
   std::vector<double> speed_;
-  std::vector<double> at_;  // path length up to the node
+  std::vector<double> at_;  // path length up to each node
   std::vector<bool> anchor_;
   std::vector<std::size_t> order_;
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int tries_an_instant = 25;  // number of positions of the next ramp that are checked per servo period; takes some µs
 constexpr double least_places = 25;   // least number of checked positions per ramp; in a long ramp one per servo period
-constexpr double longer = 1.15;       // factor of the duration of the next ramp to try
+constexpr double longer = 1.15;       // factor by which the next ramp to try is longer than the last
 // s, the longest ramp; if it fails too, the trial starts again with the shortest ramp and more jerk
 constexpr double longest = 20;
 // excess over the jerk limit that a ramp may have, as a share of the limit; raised by this amount if no ramp fits,
@@ -213,7 +213,7 @@ void Playback::steer() {
 /// Called at the start of a cell at whose end the axes synchronise with the spindle. Returns by how much the axes must wait longer than
 /// planned for the spindle angle, s.
 double Playback::wait_for_spindle(std::uint64_t cell) {
-  constexpr double turn = 360, same = 1e-6;  // degrees
+  constexpr double turn = 360, same = 1e-6;  // one revolution; angles that count as equal; degrees
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
   if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) {
     now_.slip = turn * turns;
@@ -232,7 +232,8 @@ bool Playback::go_on() {
   const double begins = now_.on_ramp;
   double on_plan = now_.at.t, on_clock = begins, over = 0;  // times at the start of the current cell, s
   bool in_step = false;
-  const auto turns_on = [&](const Cursor& to, double clock) {  // the spindle rotates by the clock, not by plan time
+  // adds to `over` how far the spindle, which rotates in real time, is ahead of its planned rotation at `to`
+  const auto turns_on = [&](const Cursor& to, double clock) {
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };
   const bool known = advance(now_.at, now_.ramp, begins, period_, [&](const Cursor& end, double clock) -> std::optional<double> {

@@ -78,7 +78,7 @@ class Playback {
   /// A position in the plan.
   struct Cursor {
     std::uint64_t cell = 0;
-    double t = 0;  // s since the start of the cell
+    double t = 0;  // plan time since the start of the cell, s
   };
   struct Place {
     Cursor at;
@@ -87,7 +87,7 @@ class Playback {
     double played = 0;     // plan time of the completed cells, s
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
     double spindle = 0, slip = 0;  // degrees; slip: actual spindle angle minus planned angle
-    double last_override = 1;      // the last override above 0
+    double last_override = 1;      // the last requested override above 0, as a share
     bool started = false, done = false;
 
     // the next ramp, which is checked before it is used

@@ -11,7 +11,7 @@ namespace kadr {
 
 /// The speeds of the machine, per axis.
 struct Rates {
-  Axes rapid{};             // mm/min or degrees/min, override included
+  Axes rapid{};             // rapid rate of each axis, mm/min or degrees/min, override included
   double feed_part = 1;     // feed override / 100
   double spindle_part = 1;  // spindle override / 100
   double tool_change_s = 0;

@@ -13,7 +13,7 @@ namespace kadr {
 class LostTime {
  public:
   struct Place {
-    std::uint16_t file = 0;  // Origin::file
+    std::uint16_t file = 0;  // program file of `line`, numbered as in Origin::file
     std::uint32_t line = 0;
     std::uint64_t times = 0;  // how often the line was executed
     bool rapid = false;       // true if the last execution of the line was a rapid motion

@@ -15,7 +15,7 @@ class SpeedRecord {
   /// An interval of time. If the interval contains several activities, speed, feed, line and `on` describe the cutting; without cutting,
   /// the rapid motion; else the pause.
   struct Column {
-    double least = std::numeric_limits<double>::infinity();  // path speed, mm/s
+    double least = std::numeric_limits<double>::infinity();  // lowest path speed in the interval, mm/s; `most` is the highest
     double most = 0;
     // the greatest commanded feed, mm/s; 0: the axes are at rest, or the programmed time is unknown
     double feed = 0;

@@ -65,7 +65,7 @@ class SpindleClock {
   std::vector<Turned> spindles_ = std::vector<Turned>(2);  // index: spindle number; entry 0 is unused
   std::size_t leading_ = 1;
   double override_part_ = 1;
-  double per_mm_ = 0;  // degrees per mm while the leading spindle is coupled, else 0
+  double per_mm_ = 0;  // rotation per axis travel, degrees/mm, while the leading spindle is coupled to the axes, else 0
 };
 
 }  // namespace kadr

@@ -8,9 +8,9 @@
 namespace kadr {
 
 struct SpindleTurning {
-  double rpm = 0;         // commanded, rev/min
+  double rpm = 0;         // commanded speed, rev/min
   bool on = true;         // true at the start too; if the set-up states that the spindle is at rest, rpm is 0
-  bool reversed = false;  // counter-clockwise (M4)
+  bool reversed = false;  // true: counter-clockwise rotation (M4)
 
   SurfaceSpeed surface{};  // constant surface speed, for the main spindle only
 

@@ -16,7 +16,7 @@ double swept_deg(const Edge& arc) { return 4 * std::atan(arc.bulge) / rad_per_de
 /// Returns the fraction of the arc's length at the angle of `p` about the centre, not clamped: 0 … 1 on the arc.
 double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
   const Vec2 a = arc.from - c.centre, b = p - c.centre;
-  const double turn = std::atan2(cross(a, b), dot(a, b)) / rad_per_deg;  // (-180, 180]
+  const double turn = std::atan2(cross(a, b), dot(a, b)) / rad_per_deg;  // angle of p from the arc's start, degrees, in (-180, 180]
   const double sweep = swept_deg(arc);
   double part = turn / sweep;
   const double around = std::abs(360 / sweep);
@@ -168,7 +168,7 @@ Edge rotated(const Edge& e, double deg) { return {kadr::rotated(e.from, deg), ka
 
 Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to) {
   const Vec2 chord = to - from;
-  const double half = std::atan2(cross(way, chord), dot(way, chord));  // half the swept angle
+  const double half = std::atan2(cross(way, chord), dot(way, chord));  // half the swept angle of the arc
   if (std::abs(half) < tol::tangential) return {{from, to}};
   if (std::abs(half) <= pi / 2) return {{from, to, std::tan(half / 2)}};
   const Vec2 middle = 0.5 * (from + to) + (std::tan(half / 2) / 2) * Vec2{chord.y, -chord.x};

@@ -13,7 +13,7 @@
 namespace kadr::area {
 
 enum class Scheme : std::uint8_t {
-  zigzag,               // ЗИГЗАГ
+  zigzag,               // ЗИГЗАГ: rows cut back and forth
   zigzag_then_contour,  // 1ЗИГЗАГ: zigzag, then a pass along the boundary
   contour_then_zigzag,  // 2ЗИГЗАГ: a pass along the boundary, then zigzag
   spiral_out,           // СПИР: equidistant rings from the middle outwards
@@ -79,7 +79,7 @@ struct Plunges {
 };
 
 struct AreaPath {
-  std::vector<Move> moves;  // the first one is at the clearance level
+  std::vector<Move> moves;  // in order; the first move is at the clearance level
   std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where there is no room for a ramp
   Plunges plunges;
   std::size_t layers = 0;

@@ -68,7 +68,7 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // rings for which no neighbour was found
+    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // starts with the rings for which no neighbour was found
     return std::move(passes_);
   }
 

@@ -13,7 +13,8 @@ namespace kadr::area {
 namespace {
 
 constexpr double verified_chord = 10 * tol::area_chord;  // chord tolerance for the computation of areas; cusps are far larger
-constexpr double same_level = tol::area_cusp;            // mm: levels are rounded to the digits of the control's Z word
+// mm: Z levels this near count as equal, because the program rounds them to the digits of the Z word
+constexpr double same_level = tol::area_cusp;
 
 class Check {
  public:

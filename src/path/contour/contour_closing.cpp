@@ -47,7 +47,8 @@ Places places_of(Vec2 point, const PlanePiece& p) {
   }
   const Vec2 start = p.from - p.center, arm = point - p.center;
   const double sense = p.turns < 0 ? -1 : 1;
-  const double swept = angle_deg({dot(start, arm), sense * cross(start, arm)}) / 360;  // (-1/2, 1/2]
+  // revolutions from the arc's start to the point, in (-1/2, 1/2]
+  const double swept = angle_deg({dot(start, arm), sense * cross(start, arm)}) / 360;
   places.add(std::clamp((swept < 0 ? swept + 1 : swept) / std::fabs(p.turns), 0.0, 1.0));
   return places;
 }

@@ -18,9 +18,9 @@ namespace kadr {
 
 /// The workpiece contour: it starts within one piece of the path and ends within a later piece.
 struct ContourLoop {
-  std::size_t first = 0;  // index of the piece in which it starts
+  std::size_t first = 0;  // index of the piece in which the loop starts
   double first_part = 0;  // fraction of the length of piece `first` at which the loop starts, 0 … 1
-  std::size_t last = 0;   // index of the piece in which it ends
+  std::size_t last = 0;   // index of the piece in which the loop ends
   double last_part = 1;   // fraction of the length of piece `last` at which the loop ends, 0 … 1
 };
 

@@ -18,7 +18,7 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   put_back(batch);
   const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case
+  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case: no corner affects the batch
   out_.clear();
   fault_.reset();
   std::size_t i = begin;

@@ -80,7 +80,8 @@ class ContourCorners {
   const Motion& held() const { return std::get<Motion>(now_.held->action.what); }
   bool alone_in_plane(const Motion& m) const;
 
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's limit is unknown
+  // greatest number of actions between two motions; the limit of the NCT control is unknown
+  static constexpr std::size_t most_waiting = 64;
 
   Memory now_;
   ActionBatch out_;

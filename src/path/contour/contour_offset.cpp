@@ -169,7 +169,8 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
     v.add(radius * n2);
     return v;
   }
-  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;  // |n1 + n2| / (1 + n1 · n2) is the distance
+  // the distance of the intersection is |n1 + n2| / (1 + n1 · n2), in tool radii
+  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;
   if (first.is_arc) v.add(radius * n1);
   v.add(of_tangents(n1, n2, radius));
   if (second.is_arc) v.add(radius * n2);

@@ -29,7 +29,7 @@ struct ContourElement {
   static ContourElement line(Vec2 from, Vec2 to);
   static ContourElement arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 
-  double sense() const { return turns < 0 ? -1 : 1; }  // +1 counter-clockwise
+  double sense() const { return turns < 0 ? -1 : 1; }  // sense of rotation of an arc: +1 counter-clockwise, -1 clockwise
 };
 
 /// Returns the unit vector from a point of the path towards the tool's centre, perpendicular to the path.

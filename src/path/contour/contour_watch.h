@@ -19,15 +19,15 @@ namespace kadr {
 
 /// The deepest cut of the tool into the workpiece.
 struct ContourCut {
-  double depth = 0;  // mm
-  Origin tool;       // block of the tool's path
-  Origin contour;    // block of the contour
+  double depth = 0;  // depth of the cut into the workpiece, mm
+  Origin tool;       // block whose tool path causes the cut
+  Origin contour;    // block of the contour that is cut into
 };
 
 /// A range of contour pieces, by number, that a piece of the tool's path is not compared with. The corner rules guarantee that the path
 /// lies on the offset of these pieces.
 struct ContourSpan {
-  std::uint64_t first = 1, last = 0;  // empty
+  std::uint64_t first = 1, last = 0;  // an empty range
 };
 
 class ContourWatch {
@@ -67,7 +67,7 @@ class ContourWatch {
     std::uint64_t count = 0;
     std::size_t place = 0;  // index for the next piece
     /// True if the next piece overwrites one of the first pieces, which must then be copied to `first`.
-    bool loses_first() const { return count - at.size() < at.size(); }  // wraps below 0
+    bool loses_first() const { return count - at.size() < at.size(); }  // the difference is unsigned: false while count is below at.size()
     void keep_first() { first.push_back(at[place]); }
     template <class Make>
     const Seen& add(const Make& piece, double radius, const Origin& origin);

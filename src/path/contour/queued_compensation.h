@@ -63,7 +63,7 @@ class QueuedCompensation {
   /// The state that QueuedCompensation keeps between batches.
   struct Memory {
     ToolPosition at;                    // programmed position after the last action received
-    std::size_t first = 0, second = 1;  // axes of the plane
+    std::size_t first = 0, second = 1;  // indices of the two axes of the plane
     bool on = false;                    // the first compensated motion has been read
     bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
     Vec2 tool;                          // tool position at the end of the last element, before a corner shortens it

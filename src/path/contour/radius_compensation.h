@@ -51,7 +51,8 @@ class RadiusCompensation {
   void drop();
 
  private:
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's limit is unknown
+  // greatest number of actions between two motions in the plane; the limit of the NCT control is unknown
+  static constexpr std::size_t most_waiting = 64;
   // 3, up to 8 by N1404 (15.5.7), and the motion that arrives; rounded up to a power of two
   static constexpr std::size_t most_held = 16;
 

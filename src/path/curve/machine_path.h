@@ -53,7 +53,7 @@ class MachinePath {
   /// Returns a box that certainly contains the whole path, but may be larger than necessary; computed without sampling.
   Extents rough_extents() const;
 
-  static constexpr double closeness = 1e-7;  // mm, degrees: a tenth of tol::same_point
+  static constexpr double closeness = 1e-7;  // accuracy of first_not(), mm or degrees: a tenth of tol::same_point
 
  private:
   Extents led_extents(double from, double to) const;

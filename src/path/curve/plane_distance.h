@@ -13,7 +13,7 @@ struct PlanePiece {
   Box2 box;
   double turns = 0;   // swept angle / 360, counter-clockwise positive
   double radius = 0;  // of an arc: the mean of the radii at its start and end
-  double slack = 0;   // mm, by which the radius changes along the arc
+  double slack = 0;   // how much the radius changes along the arc, mm
   bool is_arc = false;
   static PlanePiece of(const ContourElement& element) {
     return element.is_arc ? arc(element.from, element.to, element.center, element.turns) : line(element.from, element.to);

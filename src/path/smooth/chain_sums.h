@@ -50,7 +50,7 @@ class ChainSums {
   static constexpr std::size_t max_groups = (max_axes + group - 1) / group;
   static constexpr std::size_t nodes = 5;
   struct Sums {
-    Four m0 = {}, m1 = {}, m2 = {}, m3 = {};  // Σ Δu, Σ Δu s, Σ Δu s², Σ Δu s³
+    Four m0 = {}, m1 = {}, m2 = {}, m3 = {};  // sums over the corners: Σ Δu, Σ Δu s, Σ Δu s², Σ Δu s³
   };
   void reach(const Corners& corners, double s);
   const Sums* before(std::size_t node, double y);

@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr double part_length = 0.1;  // mm, length of an interval ("part") of the path
-constexpr double slope = 0.15;       // mm per mm, greatest change of the width
+constexpr double slope = 0.15;       // greatest change of the width per path length, mm/mm
 constexpr double levelled = 0.5;     // window of the minimum and of the mean, to each side, as a share of the width
 constexpr double widest = SoftCorner::widest;
 // each pass of the filter extends the window by one interval

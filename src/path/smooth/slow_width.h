@@ -40,7 +40,7 @@ class SlowWidth {
   // interval indices, counted from length 0: the first stored interval; the end of the settled intervals
   std::size_t first_ = 0, settled_ = 0;
   std::vector<double> raw_, width_;  // one per interval: raw_ after the slope limit; width_ the final width
-  std::vector<double> now_, next_;   // work space
+  std::vector<double> now_, next_;   // temporary values of the filters
 };
 
 }  // namespace kadr

@@ -95,7 +95,7 @@ class SmoothPath {
   static constexpr double widest = SoftCorner::widest;
 
  private:
-  static constexpr double turning_back = 2 - 1e-9;  // |Δu|
+  static constexpr double turning_back = 2 - 1e-9;  // |Δu| above which the path reverses at a vertex
   static constexpr double squeezed_to = 40;         // mm; in slow_, longer pieces count with this length
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
@@ -133,7 +133,7 @@ class SmoothPath {
   std::size_t axes_;
   std::vector<double> point_;      // coordinates of each vertex
   std::vector<double> bend_;       // Δu, change of direction at each vertex, per axis; 0 at the ends
-  std::vector<double> turn_;       // |Δu|
+  std::vector<double> turn_;       // |Δu| of each vertex
   std::vector<double> at_;         // path length at each vertex, mm
   std::vector<double> squeezed_;   // path length at each vertex, where no piece counts more than squeezed_to
   std::vector<double> width_;      // width of the rounding at each vertex
@@ -145,17 +145,18 @@ class SmoothPath {
   std::vector<std::uint64_t> tag_;
   std::vector<char> on_curve_, paced_, is_chained_;  // flags of each vertex
   struct Rounding {                                  // the rounding of one vertex
-    double inverse = 0;                              // 1 / width
+    double inverse = 0;                              // 1 / width of the rounding
     const SoftCorner* shape = nullptr;
   };
   std::vector<Rounding> roundings_;  // used during settle(): one per vertex
   std::vector<double> factor_;       // used during settle()
   std::vector<std::size_t> marks_;
-  std::vector<std::size_t> narrowed_;  // during settle(): pieces that were moved too far in the last round
+  // used during settle(): indices of the pieces that the roundings moved further than the tolerance in the last pass
+  std::vector<std::size_t> narrowed_;
   ChainSums sums_;
   SlowWidth slow_;
   double last_width_ = widest;     // the width computed last in the chain
-  bool has_one_tolerance_ = true;  // all corners have the same tolerance
+  bool has_one_tolerance_ = true;  // true if all corners have the same tolerance
   double reach_ = 0;               // the greatest width of a single rounding
   std::size_t done_ = 0;           // the vertices before this index are settled
   double settled_ = 0;

@@ -12,11 +12,11 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
+constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
 constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
 // as a share of |Δu|: a corner whose neighbour has at least this share of its |Δu| forms a chain with the neighbour
 constexpr double alike = 0.1;
-constexpr double feed_alike = 1e-6;  // relative: rounding errors of a length divided by its time
+constexpr double feed_alike = 1e-6;  // relative difference of equal feeds, because a feed is calculated as length / time
 // share of the tolerance that the chain uses; the rest is for the positions between the samples
 constexpr double used_by_chain = 0.95;
 // mm: a corner's width in the chain can be computed once the path is known this far beyond it
@@ -106,7 +106,7 @@ double SmoothPath::square_beside(std::size_t vertex, double width, double most) 
 
 /// Returns the greatest width of the chain's roundings for which the path keeps the tolerance at a vertex. The search starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
-  constexpr double narrowest = 1e-4;  // mm
+  constexpr double narrowest = 1e-4;  // least width of a rounding, mm
   constexpr double enough = 0.98;     // the search ends at this share of the squared tolerance
   constexpr double most_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
@@ -185,8 +185,8 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
 /// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner no longer applies.
 template <class Look>
 void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
-  constexpr double just = 1e-6;  // mm
-  constexpr int rounds = 4;      // the chain's width is no steeper than 0.15
+  constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
+  constexpr int rounds = 4;      // iterations suffice, because the chain's width changes by at most 0.15 mm/mm
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -214,7 +214,7 @@ double SmoothPath::farthest(std::size_t piece) {
   if (length < 2 * looks.felt) {
     const auto parts = std::max(2.0, std::ceil(length / looks.step));
     for (double k = 0; k < parts; ++k) look(length * k / parts);
-  } else {  // only the ends of a long piece
+  } else {  // a long piece is sampled near its ends only
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
   if (!has_one_tolerance_) beside_edges(piece, look);
@@ -243,7 +243,7 @@ bool SmoothPath::narrow(double known, bool first_round) {
 }
 
 void SmoothPath::narrow_at(std::size_t piece, double over) {
-  constexpr double narrowest = 1e-3;  // mm
+  constexpr double narrowest = 1e-3;  // least width of a rounding, mm
   const double less = std::max(0.7, 0.99 / std::sqrt(over));
   const double s = at_[piece] + length_[piece] / 2;
   for (std::size_t i = std::max<std::size_t>(piece, 2) - 1; i < std::min(piece + 3, at_.size() - 1); ++i)
