@@ -18,7 +18,7 @@ constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
 // chord error of an arc, as a share of the tolerance; the chords are then a tenth as long as the roundings at their ends are wide
 constexpr double chord_of_tolerance = 0.04;
 
-/// Returns the set-up's entry of the axis, else the one for all axes, else nullptr.
+/// Returns the set-up's limits of the axis; if there are none, its limits for all axes ("*"); else nullptr.
 const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;

@@ -66,12 +66,12 @@ class AxisMotion {
 
   /// Plans a step. The step must already have its time at the programmed feed.
   void consume(const Step& step);
-  /// Brings the axes to rest.
+  /// Ends the motion with the axes at rest and emits all cells.
   void finish() { rest(); }
 
-  /// Planner::plan_each().
+  /// Starts a plan after each `seconds` of motion, see Planner::plan_each().
   void plan_each(double seconds) { planner_.plan_each(seconds); }
-  /// Planner::work_side_by_side(), Planner::settle().
+  /// Plans in a separate thread, and waits for that thread: see Planner::work_side_by_side(), Planner::settle().
   void work_side_by_side() { planner_.work_side_by_side(); }
   void settle() { planner_.settle(); }
   /// Dry run: replaces all feeds, except thread feeds, by `feed`, mm/min; 0 restores the programmed feeds.
@@ -81,7 +81,7 @@ class AxisMotion {
   void stop_by(StopToken stop);
   /// Returns why planning has ended. After planning has ended, all actions are ignored.
   PlanEnd ended() const { return planner_.ended(); }
-  /// Planner::end_here().
+  /// Ends planning because no more cells are needed, see Planner::end_here().
   void end_here() { planner_.end_here(); }
   const PlanFaults& faults() const { return now_.faults; }
   /// The segment that the planner refused to emit because of a planner error: its length, and the activity and program line there.

@@ -161,7 +161,7 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Returns the kind of the tightest rounding that extends into a cell.
+/// Returns the type (corner or curve) of the tightest rounding that extends into a cell.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_behind = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -229,8 +229,8 @@ double CellCutter::feed_between(double from, double to) const {
   return feed;
 }
 
-/// Computes the polynomials of a cell from the last knot to a length, and the knot there.
-///   returns  how far the cell exceeds the tolerance
+/// Computes the polynomials of a cell from the last knot to the length `to`, and the knot at `to`.
+///   returns  the excess of the cell's deviation over the tolerance, as a share of the tolerance
 double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
   const bool straight = bend_at(to, end_piece) == Bend::none;
   path_->evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
@@ -290,8 +290,8 @@ void CellCutter::divide(double width, CutCells& out) const {
   for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
 }
 
-/// Adds a cell from the last knot to `to`, or a smaller one if that exceeds the tolerance.
-///   returns  where the cell ends
+/// Adds a cell from the last knot to the length `to`; a shorter cell if that cell would exceed the tolerance.
+///   returns  the path length at the end of the cell
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
   constexpr double smaller = 0.6;
   double* const c = out.path.add_shapes();

@@ -28,7 +28,7 @@ constexpr AtPlaces at_places_of(const Function& f) {
   return values;
 }
 
-/// Weights of a cell's Bézier ordinates in the value of b at the sample positions: (1−t)², 2t(1−t), t².
+/// Weights of a cell's Bézier ordinates in the value of b at the sample positions, with t the fraction of the cell: (1−t)², 2t(1−t), t².
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
 /// Weights of the ordinates in db/dt, where t is the fraction of the cell.
@@ -66,7 +66,7 @@ struct Sums {
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1, e2);
   }
 
-  /// Computes the gradient with respect to the ordinates of a cell of length `h`.
+  /// Computes the gradient with respect to the three ordinates of a cell of length `h`.
   KADR_LANES void gradient(double h, std::array<double, 3>& of) const {
     const double once = 1 / h, twice = once * once;
     for (std::size_t o = 0; o < 3; ++o)
@@ -84,7 +84,7 @@ struct Sums {
   }
 };
 
-/// b, b′ and b″ at the sample positions of a cell.
+/// The values of b, b′ and b″ (b = ṡ², timed_path.h) at the sample positions of a cell.
 template <class Lanes>
 struct CellSpeed {
   Lanes b, d;
@@ -98,14 +98,14 @@ struct CellSpeed {
   }
 };
 
-/// x′/2, x″ and x‴ of an axis at the sample positions of a cell.
+/// The derivatives x′/2, x″ and x‴ of an axis position x at the sample positions of a cell.
 template <class Lanes>
 struct Shape {
   Lanes x1, x2, x3;
   KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
       : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
-  /// The jerk divided by √b.
+  /// Returns the jerk of the axis, divided by √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
 };
 
@@ -114,7 +114,7 @@ struct Shape {
 /// A sum of logarithms. It multiplies many factors and calls log() once for their product.
 class LeastTime::Logs {
  public:
-  /// `factor` may be as small as 1e-200.
+  /// Adds log(factor) to the sum. `factor` may be as small as 1e-200.
   void take(double factor) {
     product_ *= factor;
     if (product_ < 1e-100) sum_ += std::log(product_), product_ = 1;
@@ -152,8 +152,8 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
   return true;
 }
 
-/// Evaluates T and Σ log(slack) at y; T is infinite if y breaks a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the ordinates
-/// of y.
+/// Evaluates T and Σ log(slack) at y; T is infinite if y violates a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the middle
+/// ordinates that y stands for.
 LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   constexpr Height none{infinite, 0};
   Logs logs;
@@ -166,7 +166,8 @@ LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   return is_within ? Height{time(), logs.sum()} : none;
 }
 
-/// Computes the derivatives of a cell's three ordinates by the variables of the cell before, of the cell itself and of the cell after.
+/// Computes the derivatives of a cell's three ordinates with respect to the variables of the previous cell, the cell itself and the next
+/// cell.
 void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
   by = {mixes_[cell][0].by, {}, mixes_[cell][1].by};
   if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];

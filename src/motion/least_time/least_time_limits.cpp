@@ -54,8 +54,8 @@ void LeastTime::prepare() {
   if (ends_.to_stop) keep_stop(n_ - 1);
 }
 
-/// b at a knot is interpolated linearly between the middle ordinates of its two cells; at a reversal it is 0, and at a crawling end it
-/// equals the middle ordinate of the last cell.
+/// Expresses the ordinates at the cell boundaries by variables: b at a knot is interpolated linearly between the middle ordinates of its
+/// two cells; at a reversal it is 0, and at a crawling end it equals the middle ordinate of the last cell.
 void LeastTime::find_mixes() {
   mixes_.assign(n_, {});
   for (std::size_t k = 0; k < n_; ++k) {

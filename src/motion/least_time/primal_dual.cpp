@@ -125,7 +125,7 @@ double PrimalDual::seconds() const {
   return sum;
 }
 
-/// Makes one Newton step.
+/// Makes one Newton step for all cells of a range.
 ///   returns  false if the step is not finite
 bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
   derive(range, mu);

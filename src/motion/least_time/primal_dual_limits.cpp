@@ -22,7 +22,7 @@ constexpr double second_derivative_of_time = 0.75;
 
 }  // namespace
 
-/// b, b′ and b″/2 of eight cells, computed from their Bézier ordinates.
+/// The squared path speed b and its derivatives b′, b″/2 in eight cells, computed from their Bézier ordinates.
 template <class Lanes>
 struct PrimalDual::BlockSpeed {
   Lanes o0, o1, o2, by_length;
@@ -35,13 +35,13 @@ struct PrimalDual::BlockSpeed {
   KADR_LANES Lanes half_bend() const { return (o0 - 2 * o1 + o2) * by_length * by_length; }
   KADR_LANES Lanes at(double t) const { return ((1 - t) * (1 - t)) * o0 + (2 * t * (1 - t)) * o1 + (t * t) * o2; }
   KADR_LANES Lanes slope(double t) const { return 2 * ((1 - t) * (o1 - o0) + t * (o2 - o1)) * by_length; }
-  /// b with a positive lower bound, for square roots.
+  /// Returns b with a positive lower bound, so that square roots of it are valid.
   KADR_LANES Lanes safe_at(double t, const Lanes& is_limited) const {
     return where_positive(is_limited, greater(at(t), least_b * o1), Lanes::all(1));
   }
 };
 
-/// Slacks and duals of ±c ≤ 1 in eight cells.
+/// The slacks and dual variables of the limits ±c ≤ 1 in eight cells.
 template <class Lanes>
 struct PrimalDual::Pairs {
   float* rows;

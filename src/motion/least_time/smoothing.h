@@ -48,7 +48,7 @@ class Smoothing {
 
   /// Accepts the next piece and emits the previous one.
   void take(const Piece& piece, const Line& line);
-  /// Emits the held piece, as no further piece follows.
+  /// Emits the held piece, because no further piece follows.
   void finish(const Line& line);
 
  private:

@@ -64,7 +64,7 @@ struct SpindleTurn {
   double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
 };
 
-/// Consecutive cells, each with the polynomials of its path.
+/// Consecutive cells, each with its timing and the polynomials of the axis positions.
 struct TimedCells {
   static constexpr std::size_t terms = 6;
 

@@ -37,14 +37,14 @@ struct TimedPath {
   const double* shape(std::size_t cell, std::size_t axis) const { return shapes.data() + (cell * axes + axis) * terms; }
   double* add_shapes();
   void append(const TimedPath& more);
-  /// Divides the last cell into this number of equal cells along the same path.
+  /// Divides the last cell into `parts` equal cells along the same path.
   void divide_last(std::size_t parts);
   void forget(std::size_t count);
   /// Returns a path that consists of the first `count` cells.
   TimedPath first(std::size_t count) const;
 };
 
-/// x′, x″ and x‴ of an axis at a position within its cell, mm from the start of the cell.
+/// The derivatives x′, x″ and x‴ of an axis position at the distance s, mm, from the start of a cell.
 struct Derivatives {
   double x1, x2, x3;
   static Derivatives at(const double* c, double s) {

@@ -43,7 +43,8 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
 /// must not exceed `tolerance`. The rounding may use half of the length of each motion.
 double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance);
 
-/// Returns du/ds by axis where two lines meet, 1/mm; zero if they are not two lines. INFERRED (7.2): κ = 2·(u2 − u1)/(L1 + L2).
+/// Returns du/ds for each axis at the junction of two lines, 1/mm; zero if one of the blocks is not a line. INFERRED (7.2): κ = 2·(u2 −
+/// u1)/(L1 + L2), with the directions u1, u2 and the lengths L1, L2.
 Axes bend_between(const PathShape& before, const PathShape& after);
 
 /// Returns the highest speed at which no axis i exceeds the acceleration `most` while the direction changes by `bend` = du/ds: min

@@ -19,7 +19,7 @@ struct Acceleration {
   bool jerk_free = false;
 };
 
-/// Returns the time of a change of speed by `change`.
+/// Returns the duration of a ramp that changes the speed by `change`.
 ///   law  with D = |change|, a = acceleration, T = build-up time: linear D/a; bell-shaped D/a + T where D ≥ a·T, else 2·√(D·T/a)
 double ramp_seconds(double change, const Acceleration& acceleration);
 

@@ -22,7 +22,7 @@ constexpr Axes axes_filled(double value) {
   return axes;
 }
 
-/// The rules; values per axis in mm or degrees, and seconds.
+/// The speed limits of a channel. Values per axis are in mm (rotary axes: degrees) and seconds.
 struct SpeedRules {
   bool in_force = false;                       // true: a limit is stated, so speeds must be planned
   AxisMask stated = 0;                         // axes whose acceleration is stated, either as a number or as unlimited

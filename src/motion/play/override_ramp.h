@@ -20,7 +20,7 @@ class OverrideRamp {
   OverrideRamp(OverrideShare from, double to, double seconds);
 
   double seconds() const { return seconds_; }
-  /// The share after the ramp.
+  /// The share at the end of the ramp and after it.
   double end() const { return end_; }
   OverrideShare at(double t) const;
   /// Plan time that passes in the first t seconds of the ramp: ∫ share dt.

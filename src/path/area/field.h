@@ -27,7 +27,7 @@ std::vector<Field> fields_of(const Zone& zone, const Job& job);
 /// Returns true if the path stays within field.roomy, the area in which the tool's centre must stay.
 bool holds(const Field& field, const Edges& path);
 
-/// Returns true if the disk of the tool at `p` touches no material.
+/// Returns true if a tool with its centre at `p` touches no material.
 bool in_air(const Field& field, const Job& job, Vec2 p);
 
 /// Returns exact closed loops inside the work area, `by` mm from its boundary.

@@ -225,7 +225,7 @@ class Layers {
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 
-  /// Returns the nearest point where the tool has been on this level and from which it can move straight to `start`.
+  /// Returns the nearest point that the tool has already cut on this level and from which it can move straight to `start`.
   std::optional<Vec2> cut_beside(Vec2 start) const {
     std::vector<Vec2> points;
     for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));

@@ -10,7 +10,7 @@
 namespace kadr::area {
 namespace {
 
-/// A position on a ring.
+/// A position on a ring (a closed path).
 struct Place {
   std::size_t edge = 0;
   double part = 0;

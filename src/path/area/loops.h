@@ -6,7 +6,7 @@
 
 namespace kadr::area {
 
-/// The joined edges.
+/// The joined edges of a drawing: closed contours and open chains.
 struct Chains {
   std::vector<Edges> closed;
   std::vector<Edges> open;  // centre lines of slots

@@ -27,7 +27,7 @@ Result<Passes> ring_passes(const Field& field, const Job& job);
 /// 0: the rows are connected along the boundary.
 Result<Passes> row_passes(const Field& field, const Job& job, double inset);
 
-/// Returns passes over what `done` leaves uncut.
+/// Returns passes that cut the areas which the passes `done` leave uncut.
 Passes rest_passes(const Field& field, const Job& job, const Passes& done);
 
 /// Returns the ring with its start moved to the fraction `part` of the edge with the index `edge`.

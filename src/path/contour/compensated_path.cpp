@@ -74,8 +74,8 @@ void RadiusCompensation::go_round(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first motion of the window with a later one if that resolves an interference. The blocks between are dropped, but not their
-/// actions. 15.5.7.
+/// Joins the first motion of the window with a later motion if that resolves an interference (15.5.7). The motions between are dropped,
+/// but the actions after them are kept.
 RadiusCompensation::Mended RadiusCompensation::mend_first() {
   Held& first = held(0);
   const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
@@ -93,7 +93,7 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
   return join ? Mended::sound : Mended::next_fails;
 }
 
-/// Emits a motion of the window.
+/// Emits a motion of the window, moved by its vectors.
 ///   returns  false if it raised an alarm
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;

@@ -60,7 +60,7 @@ std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows)
   return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
 }
 
-/// Updates the tool's position by these actions.
+/// Updates the tool's position by the actions with the indices `from` … `end` − 1.
 void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {

@@ -27,7 +27,7 @@ class ContourCorners {
   /// Processes a batch in place: afterwards it contains only actions that are final.
   ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), reported at the block before the
   ///           corner; the batch keeps the actions before that block, the rest is dropped
-  ///   law     without chamfers, roundings and over-determined blocks the output is the input
+  ///   law     without chamfers, roundings and over-determined blocks the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:

@@ -30,7 +30,7 @@ inline bool may_end_elsewhere(const Motion& m) { return m.side != 0 && is_elemen
 
 inline Vec2 in_plane(const Axes& axes, const Motion& of) { return {axes[of.first], axes[of.second]}; }
 
-/// +1 for counter-clockwise, -1 for clockwise.
+/// Returns +1 for a counter-clockwise arc, -1 for a clockwise arc.
 inline double sense_of(const Motion& arc) { return arc.kind == MotionKind::arc_ccw ? 1 : -1; }
 
 /// Returns true for actions that must be executed before later blocks are read: codes that empty the look-ahead buffer (15.5.2), stops,

@@ -86,8 +86,8 @@ inline JunctionVectors single(Vec2 vector) {
   return v;
 }
 
-/// Returns the vectors without those that differ from the previous one by less than `least` mm in both axes (N1405 DELTV, 15.5.2; which
-/// of the two remains is INFERRED).
+/// Removes each vector that differs from the previous vector by less than `least` mm in both axes (N1405 DELTV, 15.5.2; which of the two
+/// vectors remains is INFERRED).
 JunctionVectors without_short_steps(const JunctionVectors& vectors, double least);
 
 /// Returns the vectors at a junction in offset mode, where the tool is on the same side of both elements (15.5.2).

@@ -77,7 +77,7 @@ void ContourWatch::compare(const Seen& contour, const Seen& path) {
   any_ = true;
 }
 
-/// For a contour longer than the ring: compares its start with its end, which have not been compared yet.
+/// For a contour longer than the ring: compares the first pieces with the last pieces, which have not been compared with each other yet.
 void ContourWatch::compare_ends() {
   for (const Seen& path : path_.first) compare_path(path, {});
   for (const Seen& contour : contour_.first) path_.near(contour.piece, contour.radius, [&](const Seen& path) { compare(contour, path); });

@@ -28,9 +28,9 @@ struct ContourJoin {
 /// Returns true if the tool moves backwards in this block. The vectors at both ends must be known.
 bool goes_back(const CompensatedBlock& block);
 
-/// Checks the junction of the first two blocks against the following ones.
+/// Checks the junction of the first two blocks against the junctions of the following blocks.
 ///   `further`       N1404: number of junctions to check beyond the next junction
-///   `always_alarm`  N1403 #1 AAL
+///   `always_alarm`  parameter N1403 #1 AAL: an interference always raises the alarm
 ///   returns         nullopt for alarm 2049
 ///   law             the path of the first block itself is not checked: goes_back() does that
 std::optional<ContourJoin> check_interference(std::span<const CompensatedBlock> window, std::size_t further, bool always_alarm);

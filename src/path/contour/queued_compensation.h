@@ -32,7 +32,7 @@ class QueuedCompensation {
   ///   alarms  reported at the block that is being read: the alarms of queued_corner.h, gouge_feed, gouge_rapid, gouge_arc,
   ///           offset_arc_radii, entry_line_within_tool, compensated_thread, compensation_buffer; the batch keeps the actions before that
   ///           block, the queue is dropped
-  ///   law     without a motion that has a side the output is the input
+  ///   law     if no motion has a compensation side, the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
   /// Warnings of the last batch: one contour_cut per contour, at the contour's deepest cut.

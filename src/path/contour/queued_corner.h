@@ -48,7 +48,7 @@ struct QueuedCorner {
 };
 
 /// Returns the corner to a line that ends at `to`, which must differ from the corner point.
-///   alarms  gouge_arc_to_line: the tool does not fit in
+///   alarms  gouge_arc_to_line, if the tool does not fit into the corner
 Result<QueuedCorner> corner_to_line(const CornerPlace& place, Vec2 to);
 
 /// Returns the corner to an arc; `arc.end` is the arc's programmed end.

@@ -50,7 +50,7 @@ struct CornerRoom {
 
 /// Returns the arc with the given radius that is tangent to both elements, on the inner side of the corner. If several arcs fit, returns
 /// the one nearest to the corner (17.1).
-///   returns  nullopt if none fits
+///   returns  nullopt if no such arc fits
 ///   law      the arc's centre is at the distance `radius` from both elements, on their normals at the points of contact
 std::optional<CornerElement> rounding(const ContourElement& first, const ContourElement& second, double radius, CornerRoom room);
 

@@ -31,7 +31,7 @@ class MachinePath {
 
   Axes at(double part) const;
   bool leads_tip() const { return kadr::leads_tip(from_, motion_); }
-  /// Returns the position of the tip at `part` of the motion, if the tip is led.
+  /// Returns the position of the tool tip at `part`, 0 … 1, of a motion under tool centre point control.
   Vec3 tip(double part) const { return led_tip(roles_, from_, motion_, curve_.at(part), part); }
 
   /// Returns the number of equal pieces whose chords stay within `chord` mm of the path, and, under tool centre point control, of the

@@ -19,10 +19,10 @@ class Compression {
   /// Joins the motions of a batch, in place.
   ///   from   position of the tool after all actions emitted so far, work coordinates
   ///   last   true: no batch follows, so no motion is held back
-  ///   returns  how many of the batch's first actions belong to earlier batches
+  ///   returns  how many actions at the start of the resulting batch come from earlier batches
   ///   law    motions whose `join` is 0 are emitted unchanged
   ///   manual NCT 4.7; INFERRED: the travel counts from the last emitted point, a motion with exact stop ends at its programmed end,
-  ///          feed and origin are those of the last motion joined
+  ///          feed and origin of the result are those of the last motion joined
   std::size_t take(ActionBatch& batch, const Axes& from, bool last);
 
   /// Discards the stored motion and stop, because their block was withdrawn.

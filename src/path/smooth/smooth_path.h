@@ -47,7 +47,7 @@ class SmoothPath {
   bool empty() const { return length_.empty(); }
   double begins() const { return at_.front(); }
   double ends() const { return at_.back(); }
-  /// The path is final up to this length.
+  /// The length up to which the path is final, mm.
   double settled() const { return settled_; }
 
   double at(std::size_t vertex) const { return at_[vertex]; }
@@ -82,7 +82,7 @@ class SmoothPath {
   /// Computes, for each axis, the position at s and its first two derivatives with respect to the length. `piece`: piece_at(s).
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
-  /// True if the feed changes into that of the next piece along the rounding of the corner between them.
+  /// True if, along the rounding of the vertex, the feed changes smoothly from that of the piece before it to that of the piece after it.
   bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
   /// Returns the feed at s, mm/s. At a corner with is_paced(), the inverse of the feed (the time per mm) is smoothed in the same manner
   /// as the axis positions.

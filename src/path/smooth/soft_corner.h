@@ -26,7 +26,7 @@ class SoftCorner {
   /// other: start(equal_swings) = −start(2 + √2).
   static constexpr double equal_swings = 5.3558125;
 
-  /// Returns the shape for a corner with this |Δu| (0 … 2).
+  /// Returns the shape for a corner where the change of direction has the magnitude |Δu| = `bend` (0 … 2).
   static const SoftCorner& of(double bend);
 
   /// g, g′, g″ at the distance r ≥ 0 from the corner, for w = 1. g is an even function; `slope` is g′(−r), and g′(r) has the opposite sign.
@@ -34,7 +34,7 @@ class SoftCorner {
     double g, slope, pulse;
   };
   Shape at(double r) const;
-  /// Returns g alone.
+  /// Returns the displacement g at the distance r from the corner, for w = 1.
   ///   pre  r < 1
   double height(double r) const {
     const double place = r * pieces;
